@@ -1,0 +1,54 @@
+#pragma once
+// What Algorithm 1 needs from a sampling domain. It never sees a coordinate.
+
+#include <cstddef>
+
+#include "geom/ids.h"
+
+namespace fpo {
+
+using geom::SiteId;
+using CircleId = geom::Id<struct CircleTag>;
+
+/// Where the largest empty circle is looked for: everywhere (section 2.1), or among the circles in the 2-ring
+/// neighbourhood of the sample that was just removed (section 4.3, "local").
+enum class Scope { global, two_ring };
+
+/// An empty circle: the power of its centre to the nearest samples, and the domain's name for it. radius2 may
+/// be negative (weights), and is -infinity if there is no circle.
+struct Circle {
+  double radius2;
+  CircleId id;
+};
+
+/// A set of n samples with the empty circles between them, under removal and insertion.
+/// A move is: d = separation(x); remove(x); c = largest_empty(scope); then insert_at(x, c) or put_back(x).
+class Domain {
+ public:
+  virtual ~Domain() = default;
+
+  virtual std::size_t num_samples() const = 0;
+
+  /// d_x of Algorithm 1, line 4, as a power: min over j != x of |x - p_j|^2 - w_j, to be compared with
+  /// Circle::radius2 (the sample's own weight is left out on both sides). +infinity if x is alone.
+  virtual double separation(SiteId x) = 0;
+
+  /// Line 5. At most one sample is out at a time.
+  virtual void remove(SiteId x) = 0;
+  virtual Circle largest_empty(Scope scope) = 0;
+
+  /// Line 7: puts the removed sample at the centre of c, with the weight that the sizing gives there.
+  virtual void insert_at(SiteId x, const Circle& c) = 0;
+  /// Line 9: puts the removed sample back with its old position and weight.
+  virtual void put_back(SiteId x) = 0;
+
+  /// Distance from x to the nearest other sample in units of the spacing that a hexagonal arrangement of the
+  /// wanted density would have there (d_max of section 2.1 if uniform). The minimum over all x is delta, the
+  /// mean mean_delta.
+  virtual double normalized_spacing(SiteId x) = 0;
+
+  /// Verifies every invariant of the structures behind; throws geom::Bug. For tests.
+  virtual void check() const {}
+};
+
+}  // namespace fpo

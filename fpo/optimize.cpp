@@ -1,0 +1,104 @@
+#include "fpo/optimize.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "geom/check.h"
+#include "geom/rng.h"
+
+namespace fpo {
+namespace {
+
+/// Lines 4 to 9 of Algorithm 1 for one sample. True if it moved.
+bool move_to_farthest_point(Domain& domain, SiteId x, Scope scope) {
+  const double d = domain.separation(x);
+  domain.remove(x);
+  const Circle c = domain.largest_empty(scope);
+  if (c.radius2 > d) {
+    domain.insert_at(x, c);
+    return true;
+  }
+  domain.put_back(x);
+  return false;
+}
+
+std::vector<SiteId> all_samples(const Domain& domain) {
+  std::vector<SiteId> samples;
+  samples.reserve(domain.num_samples());
+  for (std::size_t i = 0; i < domain.num_samples(); ++i) samples.emplace_back(i);
+  return samples;
+}
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+IterationReport measure(Domain& domain) {
+  IterationReport report;
+  report.delta = std::numeric_limits<double>::infinity();
+  double sum = 0;
+  for (const SiteId x : all_samples(domain)) {
+    const double spacing = domain.normalized_spacing(x);
+    report.delta = std::min(report.delta, spacing);
+    sum += spacing;
+  }
+  report.mean_delta = sum / static_cast<double>(std::max<std::size_t>(domain.num_samples(), 1));
+  return report;
+}
+
+OptimizeResult optimize(Domain& domain, const OptimizeOptions& options) {
+  const Stopwatch watch;
+  geom::Rng rng(options.seed);
+  std::vector<SiteId> order = all_samples(domain);
+  OptimizeResult result;
+
+  const auto report = [&](int iteration, std::size_t moved) {
+    result.last = measure(domain);
+    result.last.iteration = iteration;
+    result.last.moved = moved;
+    result.last.seconds = watch.seconds();
+    if (options.on_iteration) options.on_iteration(result.last);
+  };
+  const auto interrupted = [&] {
+    return options.interrupted && options.interrupted->load(std::memory_order_relaxed);
+  };
+
+  report(0, 0);
+  for (int iteration = 1; iteration <= options.max_iterations; ++iteration) {
+    std::size_t moved = 0;
+    rng.shuffle(std::span(order));
+    for (const SiteId x : order) {
+      if (interrupted()) {
+        report(iteration, moved);
+        result.reason = StopReason::interrupted;
+        return result;
+      }
+      if (options.on_move) options.on_move(result.moves);
+      try {
+        moved += move_to_farthest_point(domain, x, options.scope);
+      } catch (const geom::Bug& bug) {
+        throw geom::Bug("move " + std::to_string(result.moves) + ": " + bug.what());
+      }
+      ++result.moves;
+    }
+    report(iteration, moved);
+    if (moved == 0) return result.reason = StopReason::nothing_moved, result;
+    if (result.last.delta > options.target_delta) return result.reason = StopReason::target_reached, result;
+  }
+  result.reason = StopReason::iteration_cap;
+  return result;
+}
+
+}  // namespace fpo

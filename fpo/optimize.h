@@ -1,0 +1,49 @@
+#pragma once
+// Farthest point optimization: Algorithm 1 of the paper, generalised to any domain and to weights.
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+
+#include "fpo/domain.h"
+
+namespace fpo {
+
+/// The state after an iteration, in which every sample was removed and inserted once.
+struct IterationReport {
+  int iteration = 0;      ///< 1, 2, ...; 0: the initial set
+  std::size_t moved = 0;  ///< samples that went to a new position
+  double delta = 0;       ///< minimum of Domain::normalized_spacing (the paper's delta_X)
+  double mean_delta = 0;  ///< its mean
+  double seconds = 0;     ///< since the start of optimize()
+};
+
+enum class StopReason { target_reached, nothing_moved, iteration_cap, interrupted };
+
+struct OptimizeOptions {
+  int max_iterations = 100;
+  double target_delta = 0.926;  ///< stop as soon as delta exceeds it (section 3.2)
+  Scope scope = Scope::global;
+  std::uint64_t seed = 1;  ///< of the random order of visits, drawn anew for each iteration
+  const std::atomic<bool>* interrupted = nullptr;  ///< looked at before each move
+  std::function<void(const IterationReport&)>
+      on_iteration;  ///< called after each iteration and once before the first
+  std::function<void(std::size_t move)>
+      on_move;  ///< called before each move, counted from 0 over all iterations
+};
+
+struct OptimizeResult {
+  StopReason reason = StopReason::iteration_cap;
+  IterationReport last;
+  std::size_t moves = 0;  ///< samples removed and inserted, over all iterations
+};
+
+/// Algorithm 1. Deterministic: the result depends on the domain's content, the seed and the options alone.
+/// Leaves the domain with all samples in. Throws geom::Bug with the move number in its text if the domain
+/// does.
+OptimizeResult optimize(Domain& domain, const OptimizeOptions& options);
+
+/// delta and mean delta of the samples as they are (the other fields are 0). O(n) spacings.
+IterationReport measure(Domain& domain);
+
+}  // namespace fpo
