@@ -53,8 +53,8 @@ int main(int argc, char** argv) {
   doctest::Context context(argc, argv);
   const int result = context.run();
   if (tally().complete) {
-    std::cout << tally().passed << " passed, " << tally().failed << " failed, " << tally().skipped << " skipped"
-              << std::endl;
+    std::cout << tally().passed << " passed, " << tally().failed << " failed, " << tally().skipped
+              << " skipped" << std::endl;
   }
   return result;
 }
