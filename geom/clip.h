@@ -1,0 +1,109 @@
+#pragma once
+// A facet of the surface clipped to one power cell: a convex polygon whose edges are labelled, decided
+// exactly.
+//
+//            k (site)                 The polygon is known by its labels alone: each edge lies on an edge of
+//            the facet or
+//          o---------o                on the bisector of the owner with a site. A corner is the meeting of
+//          two labels:
+//         /   owner   \  j (site)       type A  facet edge, facet edge   a vertex of the surface
+//        o-------------o                type B  facet edge, site         an edge of the surface and a
+//        bisector
+//          facet edge                   type C  site, site               an edge of the power diagram (paper,
+//          section 4.1)
+//
+// Positions are rounded and carry their error bound; they serve as filter, never as the judge.
+
+#include <span>
+#include <vector>
+
+#include "geom/construct.h"
+#include "geom/ids.h"
+#include "geom/trimesh.h"
+
+namespace geom {
+
+/// What an edge of a clipped facet lies on.
+class EdgeLabel {
+ public:
+  constexpr EdgeLabel() = default;
+  static constexpr EdgeLabel bisector(SiteId j) { return EdgeLabel(j.value); }
+  static constexpr EdgeLabel facet_edge(int e) { return EdgeLabel(-1 - e); }
+  constexpr bool is_site() const { return code_ >= 0; }
+  constexpr SiteId site() const { return SiteId(code_); }
+  constexpr int edge() const { return -1 - code_; }
+  constexpr auto operator<=>(const EdgeLabel&) const = default;
+
+ private:
+  constexpr explicit EdgeLabel(std::int32_t code) : code_(code) {}
+  std::int32_t code_ = 0;
+};
+
+/// A corner and the edge that starts there, counterclockwise.
+struct PolygonCorner {
+  RoundedPoint point;
+  EdgeLabel edge;
+  CircleId circle;  ///< the circle registered here, if any
+};
+
+/// A clipped facet under work. No corners: empty.
+struct FacetPolygon {
+  FacetId facet;
+  SiteId owner;
+  std::vector<PolygonCorner> corners;
+
+  EdgeLabel edge_before(std::size_t k) const { return corners[k == 0 ? corners.size() - 1 : k - 1].edge; }
+};
+
+enum class Clip { untouched, cut, swallowed };
+
+/// Clips facets of one mesh by bisectors of one set of sites.
+class Clipper {
+ public:
+  using Sites = Table<SiteId, WeightedPoint3>;
+
+  /// Keeps references to both. All sites must stay within `extent` of the origin in every coordinate.
+  Clipper(const TriMesh& mesh, const Sites& sites, double extent)
+      : mesh_(mesh), sites_(sites), extent_(extent) {}
+
+  Bisector bisector_of(SiteId owner, SiteId j) const { return bisector(sites_[owner], sites_[j], extent_); }
+
+  /// The whole facet, labelled by its own edges.
+  void start(FacetPolygon& polygon, FacetId facet, SiteId owner) const;
+
+  /// Does j beat the owner at corner k of the polygon? Exact. `b` is bisector_of(owner, j).
+  bool beats_at(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners, std::size_t k, SiteId j,
+                const Bisector& b) const {
+    const double f = b(corners[k].point.position);
+    const double bound = b.error + b.norm1 * corners[k].point.tolerance;
+    if (f > bound) return false;
+    if (f < -bound) return true;
+    return beats_exactly(facet, owner, corners, k, j);
+  }
+  bool beats_at(const FacetPolygon& polygon, std::size_t k, SiteId j, const Bisector& b) const {
+    return beats_at(polygon.facet, polygon.owner, polygon.corners, k, j, b);
+  }
+
+  /// Which corners j takes: none, some, all. O(corners). Fills `beaten` where the answer is `cut`.
+  Clip classify(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners, SiteId j,
+                const Bisector& b, std::vector<char>& beaten) const;
+
+  /// Takes away what j beats. The new edge is labelled j. O(corners).
+  Clip clip(FacetPolygon& polygon, SiteId j, const Bisector& b);
+  Clip clip(FacetPolygon& polygon, SiteId j) { return clip(polygon, j, bisector_of(polygon.owner, j)); }
+  /// The same, with the answer of classify() at hand.
+  void cut(FacetPolygon& polygon, SiteId j, const Bisector& b, const std::vector<char>& beaten);
+
+ private:
+  bool beats_exactly(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners, std::size_t k,
+                     SiteId j) const;
+  RoundedPoint meet(const FacetPolygon& polygon, EdgeLabel label, SiteId j, const Bisector& b) const;
+
+  const TriMesh& mesh_;
+  const Sites& sites_;
+  double extent_;
+  std::vector<char> beaten_;            // workspace
+  std::vector<PolygonCorner> scratch_;  // workspace
+};
+
+}  // namespace geom

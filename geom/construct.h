@@ -1,0 +1,63 @@
+#pragma once
+// The one file that rounds: bisectors evaluated in doubles and the corners of clipped facets, each with a
+// proven bound on its error, so that clip.h can use them as a filter and turn to exact predicates only where
+// the bound cannot tell.
+
+#include <limits>
+
+#include "geom/vec.h"
+
+namespace geom {
+
+/// The affine function f(x) = Pi(x, j) - Pi(x, p0) of two weighted points: negative where j beats the owner
+/// p0. f(x) = normal . x - offset, normal = 2 (p0 - pj), offset = (p0 - pj).(p0 + pj) + wj - w0.
+struct Bisector {
+  Vec3 normal;
+  double offset;
+  double norm1;  ///< |normal|_1
+  double error;  ///< |computed f(x) - f(x)| <= error for every double x with |x|_inf <= extent
+
+  double operator()(const Vec3& x) const { return normal.dot(x) - offset; }
+};
+
+/// `extent` bounds every coordinate of p0, pj and of the locations at which f will be evaluated.
+///
+/// Error: with u = 2^-53 the rounded normal . x is off by at most 5u |n|_1 M, the offset by 7u |n|_1 M + 2u
+/// |wj - w0|, the last subtraction by u (2 |n|_1 M + |wj - w0|), to first order. 16u (|n|_1 M + |wj - w0|)
+/// covers the sum and the higher orders.
+inline Bisector bisector(const WeightedPoint3& p0, const WeightedPoint3& pj, double extent) {
+  const Vec3 d = p0.position - pj.position, s = p0.position + pj.position;
+  const double dw = pj.weight - p0.weight;
+  const double norm1 = 2 * (std::abs(d.x()) + std::abs(d.y()) + std::abs(d.z()));
+  return {2 * d, d.dot(s) + dw, norm1, 0x1p-49 * (norm1 * extent + std::abs(dw))};
+}
+
+/// Values of a bisector's f at the three corners of a facet, each off by at most `error`.
+struct LinearForm {
+  double f[3];
+  double error;
+};
+
+inline LinearForm linear_form(const Bisector& b, const Vec3& q0, const Vec3& q1, const Vec3& q2) {
+  return {{b(q0), b(q1), b(q2)}, b.error};
+}
+
+/// A rounded location: the exact one differs by at most `tolerance` in every coordinate (infinity: unknown,
+/// but both lie in the facet).
+struct RoundedPoint {
+  Vec3 position;
+  double tolerance;
+};
+
+/// The point of segment (a, b) where a linear form with end values fa, fb (each off by at most `error`)
+/// vanishes. Requires that the exact form vanishes between a and b. To get the same bits from both facets at
+/// an edge, pass the end of smaller mesh-vertex id first.
+RoundedPoint corner_on_edge(const Vec3& a, const Vec3& b, double fa, double fb, double error, double extent);
+
+/// The point of facet (q0, q1, q2) where two linear forms vanish: barycentric coordinates F1 x F2 up to
+/// scale. Requires that the exact point lies in the facet. A function of the arguments in this order: pass
+/// the site of smaller id first.
+RoundedPoint corner_in_facet(const Vec3& q0, const Vec3& q1, const Vec3& q2, const LinearForm& first,
+                             const LinearForm& second, double extent);
+
+}  // namespace geom

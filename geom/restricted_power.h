@@ -1,0 +1,139 @@
+#pragma once
+// The restricted power diagram of a surface (paper, section 4.1) under insertion and removal of sites
+// (section 4.2).
+//
+// A fragment is the part of one cell on one facet, a convex polygon (clip.h). A corner of the diagram is an
+// empty circle: its center is the corner, radius2 its power to the sites that meet there, and no site is
+// nearer. Type C corners are the candidates for the farthest point in the paper; power being convex on a
+// fragment, the farthest point of the whole surface can also be of type B (border, crease) or A (tip):
+// CornerTypes says which are registered.
+
+#include <span>
+#include <vector>
+
+#include "geom/fragment_store.h"
+#include "geom/neighbour_source.h"
+
+namespace geom {
+
+enum class CornerTypes { c_only, all };
+
+/// A registered corner. All fields are functions of the mesh and of the sites that meet there, not of
+/// history.
+struct EmptyCircle {
+  Vec3 center;
+  double radius2 = 0;
+  FacetId facet;                ///< it lies in; the smallest for a B or A corner
+  std::array<SiteId, 3> sites;  ///< ascending; the last one none for B, the last two for A
+  std::int32_t place = 0;       ///< C: 0, B: 1 + facet edge, A: 4 + facet corner
+};
+
+/// The diagram and its updates. Exact: after each update the fragments and their labels are those of the
+/// diagram of the present sites built from nothing.
+class RestrictedPower {
+ public:
+  /// What one update did. Valid until the next one. An id may be erased and created in the same change: erase
+  /// first.
+  struct Change {
+    std::vector<CircleId> circles_erased, circles_created;
+    std::vector<SiteId> cells;  ///< that won or lost something, the site itself left out
+    struct Piece {
+      SiteId site;
+      FacetId facet;
+    };
+    std::vector<Piece> erased, created, cut;  ///< fragments gone, new, with another polygon
+  };
+
+  /// Empty. Keeps references: to the mesh, and to the source, which must hold the same sites (see after_*).
+  /// Throws InputError if the mesh has no facet.
+  RestrictedPower(const TriMesh& mesh, NeighbourSource& neighbours, CornerTypes types);
+
+  /// Makes room for p's cell; p has just been inserted into the neighbour source. Cost: the fragments of its
+  /// rivals.
+  const Change& after_insert(SiteId p, const WeightedPoint3& point);
+  /// Gives p's cell to its heirs; p has just been removed from the neighbour source.
+  const Change& after_remove(SiteId p);
+
+  const WeightedPoint3& site(SiteId p) const { return sites_[p]; }
+  const EmptyCircle& circle(CircleId c) const { return circles_[c]; }
+  /// The order of circles of equal radius2: by facet, place and sites.
+  bool circle_before(CircleId a, CircleId b) const;
+
+  const FragmentStore& fragments() const { return store_; }
+  const TriMesh& mesh() const { return mesh_; }
+  /// The largest power of a location in p's cell; -infinity if the cell is empty. Rounded up.
+  double reach(SiteId p) const;
+
+  /// A fragment by labels alone, the cycle starting at its smallest label.
+  struct Canonical {
+    FacetId facet;
+    SiteId site;
+    std::vector<EdgeLabel> labels;
+    auto operator<=>(const Canonical&) const = default;
+  };
+  /// The whole diagram, sorted: equal diagrams give equal lists. For tests.
+  std::vector<Canonical> canonical() const;
+  /// Verifies lists, labels on both sides of each bisector, registered circles, the source's bounds; throws
+  /// Bug. O(fragments).
+  void check() const;
+
+ private:
+  struct Pending {
+    FragmentId old;
+    FacetPolygon polygon;
+  };
+  struct TouchedFacet {
+    FacetId facet;
+    std::int32_t rivals = -1;  ///< head of a list in rival_links_
+  };
+  struct RivalLink {
+    SiteId site;
+    std::int32_t next;
+  };
+
+  void begin(SiteId p);
+  void finish(SiteId p);
+  void touch_cell(SiteId j);
+  TouchedFacet& touch_facet(FacetId t);
+  bool take_from(SiteId j, SiteId p);
+  void occupy_everything(SiteId p);
+  bool divide(FragmentId vacated, SiteId p);
+  bool inherits_whole(FacetId t);
+  Pending& add_pending(FragmentId old);
+  void gather_known_heirs(SiteId p);
+  bool add_missing_heirs(SiteId p);
+
+  void commit(FragmentId f, FacetPolygon& polygon);
+  void forget(FragmentId f);
+  void register_corners(FragmentId f, FacetPolygon& polygon);
+  CircleId create_circle(const FacetPolygon& polygon, std::size_t corner, std::int32_t place);
+  void erase_circle(CircleId c);
+  double bound_radius2(const FacetPolygon& polygon) const;
+
+  const TriMesh& mesh_;
+  NeighbourSource& neighbours_;
+  CornerTypes types_;
+  Clipper::Sites sites_;
+  double extent_;
+  Clipper clipper_;
+  FragmentStore store_;
+  Table<CircleId, EmptyCircle> circles_;
+  std::vector<CircleId> free_circles_;
+  Table<VertexId, FacetId> first_facet_;     ///< CornerTypes::all only: where a vertex's circle is registered
+  Table<VertexId, CircleId> vertex_circle_;  ///< likewise
+
+  Change change_;
+  // Workspaces of one update.
+  std::vector<SiteId> candidates_, heirs_;
+  std::vector<TouchedFacet> touched_facets_;
+  std::vector<RivalLink> rival_links_;
+  std::vector<Pending> pending_;
+  std::size_t num_pending_ = 0;
+  std::vector<char> beaten_;
+  FacetPolygon polygon_;
+  Table<FacetId, std::int32_t> facet_mark_;  ///< index into touched_facets_ or -1
+  Table<SiteId, std::uint32_t> cell_stamp_, heir_stamp_;
+  std::uint32_t stamp_ = 0;
+};
+
+}  // namespace geom
