@@ -7,8 +7,8 @@
 
 namespace fpo {
 
-using geom::SiteId;
 using geom::CircleId;
+using geom::SiteId;
 
 /// Where the largest empty circle is looked for: everywhere (section 2.1), or among the circles in the 2-ring
 /// neighbourhood of the sample that was just removed (section 4.3, "local").

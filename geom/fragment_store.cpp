@@ -68,12 +68,6 @@ FragmentId FragmentStore::find(SiteId s, FacetId t) const {
   return {};
 }
 
-std::span<PolygonCorner> FragmentStore::corners(FragmentId f) {
-  const Fragment& fragment = fragments_[f];
-  if (fragment.polygon < 0) return {};
-  return {corners_.data() + fragment.polygon, fragment.size};
-}
-
 std::span<const PolygonCorner> FragmentStore::corners(FragmentId f) const {
   const Fragment& fragment = fragments_[f];
   if (fragment.polygon < 0) return {};

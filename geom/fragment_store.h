@@ -36,7 +36,6 @@ class FragmentStore {
   /// Is the fragment its whole facet?
   bool whole(FragmentId f) const { return fragments_[f].polygon < 0; }
   /// The stored corners, empty if whole.
-  std::span<PolygonCorner> corners(FragmentId f);
   std::span<const PolygonCorner> corners(FragmentId f) const;
   /// The corners in any case; those of a whole facet are written to `buffer`.
   std::span<const PolygonCorner> corners(FragmentId f, std::array<PolygonCorner, 3>& buffer) const;

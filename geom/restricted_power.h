@@ -97,7 +97,7 @@ class RestrictedPower {
   TouchedFacet& touch_facet(FacetId t);
   bool take_from(SiteId j, SiteId p);
   void occupy_everything(SiteId p);
-  bool divide(FragmentId vacated, SiteId p);
+  void divide(FragmentId vacated, SiteId p);
   bool inherits_whole(FacetId t);
   Pending& add_pending(FragmentId old);
   void gather_known_heirs(SiteId p);

@@ -1,0 +1,203 @@
+#include "geom/restricted_power.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "geom/check.h"
+
+namespace geom {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Sites are rounded from locations on the surface and may leave its box by a little.
+double extent_of(const TriMesh& mesh) {
+  require(mesh.num_facets() > 0, "the surface has no facet");
+  return std::max(mesh.box().min().lpNorm<Eigen::Infinity>(), mesh.box().max().lpNorm<Eigen::Infinity>()) *
+         (1 + 1e-9);
+}
+
+}  // namespace
+
+RestrictedPower::RestrictedPower(const TriMesh& mesh, NeighbourSource& neighbours, CornerTypes types)
+    : mesh_(mesh),
+      neighbours_(neighbours),
+      types_(types),
+      extent_(extent_of(mesh)),
+      clipper_(mesh, sites_, extent_),
+      store_(mesh),
+      facet_mark_(mesh.num_facets(), -1) {
+  if (types_ == CornerTypes::c_only) return;
+  first_facet_.resize(mesh.num_vertices());
+  vertex_circle_.resize(mesh.num_vertices());
+  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
+    for (const VertexId v : mesh.facet(t))
+      if (!first_facet_[v].valid()) first_facet_[v] = t;
+}
+
+double RestrictedPower::reach(SiteId p) const {
+  double result = -infinity;
+  for (FragmentId f = store_.first_of_cell(p); f.valid(); f = store_.next_in_cell(f))
+    result = std::max(result, store_.max_radius2(f));
+  return result;
+}
+
+/// An upper bound of the power on a polygon: power is convex, so its maximum is at a corner. With a the
+/// rounded distance of a corner and b = sqrt(3) tolerance, (a + b)^2 <= a^2 (1 + e) + b^2 (1 + 1/e).
+double RestrictedPower::bound_radius2(const FacetPolygon& polygon) const {
+  const WeightedPoint3& owner = sites_[polygon.owner];
+  constexpr double e = 1e-9;
+  double result = -infinity;
+  for (const PolygonCorner& corner : polygon.corners) {
+    const double b2 = 3 * corner.point.tolerance * corner.point.tolerance;
+    const double a2 = (corner.point.position - owner.position).squaredNorm();
+    result = std::max(result, a2 * (1 + e) + b2 * (1 + 1 / e) - owner.weight);
+  }
+  if (result < infinity) return result;
+  for (int i = 0; i < 3; ++i)
+    result = std::max(i == 0 ? -infinity : result, power(mesh_.corner(polygon.facet, i), owner));
+  return result;
+}
+
+// --- fragments and their circles
+// -------------------------------------------------------------------------------------
+
+/// Gives fragment f (created if none) this polygon.
+void RestrictedPower::commit(FragmentId f, FacetPolygon& polygon) {
+  if (f.valid()) {
+    change_.cut.push_back({polygon.owner, polygon.facet});
+  } else {
+    f = store_.create(polygon.owner, polygon.facet);
+    change_.created.push_back({polygon.owner, polygon.facet});
+  }
+  register_corners(f, polygon);
+  store_.set_corners(f, polygon.corners);
+  store_.set_max_radius2(f, bound_radius2(polygon));
+}
+
+void RestrictedPower::forget(FragmentId f) {
+  for (const PolygonCorner& corner : store_.corners(f))
+    if (corner.circle.valid()) erase_circle(corner.circle);
+  change_.erased.push_back({store_.site(f), store_.facet(f)});
+  store_.erase(f);
+}
+
+/// Each C corner is seen from three cells: the one of smallest id registers it, so that its position (clip.h)
+/// is the same whatever the history. A B corner is registered by the smaller id in the smaller facet, an A
+/// corner in the first facet of the vertex. Corners that stay keep their circles.
+void RestrictedPower::register_corners(FragmentId f, FacetPolygon& polygon) {
+  std::vector<PolygonCorner>& corners = polygon.corners;
+  const std::span<const PolygonCorner> old = store_.corners(f);
+  const auto place_of = [&](std::size_t k) -> std::int32_t {  // as in EmptyCircle; -1: not to be registered
+    const EdgeLabel before = polygon.edge_before(k), after = corners[k].edge;
+    if (before.is_site() && after.is_site())
+      return polygon.owner < before.site() && polygon.owner < after.site() ? 0 : -1;
+    if (types_ == CornerTypes::c_only) return -1;
+    if (!before.is_site() && !after.is_site()) {
+      const VertexId v = mesh_.facet(polygon.facet)[static_cast<std::size_t>(after.edge())];
+      return first_facet_[v] == polygon.facet ? 4 + after.edge() : -1;
+    }
+    const EdgeLabel edge = before.is_site() ? after : before, site = before.is_site() ? before : after;
+    const FacetId across = mesh_.across(polygon.facet, edge.edge());
+    const bool ours = polygon.owner < site.site() && (!across.valid() || polygon.facet < across);
+    return ours ? 1 + edge.edge() : -1;
+  };
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    if (corners[k].circle.valid() || place_of(k) < 0 || place_of(k) >= 4) continue;
+    for (std::size_t o = 0; o < old.size(); ++o)
+      if (old[o].edge == corners[k].edge &&
+          old[o == 0 ? old.size() - 1 : o - 1].edge == polygon.edge_before(k))
+        corners[k].circle = old[o].circle;
+  }
+  for (const PolygonCorner& o : old)
+    if (o.circle.valid() && std::ranges::none_of(corners, [&](auto& c) { return c.circle == o.circle; }))
+      erase_circle(o.circle);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const std::int32_t place = place_of(k);
+    if (place < 0 || corners[k].circle.valid()) continue;
+    if (place < 4) {
+      corners[k].circle = create_circle(polygon, k, place);
+      continue;
+    }
+    CircleId& circle = vertex_circle_[mesh_.facet(polygon.facet)[static_cast<std::size_t>(place - 4)]];
+    if (circle.valid() && circles_[circle].sites[0] == polygon.owner) continue;
+    if (circle.valid()) erase_circle(circle);
+    circle = create_circle(polygon, k, place);
+  }
+}
+
+CircleId RestrictedPower::create_circle(const FacetPolygon& polygon, std::size_t corner, std::int32_t place) {
+  CircleId c;
+  if (free_circles_.empty()) {
+    c = circles_.next_id();
+    circles_.emplace_back();
+  } else {
+    c = free_circles_.back();
+    free_circles_.pop_back();
+  }
+  EmptyCircle& circle = circles_[c];
+  circle.center = polygon.corners[corner].point.position;
+  circle.radius2 = power(circle.center, sites_[polygon.owner]);
+  circle.facet = polygon.facet;
+  circle.place = place;
+  circle.sites = {polygon.owner, SiteId(), SiteId()};
+  std::size_t n = 1;
+  for (const EdgeLabel label : {polygon.edge_before(corner), polygon.corners[corner].edge})
+    if (label.is_site()) circle.sites[n++] = label.site();
+  if (n == 3 && circle.sites[2] < circle.sites[1]) std::swap(circle.sites[1], circle.sites[2]);
+  change_.circles_created.push_back(c);
+  return c;
+}
+
+/// The id is used again only after the next update has begun, so the owner of a heap can still compare it in this one.
+void RestrictedPower::erase_circle(CircleId c) { change_.circles_erased.push_back(c); }
+
+bool RestrictedPower::circle_before(CircleId a, CircleId b) const {
+  const EmptyCircle &x = circles_[a], &y = circles_[b];
+  return std::tie(x.facet, x.place, x.sites) < std::tie(y.facet, y.place, y.sites);
+}
+
+// --- for tests
+// -------------------------------------------------------------------------------------------------------
+
+std::vector<RestrictedPower::Canonical> RestrictedPower::canonical() const {
+  std::vector<Canonical> result;
+  std::array<PolygonCorner, 3> buffer;
+  for (FacetId t(0); t.index() < mesh_.num_facets(); t = FacetId(t.value + 1))
+    for (FragmentId f = store_.first_of_facet(t); f.valid(); f = store_.next_in_facet(f)) {
+      Canonical fragment{t, store_.site(f), {}};
+      for (const PolygonCorner& corner : store_.corners(f, buffer)) fragment.labels.push_back(corner.edge);
+      std::ranges::rotate(fragment.labels, std::ranges::min_element(fragment.labels));
+      result.push_back(std::move(fragment));
+    }
+  std::ranges::sort(result);
+  return result;
+}
+
+void RestrictedPower::check() const {
+  store_.check();
+  std::array<PolygonCorner, 3> buffer;
+  std::size_t registered = 0;
+  for (FacetId t(0); t.index() < mesh_.num_facets(); t = FacetId(t.value + 1)) {
+    ensure(store_.size() == 0 || store_.first_of_facet(t).valid(),
+           "restricted power diagram: a facet without owner");
+    for (FragmentId f = store_.first_of_facet(t); f.valid(); f = store_.next_in_facet(f)) {
+      const std::span<const PolygonCorner> corners = store_.corners(f, buffer);
+      ensure(corners.size() >= 3, "restricted power diagram: a polygon with fewer than three corners");
+      for (std::size_t k = 0; k < corners.size(); ++k) {
+        registered += corners[k].circle.valid();
+        if (!corners[k].edge.is_site()) continue;
+        const FragmentId other = store_.find(corners[k].edge.site(), t);
+        ensure(other.valid(), "restricted power diagram: a label names a site that has nothing in the facet");
+        const auto back = std::ranges::count_if(store_.corners(other), [&](const PolygonCorner& c) {
+          return c.edge == EdgeLabel::bisector(store_.site(f));
+        });
+        ensure(back == 1, "restricted power diagram: two cells disagree on their common edge");
+      }
+    }
+  }
+  for (const CircleId c : vertex_circle_) registered += c.valid();
+  ensure(registered + free_circles_.size() + change_.circles_erased.size() == circles_.size(), "restricted power diagram: a circle is lost");
+}
+
+}  // namespace geom

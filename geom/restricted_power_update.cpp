@@ -1,0 +1,258 @@
+// Insertion and removal of a site in the restricted power diagram (paper, section 4.2, figure 6 (b) and (c)).
+
+#include <algorithm>
+
+#include "geom/check.h"
+#include "geom/restricted_power.h"
+
+namespace geom {
+
+void RestrictedPower::begin(SiteId p) {
+  free_circles_.insert(free_circles_.end(), change_.circles_erased.begin(), change_.circles_erased.end());
+  change_.circles_erased.clear();
+  change_.circles_created.clear();
+  change_.cells.clear();
+  change_.erased.clear();
+  change_.created.clear();
+  change_.cut.clear();
+  ++stamp_;
+  if (p.index() >= cell_stamp_.size()) {
+    cell_stamp_.resize(p.index() + 1, 0);
+    heir_stamp_.resize(p.index() + 1, 0);
+  }
+}
+
+/// Tells the source how far the changed cells reach now.
+void RestrictedPower::finish(SiteId p) {
+  for (const SiteId j : change_.cells)
+    if (j != p) neighbours_.set_reach(j, reach(j));
+}
+
+void RestrictedPower::touch_cell(SiteId j) {
+  if (cell_stamp_[j] == stamp_) return;
+  cell_stamp_[j] = stamp_;
+  change_.cells.push_back(j);
+}
+
+// --- insertion
+// -------------------------------------------------------------------------------------------------------
+
+// The power of p less that of the owner is affine on a fragment, so p takes a part of it iff it beats the
+// owner at a corner. First the fragments of all rivals are cut; then p's own fragment on each facet touched
+// is the facet clipped by the rivals that kept a part of it there.
+const RestrictedPower::Change& RestrictedPower::after_insert(SiteId p, const WeightedPoint3& point) {
+  ensure(point.position.lpNorm<Eigen::Infinity>() <= extent_,
+         "restricted power diagram: a site outside the mesh's box");
+  if (p.index() >= sites_.size()) sites_.resize(p.index() + 1);
+  sites_[p] = point;
+  begin(p);
+  if (store_.size() == 0) {
+    occupy_everything(p);
+  } else {
+    candidates_.clear();
+    neighbours_.rivals(p, candidates_);
+    for (const SiteId j : candidates_)
+      if (take_from(j, p)) touch_cell(j);
+    for (const TouchedFacet& touched : touched_facets_) {
+      clipper_.start(polygon_, touched.facet, p);
+      for (std::int32_t link = touched.rivals; link >= 0;
+           link = rival_links_[static_cast<std::size_t>(link)].next)
+        clipper_.clip(polygon_, rival_links_[static_cast<std::size_t>(link)].site);
+      ensure(!polygon_.corners.empty(),
+             "restricted power diagram: a site takes from a facet but gets nothing");
+      commit(FragmentId(), polygon_);
+      facet_mark_[touched.facet] = -1;
+    }
+    touched_facets_.clear();
+    rival_links_.clear();
+  }
+  finish(p);
+  neighbours_.set_reach(p, reach(p));
+  return change_;
+}
+
+/// Cuts the fragments of j by p and notes the facets where p wins something. True if it does.
+bool RestrictedPower::take_from(SiteId j, SiteId p) {
+  const Bisector b = clipper_.bisector_of(j, p);
+  std::array<PolygonCorner, 3> buffer;
+  bool took = false;
+  for (FragmentId f = store_.first_of_cell(j), next; f.valid(); f = next) {
+    next = store_.next_in_cell(f);
+    const FacetId t = store_.facet(f);
+    const std::span<const PolygonCorner> corners = store_.corners(f, buffer);
+    const Clip outcome = clipper_.classify(t, j, corners, p, b, beaten_);
+    if (outcome == Clip::untouched) continue;
+    took = true;
+    TouchedFacet& touched = touch_facet(t);
+    if (outcome == Clip::swallowed) {
+      forget(f);
+      continue;
+    }
+    rival_links_.push_back({j, touched.rivals});
+    touched.rivals = static_cast<std::int32_t>(rival_links_.size()) - 1;
+    polygon_.facet = t;
+    polygon_.owner = j;
+    polygon_.corners.assign(corners.begin(), corners.end());
+    clipper_.cut(polygon_, p, b, beaten_);
+    commit(f, polygon_);
+  }
+  return took;
+}
+
+RestrictedPower::TouchedFacet& RestrictedPower::touch_facet(FacetId t) {
+  std::int32_t& mark = facet_mark_[t];
+  if (mark < 0) {
+    mark = static_cast<std::int32_t>(touched_facets_.size());
+    touched_facets_.push_back({t, -1});
+  }
+  return touched_facets_[static_cast<std::size_t>(mark)];
+}
+
+void RestrictedPower::occupy_everything(SiteId p) {
+  for (FacetId t(0); t.index() < mesh_.num_facets(); t = FacetId(t.value + 1)) {
+    clipper_.start(polygon_, t, p);
+    commit(FragmentId(), polygon_);
+  }
+}
+
+// --- removal
+// ---------------------------------------------------------------------------------------------------------
+
+// The sites on the other side of the cell's boundary are known from the labels; nearly always they are all
+// the heirs. The vacancy is divided among them, and then the source is asked for others that could beat the
+// result: a site that owns a part of the vacancy beats the division at one of its corners, because the
+// difference of powers is affine on each piece. If there are any, they join the heirs and the vacancy is
+// divided again.
+const RestrictedPower::Change& RestrictedPower::after_remove(SiteId p) {
+  begin(p);
+  if (!store_.first_of_cell(p).valid()) return change_;
+  gather_known_heirs(p);
+  if (!heirs_.empty()) {
+    do {
+      num_pending_ = 0;
+      for (FragmentId f = store_.first_of_cell(p); f.valid(); f = store_.next_in_cell(f)) divide(f, p);
+    } while (add_missing_heirs(p));
+  }
+  for (FragmentId f = store_.first_of_cell(p), next; f.valid(); f = next) {
+    next = store_.next_in_cell(f);
+    forget(f);
+  }
+  for (std::size_t i = 0; i < num_pending_; ++i) {
+    touch_cell(pending_[i].polygon.owner);
+    commit(pending_[i].old, pending_[i].polygon);
+  }
+  if (heirs_.empty())
+    for (CircleId& c : vertex_circle_) {  // nobody is left
+      if (c.valid()) erase_circle(c);
+      c = CircleId();
+    }
+  finish(p);
+  return change_;
+}
+
+/// The sites that the boundary of p's cell is labelled with; if it has no boundary (p owned whole components
+/// of the surface alone), the site nearest to p.
+void RestrictedPower::gather_known_heirs(SiteId p) {
+  heirs_.clear();
+  for (FragmentId f = store_.first_of_cell(p); f.valid(); f = store_.next_in_cell(f))
+    for (const PolygonCorner& corner : store_.corners(f)) {
+      if (!corner.edge.is_site() || heir_stamp_[corner.edge.site()] == stamp_) continue;
+      heir_stamp_[corner.edge.site()] = stamp_;
+      heirs_.push_back(corner.edge.site());
+    }
+  if (!heirs_.empty()) return;
+  const SiteId nearest = neighbours_.nearest(sites_[p].position, p, SiteId()).site;
+  if (!nearest.valid()) return;
+  heir_stamp_[nearest] = stamp_;
+  heirs_.push_back(nearest);
+}
+
+RestrictedPower::Pending& RestrictedPower::add_pending(FragmentId old) {
+  if (num_pending_ == pending_.size()) pending_.emplace_back();
+  Pending& pending = pending_[num_pending_++];
+  pending.old = old;
+  return pending;
+}
+
+// Divides one fragment P of p, on facet t, among the heirs H. H contains every label of P.
+//
+//   k has a fragment on t    It grows iff P has an edge labelled k: both the old and the new fragment are
+//   convex, and on the
+//                            other edges of P other heirs are nearer than k. The new one is t clipped by the
+//                            old labels (less p) and by H.
+//   k has none               Let Q be t clipped by H. If k inherits, its share lies inside P, away from the
+//   edges of P, and
+//                            is bounded by heirs and edges of t alone, hence equal to Q. If not, Q is empty
+//                            or lies outside of P. All heirs yield to k on Q, so a corner of Q is in P iff p
+//                            beats k there.
+void RestrictedPower::divide(FragmentId vacated, SiteId p) {
+  const FacetId t = store_.facet(vacated);
+  if (store_.whole(vacated) && inherits_whole(t)) return;
+  const std::span<const PolygonCorner> vacancy = store_.corners(vacated);
+  for (const SiteId k : heirs_) {
+    const bool borders = std::ranges::any_of(
+        vacancy, [&](const PolygonCorner& c) { return c.edge == EdgeLabel::bisector(k); });
+    const FragmentId old = borders || !store_.whole(vacated) ? store_.find(k, t) : FragmentId();
+    if (old.valid() && !borders) continue;
+    Pending& pending = add_pending(old);
+    FacetPolygon& share = pending.polygon;
+    clipper_.start(share, t, k);
+    if (old.valid())  // what bounded k before, but for p and the heirs, whose turn comes next
+      for (const PolygonCorner& corner : store_.corners(old))
+        if (corner.edge.is_site() && corner.edge.site() != p && heir_stamp_[corner.edge.site()] != stamp_)
+          clipper_.clip(share, corner.edge.site());
+    for (const SiteId h : heirs_) {
+      if (share.corners.empty()) break;
+      if (h != k) clipper_.clip(share, h);
+    }
+    const bool inherits =
+        old.valid() || (!share.corners.empty() && clipper_.beats_at(share, 0, p, clipper_.bisector_of(k, p)));
+    ensure(!old.valid() || !share.corners.empty(), "restricted power diagram: a removal shrank a cell");
+    if (!inherits) --num_pending_;
+  }
+}
+
+/// For a facet that p owned whole: does one heir get all of it? Then that is noted. The owner of one corner
+/// is the only one that can.
+bool RestrictedPower::inherits_whole(FacetId t) {
+  SiteId best = heirs_.front();
+  clipper_.start(polygon_, t, best);
+  for (const SiteId h : heirs_)
+    if (h != best && clipper_.beats_at(polygon_, 0, h, clipper_.bisector_of(best, h)))
+      polygon_.owner = best = h;
+  for (const SiteId h : heirs_) {
+    if (h == best) continue;
+    const Bisector b = clipper_.bisector_of(best, h);
+    if (clipper_.beats_at(polygon_, 1, h, b) || clipper_.beats_at(polygon_, 2, h, b)) return false;
+  }
+  clipper_.start(add_pending(FragmentId()).polygon, t, best);
+  return true;
+}
+
+/// Asks the source for sites that beat the division somewhere; true if there are any, which are heirs now.
+bool RestrictedPower::add_missing_heirs(SiteId p) {
+  double max_radius2 = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < num_pending_; ++i)
+    max_radius2 = std::max(max_radius2, bound_radius2(pending_[i].polygon));
+  const double radius2 = std::max(reach(p) + sites_[p].weight, 0.0);
+  candidates_.clear();
+  neighbours_.heirs({p, sites_[p].position, std::sqrt(radius2), max_radius2}, candidates_);
+  const auto beats_the_division = [&](SiteId j) {
+    for (std::size_t i = 0; i < num_pending_; ++i) {
+      const FacetPolygon& share = pending_[i].polygon;
+      const Bisector b = clipper_.bisector_of(share.owner, j);
+      for (std::size_t k = 0; k < share.corners.size(); ++k)
+        if (clipper_.beats_at(share, k, j, b)) return true;
+    }
+    return false;
+  };
+  const std::size_t known = heirs_.size();
+  for (const SiteId j : candidates_) {
+    if (heir_stamp_[j] == stamp_ || !beats_the_division(j)) continue;
+    heir_stamp_[j] = stamp_;
+    heirs_.push_back(j);
+  }
+  return heirs_.size() > known;
+}
+
+}  // namespace geom

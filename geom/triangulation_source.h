@@ -1,0 +1,39 @@
+#pragma once
+// Neighbours from the dynamic regular triangulation in space: the paper's way (section 4.2 on CGAL, here on
+// regular3.h).
+//
+// The cells of a restricted power diagram are parts of the cells of the diagram in space. What p takes on
+// insertion it takes from its neighbours there, and what it leaves on removal goes to them, or to sites that
+// it had hidden.
+
+#include "geom/neighbour_source.h"
+#include "geom/regular3.h"
+
+namespace geom {
+
+class TriangulationSource final : public NeighbourSource {
+ public:
+  /// All sites must lie in the box.
+  explicit TriangulationSource(const Box3& box) : triangulation_(box) {}
+
+  void insert(SiteId id, const WeightedPoint3& point, SiteId hint) override;
+  void remove(SiteId id) override;
+  void rivals(SiteId p, std::vector<SiteId>& out) const override { triangulation_.link(p, out); }
+  void heirs(const Vacancy& vacancy, std::vector<SiteId>& out) const override;
+  void set_reach(SiteId, double) override {}
+  /// Greedy walk over edges: in a regular triangulation a site that is not the nearest to x has a nearer
+  /// neighbour.
+  Nearest nearest(const Vec3& x, SiteId without, SiteId hint) const override;
+
+  const Regular3& triangulation() const { return triangulation_; }
+
+ private:
+  Nearest nearest_of(const Vec3& x, SiteId without, const std::vector<SiteId>& sites) const;
+
+  Regular3 triangulation_;
+  std::vector<SiteId> present_;        ///< in no order
+  Table<SiteId, std::int32_t> place_;  ///< in present_
+  std::vector<SiteId> last_heirs_;
+};
+
+}  // namespace geom
