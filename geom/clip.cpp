@@ -17,6 +17,19 @@ std::pair<int, int> edge_ends(const TriMesh::Facet& facet, int e) {
 
 }  // namespace
 
+Clipper::Clipper(const TriMesh& mesh, const Sites& sites, double extent)
+    : mesh_(mesh), sites_(sites), extent_(extent) {
+  balls_.reserve(mesh.num_facets());
+  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
+    Box3 box;
+    for (int i = 0; i < 3; ++i) box.extend(mesh.corner(t, i));
+    const Vec3 center = box.center();
+    double radius = 0;
+    for (int i = 0; i < 3; ++i) radius = std::max(radius, (mesh.corner(t, i) - center).norm());
+    balls_.push_back({center, radius * (1 + 0x1p-40) + 0x1p-48 * extent});
+  }
+}
+
 void Clipper::start(FacetPolygon& polygon, FacetId facet, SiteId owner) const {
   polygon.facet = facet;
   polygon.owner = owner;
@@ -44,13 +57,11 @@ bool Clipper::beats_exactly(FacetId facet, SiteId owner, std::span<const Polygon
 
 Clip Clipper::classify(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners, SiteId j,
                        const Bisector& b, std::vector<char>& beaten) const {
+  if (const Clip whole = compare_on_facet(facet, b); whole != Clip::cut) return whole;
   beaten.resize(corners.size());
   std::size_t count = 0;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const bool is_beaten = beats_at(facet, owner, corners, k, j, b);
-    beaten[k] = is_beaten;
-    count += is_beaten;
-  }
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    count += beaten[k] = beats_at(facet, owner, corners, k, j, b);
   return count == 0 ? Clip::untouched : count == corners.size() ? Clip::swallowed : Clip::cut;
 }
 

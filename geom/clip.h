@@ -63,8 +63,7 @@ class Clipper {
   using Sites = Table<SiteId, WeightedPoint3>;
 
   /// Keeps references to both. All sites must stay within `extent` of the origin in every coordinate.
-  Clipper(const TriMesh& mesh, const Sites& sites, double extent)
-      : mesh_(mesh), sites_(sites), extent_(extent) {}
+  Clipper(const TriMesh& mesh, const Sites& sites, double extent);
 
   Bisector bisector_of(SiteId owner, SiteId j) const { return bisector(sites_[owner], sites_[j], extent_); }
 
@@ -75,7 +74,7 @@ class Clipper {
   bool beats_at(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners, std::size_t k, SiteId j,
                 const Bisector& b) const {
     const double f = b(corners[k].point.position);
-    const double bound = b.error + b.norm1 * corners[k].point.tolerance;
+    const double bound = b.error + b.length * corners[k].point.tolerance;
     if (f > bound) return false;
     if (f < -bound) return true;
     return beats_exactly(facet, owner, corners, k, j);
@@ -83,6 +82,17 @@ class Clipper {
   bool beats_at(const FacetPolygon& polygon, std::size_t k, SiteId j, const Bisector& b) const {
     return beats_at(polygon.facet, polygon.owner, polygon.corners, k, j, b);
   }
+
+  /// What can be said of j and the owner on the whole facet from a ball about it: the owner wins everywhere
+  /// (untouched), j does (swallowed), or it depends (cut).
+  Clip compare_on_facet(FacetId facet, const Bisector& b) const {
+    const Ball& ball = balls_[facet];
+    const double f = b(ball.center), bound = b.error + b.length * ball.radius;
+    return f > bound ? Clip::untouched : f < -bound ? Clip::swallowed : Clip::cut;
+  }
+
+  /// The center of that ball.
+  const Vec3& middle(FacetId facet) const { return balls_[facet].center; }
 
   /// Which corners j takes: none, some, all. O(corners). Fills `beaten` where the answer is `cut`.
   Clip classify(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners, SiteId j,
@@ -99,9 +109,15 @@ class Clipper {
                      SiteId j) const;
   RoundedPoint meet(const FacetPolygon& polygon, EdgeLabel label, SiteId j, const Bisector& b) const;
 
+  struct Ball {
+    Vec3 center;
+    double radius;  ///< rounded up
+  };
+
   const TriMesh& mesh_;
   const Sites& sites_;
   double extent_;
+  Table<FacetId, Ball> balls_;          ///< around the facets
   std::vector<char> beaten_;            // workspace
   std::vector<PolygonCorner> scratch_;  // workspace
 };

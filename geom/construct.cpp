@@ -9,6 +9,8 @@ namespace {
 constexpr double unit_roundoff = 0x1p-53;
 constexpr double unknown = std::numeric_limits<double>::infinity();
 
+// Coordinates are bounded one by one; the factor 2 > sqrt(3) in the tolerances turns that into a distance.
+
 double largest(const LinearForm& form) {
   return std::max({std::abs(form.f[0]), std::abs(form.f[1]), std::abs(form.f[2])}) + form.error;
 }
@@ -23,7 +25,7 @@ RoundedPoint corner_on_edge(const Vec3& a, const Vec3& b, double fa, double fb, 
   const double t = std::clamp(fa / difference, 0.0, 1.0);
   const Vec3 ab = b - a;
   const double dt = 1.01 * error / std::abs(difference) + 4 * unit_roundoff;
-  return {a + t * ab, dt * ab.lpNorm<Eigen::Infinity>() + 8 * unit_roundoff * extent};
+  return {a + t * ab, 2 * (dt * ab.lpNorm<Eigen::Infinity>() + 8 * unit_roundoff * extent)};
 }
 
 // lambda = F1 x F2, D = sum lambda, x = sum (lambda_i / D) q_i. With m the largest value of each form,
@@ -45,7 +47,7 @@ RoundedPoint corner_in_facet(const Vec3& q0, const Vec3& q1, const Vec3& q2, con
   const Vec3 u = q1 - q0, v = q2 - q0;
   const double db = 1.01 * (e_lambda + e_sum) * std::abs(inverse) + 8 * unit_roundoff;
   const double size = u.lpNorm<Eigen::Infinity>() + v.lpNorm<Eigen::Infinity>();
-  return {q0 + b1 * u + b2 * v, db * size + 16 * unit_roundoff * extent};
+  return {q0 + b1 * u + b2 * v, 2 * (db * size + 16 * unit_roundoff * extent)};
 }
 
 }  // namespace geom

@@ -14,7 +14,7 @@ namespace geom {
 struct Bisector {
   Vec3 normal;
   double offset;
-  double norm1;  ///< |normal|_1
+  double length;  ///< |normal|
   double error;  ///< |computed f(x) - f(x)| <= error for every double x with |x|_inf <= extent
 
   double operator()(const Vec3& x) const { return normal.dot(x) - offset; }
@@ -28,8 +28,8 @@ struct Bisector {
 inline Bisector bisector(const WeightedPoint3& p0, const WeightedPoint3& pj, double extent) {
   const Vec3 d = p0.position - pj.position, s = p0.position + pj.position;
   const double dw = pj.weight - p0.weight;
-  const double norm1 = 2 * (std::abs(d.x()) + std::abs(d.y()) + std::abs(d.z()));
-  return {2 * d, d.dot(s) + dw, norm1, 0x1p-49 * (norm1 * extent + std::abs(dw))};
+  const double length = 2 * d.norm();
+  return {2 * d, d.dot(s) + dw, length, 0x1p-48 * (length * extent + std::abs(dw))};
 }
 
 /// Values of a bisector's f at the three corners of a facet, each off by at most `error`.

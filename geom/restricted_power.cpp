@@ -149,7 +149,8 @@ CircleId RestrictedPower::create_circle(const FacetPolygon& polygon, std::size_t
   return c;
 }
 
-/// The id is used again only after the next update has begun, so the owner of a heap can still compare it in this one.
+/// The id is used again only after the next update has begun, so the owner of a heap can still compare it in
+/// this one.
 void RestrictedPower::erase_circle(CircleId c) { change_.circles_erased.push_back(c); }
 
 bool RestrictedPower::circle_before(CircleId a, CircleId b) const {
@@ -197,7 +198,8 @@ void RestrictedPower::check() const {
     }
   }
   for (const CircleId c : vertex_circle_) registered += c.valid();
-  ensure(registered + free_circles_.size() + change_.circles_erased.size() == circles_.size(), "restricted power diagram: a circle is lost");
+  ensure(registered + free_circles_.size() + change_.circles_erased.size() == circles_.size(),
+         "restricted power diagram: a circle is lost");
 }
 
 }  // namespace geom

@@ -99,6 +99,11 @@ class RestrictedPower {
   void occupy_everything(SiteId p);
   void divide(FragmentId vacated, SiteId p);
   bool inherits_whole(FacetId t);
+  void prepare_bisectors();
+  void order_heirs(FragmentId vacated);
+  const Bisector& bisector_of_heirs(std::size_t k, std::size_t h) const {
+    return heirs_bisectors_[k * heirs_.size() + h];
+  }
   Pending& add_pending(FragmentId old);
   void gather_known_heirs(SiteId p);
   bool add_missing_heirs(SiteId p);
@@ -125,6 +130,8 @@ class RestrictedPower {
   Change change_;
   // Workspaces of one update.
   std::vector<SiteId> candidates_, heirs_;
+  std::vector<Bisector> heirs_bisectors_;  ///< row k, column h: of owner heirs_[k] and heirs_[h]
+  std::vector<std::size_t> heirs_order_;   ///< of heirs_, those that matter most on the facet in hand first
   std::vector<TouchedFacet> touched_facets_;
   std::vector<RivalLink> rival_links_;
   std::vector<Pending> pending_;

@@ -1,6 +1,7 @@
 // Insertion and removal of a site in the restricted power diagram (paper, section 4.2, figure 6 (b) and (c)).
 
 #include <algorithm>
+#include <numeric>
 
 #include "geom/check.h"
 #include "geom/restricted_power.h"
@@ -130,6 +131,7 @@ const RestrictedPower::Change& RestrictedPower::after_remove(SiteId p) {
   if (!heirs_.empty()) {
     do {
       num_pending_ = 0;
+      prepare_bisectors();
       for (FragmentId f = store_.first_of_cell(p); f.valid(); f = store_.next_in_cell(f)) divide(f, p);
     } while (add_missing_heirs(p));
   }
@@ -187,23 +189,30 @@ RestrictedPower::Pending& RestrictedPower::add_pending(FragmentId old) {
 //                            beats k there.
 void RestrictedPower::divide(FragmentId vacated, SiteId p) {
   const FacetId t = store_.facet(vacated);
-  if (store_.whole(vacated) && inherits_whole(t)) return;
+  order_heirs(vacated);
+  const bool whole = store_.whole(vacated);
+  if (whole && inherits_whole(t)) return;
   const std::span<const PolygonCorner> vacancy = store_.corners(vacated);
-  for (const SiteId k : heirs_) {
+  for (const std::size_t i : heirs_order_) {
+    const SiteId k = heirs_[i];
     const bool borders = std::ranges::any_of(
         vacancy, [&](const PolygonCorner& c) { return c.edge == EdgeLabel::bisector(k); });
-    const FragmentId old = borders || !store_.whole(vacated) ? store_.find(k, t) : FragmentId();
-    if (old.valid() && !borders) continue;
-    Pending& pending = add_pending(old);
-    FacetPolygon& share = pending.polygon;
+    if (!borders) {
+      const std::size_t first = heirs_order_.front();
+      if (i != first && clipper_.compare_on_facet(t, bisector_of_heirs(i, first)) == Clip::swallowed)
+        continue;
+      if (!whole && store_.find(k, t).valid()) continue;
+    }
+    const FragmentId old = borders ? store_.find(k, t) : FragmentId();
+    FacetPolygon& share = add_pending(old).polygon;
     clipper_.start(share, t, k);
     if (old.valid())  // what bounded k before, but for p and the heirs, whose turn comes next
       for (const PolygonCorner& corner : store_.corners(old))
         if (corner.edge.is_site() && corner.edge.site() != p && heir_stamp_[corner.edge.site()] != stamp_)
           clipper_.clip(share, corner.edge.site());
-    for (const SiteId h : heirs_) {
+    for (const std::size_t h : heirs_order_) {
       if (share.corners.empty()) break;
-      if (h != k) clipper_.clip(share, h);
+      if (h != i) clipper_.clip(share, heirs_[h], bisector_of_heirs(i, h));
     }
     const bool inherits =
         old.valid() || (!share.corners.empty() && clipper_.beats_at(share, 0, p, clipper_.bisector_of(k, p)));
@@ -212,20 +221,42 @@ void RestrictedPower::divide(FragmentId vacated, SiteId p) {
   }
 }
 
-/// For a facet that p owned whole: does one heir get all of it? Then that is noted. The owner of one corner
-/// is the only one that can.
-bool RestrictedPower::inherits_whole(FacetId t) {
-  SiteId best = heirs_.front();
-  clipper_.start(polygon_, t, best);
-  for (const SiteId h : heirs_)
-    if (h != best && clipper_.beats_at(polygon_, 0, h, clipper_.bisector_of(best, h)))
-      polygon_.owner = best = h;
-  for (const SiteId h : heirs_) {
-    if (h == best) continue;
-    const Bisector b = clipper_.bisector_of(best, h);
-    if (clipper_.beats_at(polygon_, 1, h, b) || clipper_.beats_at(polygon_, 2, h, b)) return false;
+void RestrictedPower::prepare_bisectors() {
+  heirs_bisectors_.clear();
+  for (const SiteId k : heirs_)
+    for (const SiteId h : heirs_) heirs_bisectors_.push_back(clipper_.bisector_of(k, h));
+}
+
+/// First the heirs that border the vacancy on its facet; if none does, the one that is nearest to the facet's
+/// middle.
+void RestrictedPower::order_heirs(FragmentId vacated) {
+  heirs_order_.resize(heirs_.size());
+  std::iota(heirs_order_.begin(), heirs_order_.end(), std::size_t{0});
+  std::size_t front = 0;
+  for (const PolygonCorner& corner : store_.corners(vacated)) {
+    if (!corner.edge.is_site()) continue;
+    for (std::size_t i = front; i < heirs_order_.size(); ++i)
+      if (heirs_[heirs_order_[i]] == corner.edge.site()) std::swap(heirs_order_[i], heirs_order_[front++]);
   }
-  clipper_.start(add_pending(FragmentId()).polygon, t, best);
+  if (front > 0) return;
+  const Vec3 middle = clipper_.middle(store_.facet(vacated));
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < heirs_.size(); ++i)
+    if (bisector_of_heirs(best, i)(middle) < 0) best = i;
+  std::swap(heirs_order_[0], heirs_order_[best]);
+}
+
+/// For a facet that p owned whole: does the first heir in order get all of it? Then that is noted.
+bool RestrictedPower::inherits_whole(FacetId t) {
+  const std::size_t first = heirs_order_.front();
+  clipper_.start(polygon_, t, heirs_[first]);
+  for (std::size_t h = 0; h < heirs_.size(); ++h) {
+    if (h == first) continue;
+    const Bisector& b = bisector_of_heirs(first, h);
+    if (clipper_.classify(t, polygon_.owner, polygon_.corners, heirs_[h], b, beaten_) != Clip::untouched)
+      return false;
+  }
+  clipper_.start(add_pending(FragmentId()).polygon, t, heirs_[first]);
   return true;
 }
 
@@ -238,11 +269,14 @@ bool RestrictedPower::add_missing_heirs(SiteId p) {
   candidates_.clear();
   neighbours_.heirs({p, sites_[p].position, std::sqrt(radius2), max_radius2}, candidates_);
   const auto beats_the_division = [&](SiteId j) {
+    const EdgeLabel own = EdgeLabel::bisector(j);
     for (std::size_t i = 0; i < num_pending_; ++i) {
       const FacetPolygon& share = pending_[i].polygon;
       const Bisector b = clipper_.bisector_of(share.owner, j);
-      for (std::size_t k = 0; k < share.corners.size(); ++k)
-        if (clipper_.beats_at(share, k, j, b)) return true;
+      if (clipper_.compare_on_facet(share.facet, b) == Clip::untouched) continue;
+      for (std::size_t k = 0; k < share.corners.size(); ++k)  // where an edge is labelled j, j is no news
+        if (share.corners[k].edge != own && share.edge_before(k) != own && clipper_.beats_at(share, k, j, b))
+          return true;
     }
     return false;
   };
