@@ -1,0 +1,26 @@
+#pragma once
+// Triangle meshes in files: the extension decides the format, the content must agree.
+
+#include <filesystem>
+
+#include "geom/trimesh.h"
+
+namespace io {
+
+enum class MeshFormat { obj, off, ply, stl };
+
+/// The format that a file name's extension means, in any case. Throws geom::InputError on another extension.
+MeshFormat mesh_format(const std::filesystem::path& path);
+
+/// Reads .obj, .off, .ply or .stl; the dialects are listed in obj.h, off.h, ply.h, stl.h. The mesh has at
+/// least one facet, finite coordinates of at most 1e60, indices in range and three different vertices in each
+/// facet. Throws geom::InputError of one line: "path: what", "path:line: what" or, in binary files,
+/// "path:byte offset: what". Cost: linear in the file.
+geom::TriMesh read_mesh(const std::filesystem::path& path);
+
+/// Writes the file atomically (atomic_file.h). OBJ, OFF (text) and PLY (binary) keep every bit of the
+/// coordinates; STL (binary) keeps single precision and no vertex ids. Throws geom::InputError "cannot write
+/// path: reason".
+void write_mesh(const std::filesystem::path& path, const geom::TriMesh& mesh);
+
+}  // namespace io

@@ -1,0 +1,23 @@
+#pragma once
+// Geomview's OFF, text form.
+
+#include <string>
+
+#include "geom/trimesh.h"
+#include "io/input_file.h"
+
+namespace io {
+
+/// Headers OFF, COFF, NOFF, STOFF and their mixtures ([ST][C][N]OFF); the counts follow on the same or the
+/// next line; comments anywhere. One vertex or facet a line: what follows the coordinates or the corners
+/// (normals, colours) is ignored. Polygons are triangulated (polygon.h), facets of one or two corners
+/// ignored. Throws geom::InputError "name:line: what". Cost: linear.
+geom::TriMesh parse_off(const InputFile& file);
+
+/// Coordinates as the shortest decimals that read back exactly.
+std::string to_off(const geom::TriMesh& mesh);
+
+/// Whether a word is a header that parse_off reads.
+bool is_off_header(std::string_view word);
+
+}  // namespace io

@@ -1,0 +1,28 @@
+#pragma once
+// PLY (Stanford polygon format).
+
+#include <string>
+#include <vector>
+
+#include "geom/trimesh.h"
+#include "geom/vec.h"
+#include "io/input_file.h"
+
+namespace io {
+
+/// Text and binary of both byte orders, all number types, any further elements and properties (lists too).
+/// The element "vertex" must have x, y, z; the corners of "face" are the list vertex_indices or vertex_index.
+/// Polygons are triangulated (polygon.h), faces of one or two corners ignored.
+/// Throws geom::InputError "name:line: what" or "name:byte offset: what". Cost: linear.
+geom::TriMesh parse_ply(const InputFile& file);
+
+/// The vertices alone, with the property "weight" where there is one (else 0); faces need not exist.
+std::vector<geom::WeightedPoint3> parse_ply_points(const InputFile& file);
+
+/// Binary, little-endian, coordinates in double precision.
+std::string to_ply(const geom::TriMesh& mesh);
+
+/// Vertices only; with a property "weight" if any weight is not 0.
+std::string to_ply(const std::vector<geom::WeightedPoint3>& points);
+
+}  // namespace io
