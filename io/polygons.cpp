@@ -12,10 +12,11 @@ void write_polygons(const std::filesystem::path& path, const std::string& prefix
   for (std::size_t i = 0; i < polygons.size(); ++i) {
     const GroupedPolygon& polygon = polygons[i];
     std::string text;
-    if (i == 0 || polygons[i - 1].group != polygon.group) text += "g " + prefix + std::to_string(polygon.group) + "\n";
+    if (i == 0 || polygons[i - 1].group != polygon.group)
+      text += "g " + prefix + std::to_string(polygon.group) + "\n";
     for (const geom::Vec3& corner : polygon.corners) {
       text += 'v';
-      for (const double x : corner) append_number(text += ' ', x);
+      for (const double x : corner) append_shortest(text += " ", x);
       text += '\n';
     }
     text += 'f';

@@ -1,0 +1,53 @@
+#include "fpo/pipeline.h"
+
+#include <cmath>
+#include <string>
+
+#include "geom/check.h"
+
+namespace fpo {
+namespace {
+
+/// The power of two that brings the largest coordinate into [1/2, 1).
+double scale_to_unit(const geom::TriMesh& mesh) {
+  const double largest =
+      std::max(mesh.box().min().lpNorm<Eigen::Infinity>(), mesh.box().max().lpNorm<Eigen::Infinity>());
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return std::ldexp(1.0, -exponent);
+}
+
+geom::TriMesh scaled(const geom::TriMesh& mesh, double factor) {
+  geom::Table<geom::VertexId, geom::Vec3> vertices = mesh.vertices();
+  for (geom::Vec3& v : vertices) v *= factor;
+  return geom::TriMesh(std::move(vertices), mesh.facets());
+}
+
+RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {
+  RemeshResult result;
+  const std::vector<SurfaceSample> initial = random_samples(surface, options.num_samples, options.seed);
+  SurfaceDomain domain(surface, initial, {options.engine, options.corners, options.seed});
+  OptimizeOptions optimization = options.optimize;
+  optimization.seed = options.seed;
+  result.optimization = optimize(domain, optimization);
+  result.mesh = extract(domain.diagram(), domain.num_samples());
+  for (std::size_t i = 0; i < domain.num_samples(); ++i) result.samples.push_back(domain.sample(SiteId(i)));
+  if (options.keep_cells) result.cells = cell_polygons(domain.diagram());
+  return result;
+}
+
+}  // namespace
+
+RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options) try {
+  const double factor = scale_to_unit(input);
+  RemeshResult result = remesh_in_unit_box(scaled(input, factor), options);
+  result.mesh = scaled(result.mesh, 1 / factor);
+  for (SurfaceSample& sample : result.samples) sample.position /= factor;
+  for (CellPolygon& cell : result.cells)
+    for (geom::Vec3& corner : cell.corners) corner /= factor;
+  return result;
+} catch (const geom::Bug& bug) {
+  throw geom::Bug("seed " + std::to_string(options.seed) + ", " + bug.what());
+}
+
+}  // namespace fpo

@@ -1,0 +1,35 @@
+#pragma once
+// Blue-noise remeshing from input surface to output mesh: the paper as one straight-line function.
+
+#include <cstdint>
+#include <vector>
+
+#include "fpo/extract.h"
+#include "fpo/optimize.h"
+#include "fpo/surface_domain.h"
+
+namespace fpo {
+
+struct RemeshOptions {
+  std::size_t num_samples = 0;
+  std::uint64_t seed = 1;  ///< of the initial samples and of the order of moves
+  Engine engine = Engine::search;
+  geom::CornerTypes corners = geom::CornerTypes::c_only;
+  OptimizeOptions optimize;  ///< its seed is overruled by the one above
+  bool keep_cells = false;   ///< fill RemeshResult::cells
+};
+
+struct RemeshResult {
+  geom::TriMesh mesh;                  ///< vertex i is sample i
+  std::vector<SurfaceSample> samples;  ///< position and facet of the input
+  OptimizeResult optimization;
+  std::vector<CellPolygon> cells;  ///< the restricted power diagram
+};
+
+/// Remeshes with exactly num_samples vertices. Deterministic. If interrupted, the result is that of the moves
+/// done. Computes on a copy of the input scaled by a power of two (so that no product in a predicate over- or
+/// underflows) and scales back, which is exact. Throws geom::InputError on an unusable input or number of
+/// samples, geom::Bug with seed and move number.
+RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options);
+
+}  // namespace fpo
