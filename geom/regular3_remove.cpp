@@ -1,0 +1,106 @@
+#include "geom/check.h"
+#include "geom/regular3.h"
+#include "geom/regular3_corners.h"
+
+namespace geom {
+
+// Removal of p. Let T be the triangulation before and T' after it; both are unique, weights being perturbed.
+//
+// 1. A tetrahedron of T without corner p has an orthosphere that excludes all sites, so it is in T' as well:
+// T' differs
+//    from T only in the hole, the star of p.
+// 2. A corner of T' in the closed hole is either a corner of T, hence on the hole's boundary (the star has no
+// other
+//    corner inside than p): a site of the link; or hidden in T, with a witness in the star. (A hidden site
+//    whose witness survives stays hidden.) These are the candidates.
+// 3. So let a facet abc of T' have the hole on its positive side. One tetrahedron abcd of T' lies there, d is
+// a candidate,
+//    and its orthosphere excludes all other candidates. The orthospheres through abc form a pencil, and their
+//    parts on the positive side grow with it; hence among the candidates strictly on the positive side d is
+//    the one whose orthosphere excludes the others, and running through them, replacing the best by any that
+//    lies in its orthosphere, ends with d.
+//
+// Beginning with the facets of the link, the hole is thus wrapped facet by facet, and what fills it are the
+// tetrahedra of T', exposed hidden sites included. Facets met from both sides are closed.
+
+Regular3::Change Regular3::remove(SiteId id) {
+  ensure(contains(id), "regular3: the site to remove is not in the triangulation");
+  begin_change();
+  if (is_hidden(id)) {
+    unlink_hidden(id);
+    site(id) = Site();
+    return finish_change();
+  }
+  open_hole(id);
+  fill_hole();
+  site(id) = Site();
+  for (const SiteId h : displaced_) {
+    if (site(h).state == State::hidden) hide(h, locate(position(h), created_.front()));
+  }
+  return finish_change();
+}
+
+/// Makes the star of p the destroyed, its outer facets the open ones and lists the candidates.
+void Regular3::open_hole(SiteId p) {
+  collect_star(p, destroyed_);
+  const std::uint32_t seen = next_mark();
+  matcher_.clear();
+  for (const CellId t : destroyed_) {
+    const int i = corner_of(t, p);
+    const auto [a, b, c] = facet_corners(cells_[t].corner, i);
+    for (const SiteId v : {a, b, c}) {
+      if (site(v).mark == seen) continue;
+      site(v).mark = seen;
+      candidates_.push_back(v);
+    }
+    const CellId outer = cells_[t].neighbor[i];
+    matcher_.find_or_insert(a, b, c, static_cast<std::int32_t>(open_.size()));
+    open_.push_back({a, b, c, {outer, outer.valid() ? facet_towards(outer, t) : 0}});
+    take_hidden_of(t);
+  }
+  candidates_.insert(candidates_.end(), displaced_.begin(), displaced_.end());
+}
+
+void Regular3::fill_hole() {
+  for (std::size_t k = 0; k < open_.size(); ++k) {
+    const OpenFacet base = open_[k];
+    if (base.closed) continue;
+    const SiteId d = apex(base);
+    if (site(d).state == State::hidden) {
+      site(d).state = State::visible;
+      exposed_.push_back(d);
+    }
+    const Cell corner = {base.a, base.b, base.c, d};
+    const CellId t = create(corner);
+    glue({t, 3}, base.outer);
+    for (int i = 0; i < 3; ++i) {
+      const auto [a, b, c] = facet_corners(corner, i);
+      const std::int32_t twin = matcher_.find_or_insert(a, b, c, static_cast<std::int32_t>(open_.size()));
+      if (twin < 0) {
+        open_.push_back({a, c, b, {t, i}});  // turned: what is left of the hole is across
+      } else {
+        OpenFacet& facing = open_[twin];
+        ensure(!facing.closed, "regular3: three tetrahedra meet in one facet");
+        facing.closed = true;
+        glue({t, i}, facing.outer);
+      }
+    }
+  }
+}
+
+/// The fourth corner of the tetrahedron on the positive side of a facet of the hole: step 3 above.
+SiteId Regular3::apex(const OpenFacet& facet) const {
+  const auto [a, b, c] = std::array{ranked(facet.a), ranked(facet.b), ranked(facet.c)};
+  const auto before = [&](SiteId e) {
+    return orient3(a.point->position, b.point->position, c.point->position, position(e)) > 0;
+  };
+  SiteId best;
+  for (const SiteId e : candidates_) {
+    if (e == facet.a || e == facet.b || e == facet.c) continue;
+    if (best == SiteId() ? before(e) : conflicts3(a, b, c, ranked(best), ranked(e)) && before(e)) best = e;
+  }
+  ensure(best != SiteId(), "regular3: no site closes a facet of the hole");
+  return best;
+}
+
+}  // namespace geom
