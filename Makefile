@@ -1,0 +1,47 @@
+# Verbs only: CMake knows the files. `make help` lists them.
+BUILD ?= build
+JOBS ?= $(shell nproc 2>/dev/null || echo 2)
+MAKEFLAGS += --no-print-directory
+
+.PHONY: all demo test check check-sanitize bench clean help
+all:
+	@.ci/setup
+	@cmake -S . -B $(BUILD)
+	@cmake --build $(BUILD) -j $(JOBS)
+
+demo: all
+	@mkdir -p $(BUILD)/demo
+	$(BUILD)/fpo-shape double-torus -o $(BUILD)/demo/double-torus.obj
+	$(BUILD)/fpo-remesh $(BUILD)/demo/double-torus.obj -n 2000 -o $(BUILD)/demo/remesh.obj --picture $(BUILD)/demo/remesh.svg
+	$(BUILD)/fpo-quality $(BUILD)/demo/remesh.obj --reference $(BUILD)/demo/double-torus.obj
+	@echo "Wrote $(BUILD)/demo/double-torus.obj (the input), $(BUILD)/demo/remesh.obj (2000 samples), $(BUILD)/demo/remesh.svg (its picture)."
+
+test:
+	@.ci/setup tests
+	@cmake -S . -B $(BUILD)
+	@cmake --build $(BUILD) -j $(JOBS) --target fpo-tests
+	$(BUILD)/fpo-tests
+
+check: test
+	.ci/check-sources
+
+check-sanitize:
+	@.ci/setup tests
+	@cmake -S . -B $(BUILD)-sanitize -DFPO_SANITIZE=ON -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g"
+	@cmake --build $(BUILD)-sanitize -j $(JOBS) --target fpo-tests
+	$(BUILD)-sanitize/fpo-tests
+
+bench: all
+	@cmake --build $(BUILD) -j $(JOBS) --target benches
+	@for program in $(BUILD)/bench-*; do if [ -x $$program ]; then echo "== $$program"; $$program || exit 1; fi; done
+
+clean:
+	rm -rf $(BUILD) $(BUILD)-sanitize
+
+help:
+	@echo "make demo            build, remesh a double torus with 2000 samples, print its quality"
+	@echo "make test            build and run every test"
+	@echo "make check           test, then check format and layering of the sources"
+	@echo "make check-sanitize  the tests under AddressSanitizer and UndefinedBehaviorSanitizer"
+	@echo "make bench           build and run the benchmarks"
+	@echo "make clean           remove what was built"
