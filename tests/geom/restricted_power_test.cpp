@@ -1,0 +1,215 @@
+#include "geom/restricted_power.h"
+
+#include <memory>
+#include <set>
+
+#include "doctest.h"
+#include "fpo/initial_samples.h"
+#include "geom/rng.h"
+#include "geom/site_tree.h"
+#include "geom/triangulation_source.h"
+#include "tests/fixtures/surfaces.h"
+#include "tests/oracle/restricted_power_oracle.h"
+
+using namespace geom;
+
+namespace {
+
+/// A diagram with its neighbour source and the set of sites that are in.
+struct Diagram {
+  Diagram(const TriMesh& mesh, bool search, CornerTypes types)
+      : source(search ? std::unique_ptr<NeighbourSource>(new SiteTree)
+                      : std::unique_ptr<NeighbourSource>(new TriangulationSource(mesh.box()))),
+        power(mesh, *source, types) {}
+
+  void insert(SiteId p, const WeightedPoint3& point) {
+    source->insert(p, point, present.empty() ? SiteId() : *present.begin());
+    apply(power.after_insert(p, point));
+    present.insert(p);
+    if (p.index() >= sites.size()) sites.resize(p.index() + 1);
+    sites[p] = point;
+  }
+  void remove(SiteId p) {
+    source->remove(p);
+    apply(power.after_remove(p));
+    present.erase(p);
+  }
+  void apply(const RestrictedPower::Change& change) {
+    for (const CircleId c : change.circles_erased) CHECK(circles.erase(c) == 1);
+    for (const CircleId c : change.circles_created) CHECK(circles.insert(c).second);
+  }
+  std::vector<SiteId> present_list() const { return {present.begin(), present.end()}; }
+
+  std::unique_ptr<NeighbourSource> source;
+  RestrictedPower power;
+  std::set<SiteId> present;
+  std::set<CircleId> circles;  ///< as told by the changes
+  Clipper::Sites sites;
+};
+
+double polygon_area(std::span<const PolygonCorner> corners) {
+  Vec3 sum(0, 0, 0);
+  for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+    sum += (corners[k].point.position - corners[0].point.position)
+               .cross(corners[k + 1].point.position - corners[0].point.position);
+  return 0.5 * sum.norm();
+}
+
+double total_area(const RestrictedPower& power) {
+  double sum = 0;
+  std::array<PolygonCorner, 3> buffer;
+  for (FacetId t(0); t.index() < power.mesh().num_facets(); t = FacetId(t.value + 1))
+    for (FragmentId f = power.fragments().first_of_facet(t); f.valid();
+         f = power.fragments().next_in_facet(f))
+      sum += polygon_area(power.fragments().corners(f, buffer));
+  return sum;
+}
+
+/// Random samples on the surface with weights of the given kind.
+enum class Weights { none, gentle, hiding };
+std::vector<WeightedPoint3> weighted_samples(const TriMesh& mesh, std::size_t n, Weights kind,
+                                             std::uint64_t seed) {
+  Rng rng(seed);
+  std::vector<WeightedPoint3> result;
+  const double spacing2 = mesh.area() / static_cast<double>(n);
+  for (const fpo::SurfaceSample& s : fpo::random_samples(mesh, n, seed)) {
+    const double scale = kind == Weights::none ? 0 : kind == Weights::gentle ? 0.3 : 8;
+    result.push_back({s.position, scale * spacing2 * rng.uniform()});
+  }
+  return result;
+}
+
+/// Every registered circle is empty, and those of a kind that should be registered are.
+void check_circles(const Diagram& d) {
+  for (const CircleId c : d.circles) {
+    const EmptyCircle& circle = d.power.circle(c);
+    const double scale = d.power.mesh().diagonal() * d.power.mesh().diagonal();
+    for (const SiteId s : d.present)
+      CHECK(power(circle.center, d.sites[s]) >= circle.radius2 - 1e-12 * scale);
+    for (const SiteId s : circle.sites)
+      if (s.valid())
+        CHECK(power(circle.center, d.sites[s]) == doctest::Approx(circle.radius2).epsilon(1e-9).scale(scale));
+  }
+}
+
+/// Random insertions and removals, compared with the oracle after each.
+void run_moves(const fixtures::NamedSurface& surface, bool search, CornerTypes types, Weights kind,
+               int moves) {
+  CAPTURE(surface.name);
+  CAPTURE(search);
+  CAPTURE(static_cast<int>(kind));
+  constexpr std::size_t n = 14;
+  Diagram d(surface.mesh, search, types);
+  Rng rng(7);
+  const std::vector<WeightedPoint3> pool = weighted_samples(surface.mesh, 400, kind, 3);
+  for (int move = 0; move < moves; ++move) {
+    const SiteId p(static_cast<std::size_t>(rng.below(n)));
+    if (d.present.contains(p))
+      d.remove(p);
+    else
+      d.insert(p, pool[rng.below(pool.size())]);
+    d.power.check();
+    const bool same =
+        d.power.canonical() == oracle::restricted_power_diagram(surface.mesh, d.sites, d.present_list());
+    REQUIRE_MESSAGE(same, "move " << move);
+    if (!d.present.empty()) CHECK(total_area(d.power) == doctest::Approx(surface.mesh.area()).epsilon(1e-9));
+    check_circles(d);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("restricted power diagram: equals brute force after every move") {
+  for (const fixtures::NamedSurface& surface : fixtures::surfaces()) {
+    const int moves = surface.mesh.num_facets() > 100 ? 40 : 160;
+    for (const Weights kind : {Weights::none, Weights::gentle, Weights::hiding})
+      for (const bool search : {true, false})
+        run_moves(surface, search, kind == Weights::none ? CornerTypes::c_only : CornerTypes::all, kind,
+                  moves);
+  }
+}
+
+TEST_CASE("restricted power diagram: sites on a lattice, on edges, on vertices and twice at one place") {
+  for (const bool search : {true, false}) {
+    const TriMesh cube = fixtures::box(Vec3(1, 1, 1), 2);
+    Diagram d(cube, search, CornerTypes::all);
+    Rng rng(5);
+    std::vector<WeightedPoint3> pool;  // multiples of 1/4 on the surface: all kinds of ties
+    for (int x = 0; x <= 4; ++x)
+      for (int y = 0; y <= 4; ++y)
+        for (const int z : {0, 4}) {
+          pool.push_back({Vec3(x, y, z) / 4, 0});
+          pool.push_back({Vec3(z, x, y) / 4, 0});
+          pool.push_back({Vec3(y, z, x) / 4, 0.0625});
+        }
+    for (int move = 0; move < 150; ++move) {
+      const SiteId p(static_cast<std::size_t>(rng.below(16)));
+      if (d.present.contains(p))
+        d.remove(p);
+      else
+        d.insert(p, pool[rng.below(pool.size())]);
+      d.power.check();
+      const bool same =
+          d.power.canonical() == oracle::restricted_power_diagram(cube, d.sites, d.present_list());
+      REQUIRE_MESSAGE(same, "move " << move << " search " << search);
+    }
+  }
+}
+
+TEST_CASE("restricted power diagram: remove and put back is the identity") {
+  for (const fixtures::NamedSurface& surface : fixtures::surfaces())
+    for (const bool search : {true, false}) {
+      CAPTURE(surface.name);
+      Diagram d(surface.mesh, search, CornerTypes::c_only);
+      const std::vector<WeightedPoint3> samples = weighted_samples(surface.mesh, 120, Weights::gentle, 11);
+      for (std::size_t i = 0; i < samples.size(); ++i) d.insert(SiteId(i), samples[i]);
+      const auto before = d.power.canonical();
+      for (std::size_t i = 0; i < samples.size(); ++i) {
+        d.remove(SiteId(i));
+        d.insert(SiteId(i), samples[i]);
+        if (i % 10 == 0) REQUIRE(d.power.canonical() == before);
+      }
+      REQUIRE(d.power.canonical() == before);
+    }
+}
+
+TEST_CASE("restricted power diagram: local updates equal a rebuild after each of thousands of moves") {
+  for (const fixtures::NamedSurface& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    constexpr std::size_t n = 60;
+    Diagram d(surface.mesh, true, CornerTypes::c_only);
+    Rng rng(23);
+    const std::vector<WeightedPoint3> pool = weighted_samples(surface.mesh, 1000, Weights::gentle, 17);
+    for (std::size_t i = 0; i < n; ++i) d.insert(SiteId(i), pool[i]);
+    bool same = true;
+    for (int move = 0; move < 500 && same; ++move) {
+      const SiteId p(static_cast<std::size_t>(rng.below(n)));
+      d.remove(p);
+      d.insert(p, pool[rng.below(pool.size())]);
+      Diagram fresh(surface.mesh, true, CornerTypes::c_only);
+      for (std::size_t i = n; i > 0; --i) fresh.insert(SiteId(i - 1), d.sites[SiteId(i - 1)]);
+      same = fresh.power.canonical() == d.power.canonical() && fresh.circles.size() == d.circles.size();
+      CHECK_MESSAGE(same, "move " << move);
+    }
+  }
+}
+
+TEST_CASE("restricted power diagram: the owner of a fragment is the nearest site at its middle") {
+  for (const fixtures::NamedSurface& surface : fixtures::surfaces()) {
+    Diagram d(surface.mesh, true, CornerTypes::c_only);
+    const std::vector<WeightedPoint3> samples = weighted_samples(surface.mesh, 200, Weights::gentle, 29);
+    for (std::size_t i = 0; i < samples.size(); ++i) d.insert(SiteId(i), samples[i]);
+    const std::vector<SiteId> present = d.present_list();
+    std::array<PolygonCorner, 3> buffer;
+    for (FacetId t(0); t.index() < surface.mesh.num_facets(); t = FacetId(t.value + 1))
+      for (FragmentId f = d.power.fragments().first_of_facet(t); f.valid();
+           f = d.power.fragments().next_in_facet(f)) {
+        const auto corners = d.power.fragments().corners(f, buffer);
+        Vec3 middle(0, 0, 0);
+        for (const PolygonCorner& c : corners)
+          middle += c.point.position / static_cast<double>(corners.size());
+        const SiteId nearest = oracle::nearest(middle, d.sites, present);
+        CHECK(power(middle, d.sites[d.power.fragments().site(f)]) <= power(middle, d.sites[nearest]) + 1e-13);
+      }
+  }
+}
