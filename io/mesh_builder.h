@@ -22,7 +22,7 @@ class MeshBuilder {
   MeshBuilder(const InputFile& file, Unit unit, int first_index = 0)
       : file_(&file), unit_(unit), first_index_(first_index) {}
 
-  /// Throws on a coordinate that is not finite or beyond 1e60.
+  /// Throws on a coordinate that is not finite or beyond 1e48.
   geom::VertexId add_vertex(const geom::Vec3& position, std::size_t place);
   /// A polygon by 0-based vertex indices. Fewer than three corners: a free-standing point or line, ignored.
   void add_facet(std::span<const std::int64_t> corners, std::size_t place);

@@ -13,7 +13,7 @@ enum class MeshFormat { obj, off, ply, stl };
 MeshFormat mesh_format(const std::filesystem::path& path);
 
 /// Reads .obj, .off, .ply or .stl; the dialects are listed in obj.h, off.h, ply.h, stl.h. The mesh has at
-/// least one facet, finite coordinates of at most 1e60, indices in range and three different vertices in each
+/// least one facet, finite coordinates of at most 1e48, indices in range and three different vertices in each
 /// facet. Throws geom::InputError of one line: "path: what", "path:line: what" or, in binary files,
 /// "path:byte offset: what". Cost: linear in the file.
 geom::TriMesh read_mesh(const std::filesystem::path& path);

@@ -26,7 +26,7 @@ struct MeshPicture {
   Colour surface{178, 203, 224};
   std::vector<Colour> facet_colours;  ///< one per facet instead of `surface`, or empty
   std::vector<geom::Vec3> points;     ///< drawn as dots where the surface does not hide them
-  double point_radius = 1.8;          ///< pixels
+  double point_radius = 2;            ///< pixels
   Colour point_colour{196, 48, 43};
 };
 

@@ -47,7 +47,8 @@ std::optional<std::int64_t> parse_integer(std::string_view word) {
 const char* coordinate_fault(double value) {
   if (std::isnan(value)) return "a coordinate is not a number (NaN)";
   if (std::isinf(value)) return "a coordinate is infinite or too large for a double";
-  if (std::abs(value) > 1e60) return "a coordinate is beyond 1e60, the range of the exact arithmetic";
+  if (std::abs(value) > largest_coordinate)
+    return "a coordinate is beyond 1e48, the range of the exact arithmetic";
   return nullptr;
 }
 

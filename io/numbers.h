@@ -15,8 +15,11 @@ std::optional<double> parse_real(std::string_view word);
 /// The whole word as a decimal integer (a leading '+' allowed).
 std::optional<std::int64_t> parse_integer(std::string_view word);
 
-/// What is wrong with a coordinate or weight (not finite, or beyond 1e60: outside the range the exact
-/// predicates are made for), or null.
+/// Coordinates of greater magnitude are refused: the exact predicates hold up to 2^160 = 1.46e48
+/// (geom/expansion.h).
+constexpr double largest_coordinate = 1e48;
+
+/// What is wrong with a coordinate or weight (not finite, or beyond largest_coordinate), or null.
 const char* coordinate_fault(double value);
 
 /// Appends the shortest text that reads back as the same double.

@@ -32,7 +32,7 @@ class TextCursor {
   /// The word that find_word finds; empty at the end of the file.
   std::string_view word_across_lines();
 
-  /// A word as a number; throws when it is missing (empty), malformed, not finite or beyond 1e60.
+  /// A word as a number; throws when it is missing (empty), malformed, not finite or beyond 1e48.
   double coordinate(std::string_view word) const;
   /// The word as an integer; throws naming `what`.
   std::int64_t integer(std::string_view word, std::string_view what) const;

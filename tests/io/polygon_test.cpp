@@ -86,7 +86,7 @@ TEST_CASE("triangulate: degenerate polygons still give n - 2 triangles on their 
       {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}},             // a segment
       {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}},  // a point
       {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 2, 0}},             // a straight corner
-      {{0, 0, 0}, {1e60, 0, 0}, {1e60, 1e60, 0}, {0, 1e60, 0}}};
+      {{0, 0, 0}, {1e48, 0, 0}, {1e48, 1e48, 0}, {0, 1e48, 0}}};
   for (const auto& polygon : polygons) {
     const auto triangles = io::triangulate(polygon);
     CHECK(triangles.size() == polygon.size() - 2);
