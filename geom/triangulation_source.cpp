@@ -5,7 +5,9 @@
 namespace geom {
 
 void TriangulationSource::insert(SiteId id, const WeightedPoint3& point, SiteId hint) {
-  triangulation_.insert(id, point, hint);
+  const Regular3::Change change = triangulation_.insert(id, point, hint);
+  last_hidden_.assign(change.hidden.begin(), change.hidden.end());
+  std::erase(last_hidden_, id);
   if (id.index() >= place_.size()) place_.resize(id.index() + 1, -1);
   place_[id] = static_cast<std::int32_t>(present_.size());
   present_.push_back(id);
@@ -21,6 +23,11 @@ void TriangulationSource::remove(SiteId id) {
   place_[present_.back()] = place;
   present_.pop_back();
   place_[id] = -1;
+}
+
+void TriangulationSource::rivals(SiteId p, std::vector<SiteId>& out) const {
+  triangulation_.link(p, out);
+  out.insert(out.end(), last_hidden_.begin(), last_hidden_.end());
 }
 
 void TriangulationSource::heirs(const Vacancy&, std::vector<SiteId>& out) const {

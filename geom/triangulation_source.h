@@ -18,7 +18,7 @@ class TriangulationSource final : public NeighbourSource {
 
   void insert(SiteId id, const WeightedPoint3& point, SiteId hint) override;
   void remove(SiteId id) override;
-  void rivals(SiteId p, std::vector<SiteId>& out) const override { triangulation_.link(p, out); }
+  void rivals(SiteId p, std::vector<SiteId>& out) const override;
   void heirs(const Vacancy& vacancy, std::vector<SiteId>& out) const override;
   void set_reach(SiteId, double) override {}
   /// Greedy walk over edges: in a regular triangulation a site that is not the nearest to x has a nearer
@@ -33,7 +33,8 @@ class TriangulationSource final : public NeighbourSource {
   Regular3 triangulation_;
   std::vector<SiteId> present_;        ///< in no order
   Table<SiteId, std::int32_t> place_;  ///< in present_
-  std::vector<SiteId> last_heirs_;
+  std::vector<SiteId> last_hidden_;  ///< by the last insertion
+  std::vector<SiteId> last_heirs_;   ///< of the last removal
 };
 
 }  // namespace geom

@@ -98,7 +98,7 @@ void run_moves(const fixtures::NamedSurface& surface, bool search, CornerTypes t
   CAPTURE(surface.name);
   CAPTURE(search);
   CAPTURE(static_cast<int>(kind));
-  constexpr std::size_t n = 14;
+  constexpr std::size_t n = 24;
   Diagram d(surface.mesh, search, types);
   Rng rng(7);
   const std::vector<WeightedPoint3> pool = weighted_samples(surface.mesh, 400, kind, 3);
@@ -160,6 +160,7 @@ TEST_CASE("restricted power diagram: remove and put back is the identity") {
   for (const fixtures::NamedSurface& surface : fixtures::surfaces())
     for (const bool search : {true, false}) {
       CAPTURE(surface.name);
+      CAPTURE(search);
       Diagram d(surface.mesh, search, CornerTypes::c_only);
       const std::vector<WeightedPoint3> samples = weighted_samples(surface.mesh, 120, Weights::gentle, 11);
       for (std::size_t i = 0; i < samples.size(); ++i) d.insert(SiteId(i), samples[i]);
