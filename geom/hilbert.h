@@ -1,0 +1,18 @@
+#pragma once
+// Points along a Hilbert curve: neighbours in the plane become neighbours in memory.
+
+#include <cstdint>
+#include <vector>
+
+#include "geom/vec.h"
+
+namespace geom {
+
+/// The place of a cell of the 2^20 x 2^20 grid along the Hilbert curve through all of them.
+std::uint64_t hilbert_index(std::uint32_t column, std::uint32_t row);
+
+/// The indices of the points in the order in which the curve through [0, extent) visits them; points in the
+/// same cell of its grid keep their order. O(n log n).
+std::vector<std::uint32_t> hilbert_order(const std::vector<Vec2>& points, const Vec2& extent);
+
+}  // namespace geom
