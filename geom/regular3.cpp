@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geom/check.h"
+#include "geom/pencil.h"
 #include "geom/regular3_corners.h"
 
 namespace geom {
@@ -62,8 +64,8 @@ void Regular3::triangulate_guards() {
     }
     for (int i = 0; i < 4; ++i) {
       const auto [a, b, c] = facet_corners(corner, i);
-      const std::int32_t other = matcher_.find_or_insert(a, b, c, 4 * t.value + i);
-      if (other >= 0) glue({t, i}, {CellId(other / 4), other % 4});
+      const Facet twin(matcher_.find_or_insert(a, b, c, Facet(t, i).code()));
+      if (twin.valid()) glue({t, i}, twin);
     }
   };
   matcher_.clear();
@@ -119,7 +121,7 @@ void Regular3::collect_star(SiteId v, std::vector<CellId>& out) const {
   for (std::size_t k = out.size() - 1; k < out.size(); ++k) {
     const Tetrahedron& here = cells_[out[k]];
     for (int i = 0; i < 4; ++i) {
-      const CellId next = here.neighbor[i];
+      const CellId next = here.mate[i].cell();
       if (here.corner[i] == v || !next.valid() || cells_[next].mark == seen) continue;
       cells_[next].mark = seen;
       out.push_back(next);
@@ -137,9 +139,9 @@ CellId Regular3::locate(const Vec3& x, CellId start) const {
     const Tetrahedron& t = cells_[here];
     CellId next;
     for (int i = 0; i < 4 && !next.valid(); ++i) {
-      if (!t.neighbor[i].valid() || t.neighbor[i] == previous) continue;
+      if (!t.mate[i].valid() || t.mate[i].cell() == previous) continue;
       const auto [a, b, c] = facet_corners(t.corner, i);
-      if (orient3(position(a), position(b), position(c), x) < 0) next = t.neighbor[i];
+      if (orient3(position(a), position(b), position(c), x) < 0) next = t.mate[i].cell();
     }
     if (!next.valid()) return here;
     previous = here;
@@ -151,9 +153,30 @@ int Regular3::orientation(const Cell& corner) const {
   return orient3(position(corner[0]), position(corner[1]), position(corner[2]), position(corner[3]));
 }
 
+namespace {
+
+/// Pencil::power_side of e with respect to the orthosphere of a positively oriented tetrahedron.
+template <class Real>
+int power_side(const WeightedPoint3& a, const WeightedPoint3& b, const WeightedPoint3& c,
+               const WeightedPoint3& d, const WeightedPoint3& e) {
+  const Pencil<Real> pencil(a, b, c);
+  return pencil.power_side(pencil.place(d), pencil.place(e));
+}
+
+}  // namespace
+
 bool Regular3::in_conflict(CellId t, SiteId e) const {
   const Cell& corner = cells_[t].corner;
-  return conflicts3(ranked(corner[0]), ranked(corner[1]), ranked(corner[2]), ranked(corner[3]), ranked(e));
+  const int first_guard =
+      static_cast<int>(std::find_if(corner.begin(), corner.end(), is_guard) - corner.begin());
+  const int apex = std::min(first_guard, 3);
+  auto [a, b, c] = facet_corners(corner, apex);
+  for (int turn = 0; turn < 2 && is_guard(a); ++turn) a = std::exchange(b, std::exchange(c, a));
+  const SiteId d = corner[apex];
+  int side = power_side<double>(point(a), point(b), point(c), point(d), point(e));
+  if (side == 0) side = power_side<DoubleDouble>(point(a), point(b), point(c), point(d), point(e));
+  if (side != 0) return side < 0;
+  return conflicts3(ranked(a), ranked(b), ranked(c), ranked(d), ranked(e));
 }
 
 // --------------------------------------------------------------------------------------- pieces of both
@@ -194,20 +217,15 @@ CellId Regular3::create(const Cell& corner) {
   return t;
 }
 
-/// Makes two tetrahedra neighbours across one facet. `other` may be none: outside the hull.
+/// Makes two tetrahedra neighbours across a facet. `other` may be none.
 void Regular3::glue(Facet one, Facet other) {
-  cells_[one.cell].neighbor[one.corner] = other.cell;
-  if (other.cell.valid()) cells_[other.cell].neighbor[other.corner] = one.cell;
+  cells_[one.cell()].mate[one.corner()] = other;
+  if (other.valid()) cells_[other.cell()].mate[other.corner()] = one;
 }
 
 int Regular3::corner_of(CellId t, SiteId v) const {
   const Cell& corner = cells_[t].corner;
   return static_cast<int>(std::find(corner.begin(), corner.end(), v) - corner.begin());
-}
-
-int Regular3::facet_towards(CellId t, CellId neighbor) const {
-  const std::array<CellId, 4>& all = cells_[t].neighbor;
-  return static_cast<int>(std::find(all.begin(), all.end(), neighbor) - all.begin());
 }
 
 /// A mark that no tetrahedron and no site carries.
@@ -268,13 +286,13 @@ void Regular3::check_cell(CellId t) const {
   }
   for (int i = 0; i < 4; ++i) {
     const auto [a, b, c] = facet_corners(here.corner, i);
-    const CellId next = here.neighbor[i];
+    const CellId next = here.mate[i].cell();
     if (!next.valid()) {
       ensure(is_guard(a) && is_guard(b) && is_guard(c), "regular3: a facet of the hull is not of guards");
       continue;
     }
-    const int j = facet_towards(next, t);
-    ensure(j < 4, "regular3: adjacency is not symmetric");
+    const int j = here.mate[i].corner();
+    ensure(cells_[next].mate[j] == Facet(t, i), "regular3: adjacency is not symmetric");
     for (const SiteId v : {a, b, c}) {
       const int k = corner_of(next, v);
       ensure(k < 4 && k != j, "regular3: neighbours do not share their facet");

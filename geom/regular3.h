@@ -66,11 +66,26 @@ class Regular3 {
   void check() const;
 
  private:
+  /// The facet of a tetrahedron opposite one of its corners; none outside the hull.
+  class Facet {
+   public:
+    Facet() = default;
+    explicit Facet(std::int32_t code) : code_(code) {}
+    Facet(CellId t, int corner) : code_(4 * t.value + corner) {}
+    bool valid() const { return code_ >= 0; }
+    CellId cell() const { return CellId(code_ >> 2); }
+    int corner() const { return code_ & 3; }
+    std::int32_t code() const { return code_; }
+    bool operator==(const Facet&) const = default;
+
+   private:
+    std::int32_t code_ = -1;
+  };
   /// A free one has no corners.
   struct Tetrahedron {
     Cell corner;
-    std::array<CellId, 4> neighbor;  ///< across the facet opposite each corner; none outside the hull
-    SiteId first_hidden;             ///< the sites that it witnesses, a list through Site::next_hidden
+    std::array<Facet, 4> mate;  ///< the facet opposite each corner as a facet of the neighbor there
+    SiteId first_hidden;        ///< the sites that it witnesses, a list through Site::next_hidden
     mutable std::uint32_t mark = 0;
   };
   enum class State : std::uint8_t { absent, visible, hidden };
@@ -82,14 +97,10 @@ class Regular3 {
     mutable std::uint32_t mark = 0;
     SiteId next_hidden, previous_hidden;
   };
-  struct Facet {
-    CellId cell;
-    int corner = 0;  ///< the facet opposite this corner
-  };
   /// A facet of a hole that is being filled; the hole is on the positive side of a, b, c.
   struct OpenFacet {
     SiteId a, b, c;
-    Facet outer;  ///< the same facet in the tetrahedron outside (none outside the hull)
+    Facet outer;  ///< the same facet of the tetrahedron outside
     bool closed = false;
   };
 
@@ -102,7 +113,6 @@ class Regular3 {
   int orientation(const Cell& corner) const;
   bool in_conflict(CellId t, SiteId e) const;
   int corner_of(CellId t, SiteId v) const;
-  int facet_towards(CellId t, CellId neighbor) const;
   CellId locate(const Vec3& x, CellId start) const;
   void collect_star(SiteId v, std::vector<CellId>& out) const;
 

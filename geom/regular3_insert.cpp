@@ -60,7 +60,7 @@ void Regular3::dig_cavity(CellId start, SiteId p) {
   for (std::size_t k = 0; k < destroyed_.size(); ++k) {
     const Tetrahedron& here = cells_[destroyed_[k]];
     for (int i = 0; i < 4; ++i) {
-      const CellId next = here.neighbor[i];
+      const CellId next = here.mate[i].cell();
       if (next.valid()) {
         std::uint32_t& mark = cells_[next].mark;
         if (mark == conflicting) continue;
@@ -82,16 +82,15 @@ void Regular3::dig_cavity(CellId start, SiteId p) {
 void Regular3::star_cavity(SiteId p) {
   matcher_.clear();
   for (const Facet inner : boundary_) {
-    Cell corner = cells_[inner.cell].corner;
-    corner[inner.corner] = p;
+    Cell corner = cells_[inner.cell()].corner;
+    corner[inner.corner()] = p;
     const CellId t = create(corner);
-    const CellId outer = cells_[inner.cell].neighbor[inner.corner];
-    glue({t, inner.corner}, {outer, outer.valid() ? facet_towards(outer, inner.cell) : 0});
+    glue({t, inner.corner()}, cells_[inner.cell()].mate[inner.corner()]);
     for (int i = 0; i < 4; ++i) {
-      if (i == inner.corner) continue;
+      if (i == inner.corner()) continue;
       const auto [a, b, c] = facet_corners(corner, i);
-      const std::int32_t twin = matcher_.find_or_insert(a, b, c, 4 * t.value + i);
-      if (twin >= 0) glue({t, i}, {CellId(twin / 4), twin % 4});
+      const Facet twin(matcher_.find_or_insert(a, b, c, Facet(t, i).code()));
+      if (twin.valid()) glue({t, i}, twin);
     }
   }
 }

@@ -1,4 +1,8 @@
+#include <optional>
+#include <utility>
+
 #include "geom/check.h"
+#include "geom/pencil.h"
 #include "geom/regular3.h"
 #include "geom/regular3_corners.h"
 
@@ -22,6 +26,59 @@ namespace geom {
 //
 // Beginning with the facets of the link, the hole is thus wrapped facet by facet, and what fills it are the
 // tetrahedra of T', exposed hidden sites included. Facets met from both sides are closed.
+
+namespace {
+
+/// Step 3: in doubles, in twofold precision where these cannot tell (spheres: all sites near one
+/// orthosphere), exactly where that cannot.
+class ApexSearch {
+ public:
+  ApexSearch(const RankedPoint3& a, const RankedPoint3& b, const RankedPoint3& c)
+      : a_(a), b_(b), c_(c), coarse_(*a.point, *b.point, *c.point) {}
+
+  /// Makes e the best so far if it is; says whether.
+  bool offer(const RankedPoint3& e) {
+    const auto place = coarse_.place(*e.point);
+    const int side = coarse_.side(place);
+    if (side < 0) return false;
+    if (best_.point == nullptr) {
+      if (side == 0 && !before(e)) return false;
+    } else {
+      const int power_side = coarse_.power_side(best_place_, place);
+      if (power_side > 0) return false;
+      if ((power_side == 0 || side == 0) && !improves(e)) return false;
+    }
+    best_ = e;
+    best_place_ = place;
+    best_fine_place_.reset();
+    return true;
+  }
+
+ private:
+  bool before(const RankedPoint3& e) const {
+    return orient3(a_.point->position, b_.point->position, c_.point->position, e.point->position) > 0;
+  }
+
+  bool improves(const RankedPoint3& e) {
+    if (!fine_) fine_.emplace(*a_.point, *b_.point, *c_.point);
+    if (!best_fine_place_) best_fine_place_ = fine_->place(*best_.point);
+    const auto place = fine_->place(*e.point);
+    const int side = fine_->side(place);
+    if (side < 0) return false;
+    const int power_side = fine_->power_side(*best_fine_place_, place);
+    if (power_side > 0) return false;
+    if (power_side < 0 && side > 0) return true;
+    return conflicts3(a_, b_, c_, best_, e) && before(e);
+  }
+
+  RankedPoint3 a_, b_, c_, best_{nullptr, 0};
+  Pencil<double> coarse_;
+  Pencil<double>::Place best_place_{};
+  std::optional<Pencil<DoubleDouble>> fine_;  // made when first wanted
+  std::optional<Pencil<DoubleDouble>::Place> best_fine_place_;
+};
+
+}  // namespace
 
 Regular3::Change Regular3::remove(SiteId id) {
   ensure(contains(id), "regular3: the site to remove is not in the triangulation");
@@ -53,9 +110,8 @@ void Regular3::open_hole(SiteId p) {
       site(v).mark = seen;
       candidates_.push_back(v);
     }
-    const CellId outer = cells_[t].neighbor[i];
     matcher_.find_or_insert(a, b, c, static_cast<std::int32_t>(open_.size()));
-    open_.push_back({a, b, c, {outer, outer.valid() ? facet_towards(outer, t) : 0}});
+    open_.push_back({a, b, c, cells_[t].mate[i]});
     take_hidden_of(t);
   }
   candidates_.insert(candidates_.end(), displaced_.begin(), displaced_.end());
@@ -77,7 +133,7 @@ void Regular3::fill_hole() {
       const auto [a, b, c] = facet_corners(corner, i);
       const std::int32_t twin = matcher_.find_or_insert(a, b, c, static_cast<std::int32_t>(open_.size()));
       if (twin < 0) {
-        open_.push_back({a, c, b, {t, i}});  // turned: what is left of the hole is across
+        open_.push_back({a, c, b, Facet(t, i)});  // turned: what is left of the hole is across
       } else {
         OpenFacet& facing = open_[twin];
         ensure(!facing.closed, "regular3: three tetrahedra meet in one facet");
@@ -88,16 +144,17 @@ void Regular3::fill_hole() {
   }
 }
 
-/// The fourth corner of the tetrahedron on the positive side of a facet of the hole: step 3 above.
+/// The fourth corner of the tetrahedron on the positive side of a facet of the hole.
 SiteId Regular3::apex(const OpenFacet& facet) const {
-  const auto [a, b, c] = std::array{ranked(facet.a), ranked(facet.b), ranked(facet.c)};
-  const auto before = [&](SiteId e) {
-    return orient3(a.point->position, b.point->position, c.point->position, position(e)) > 0;
-  };
+  auto [a, b, c] = std::array{facet.a, facet.b, facet.c};
+  for (int turn = 0; turn < 2 && is_guard(a); ++turn) {  // differences from a near point keep their digits
+    a = std::exchange(b, std::exchange(c, a));
+  }
+  ApexSearch search(ranked(a), ranked(b), ranked(c));
   SiteId best;
   for (const SiteId e : candidates_) {
     if (e == facet.a || e == facet.b || e == facet.c) continue;
-    if (best == SiteId() ? before(e) : conflicts3(a, b, c, ranked(best), ranked(e)) && before(e)) best = e;
+    if (search.offer(ranked(e))) best = e;
   }
   ensure(best != SiteId(), "regular3: no site closes a facet of the hole");
   return best;

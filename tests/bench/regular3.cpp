@@ -1,14 +1,16 @@
 // Microseconds of one remove + insert in the regular triangulation, on samples of three surfaces.
-//   bench-regular3 [n ...]        default: 10000 100000
+//   bench-regular3 [surface] [n ...]        default: all of them, 10000 100000
 
 #include "geom/regular3.h"
 
+#include <cctype>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <numbers>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "geom/rng.h"
@@ -120,9 +122,18 @@ int main(int argc, char** argv) {
   const Surface surfaces[] = {
       {"sphere", sphere}, {"blob", blob}, {"tilted square", tilted_square}, {"cube", cube}};
   std::vector<int> sizes;
-  for (int i = 1; i < argc; ++i) sizes.push_back(std::atoi(argv[i]));
+  std::string only;
+  for (int i = 1; i < argc; ++i) {
+    if (std::isdigit(static_cast<unsigned char>(argv[i][0]))) {
+      sizes.push_back(std::atoi(argv[i]));
+    } else {
+      only = argv[i];
+    }
+  }
   if (sizes.empty()) sizes = {10000, 100000};
   for (const int n : sizes) {
-    for (const Surface& surface : surfaces) measure(surface, n);
+    for (const Surface& surface : surfaces) {
+      if (only.empty() || only == surface.name) measure(surface, n);
+    }
   }
 }
