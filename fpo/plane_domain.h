@@ -1,0 +1,78 @@
+#pragma once
+// The flat torus as a domain of Algorithm 1 (paper, section 3): uniform and adaptive, global and local.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "fpo/circle_queue.h"
+#include "fpo/domain.h"
+#include "fpo/plane_sizing.h"
+#include "geom/regular2.h"
+
+namespace fpo {
+
+/// Fewer samples than these leave gaps of half a period, which the triangulation refuses.
+inline constexpr std::size_t least_plane_samples = 32;
+
+struct PlaneOptions {
+  double weight_factor =
+      0.75;  ///< c of w = (c h)^2, the weight of a sample where edges of length h are wanted
+};
+
+/// A sample as the user sees it.
+struct PlaneSample {
+  geom::Vec2 position;  ///< on the torus's grid
+  double weight;        ///< 0 if uniform
+};
+
+/// Samples are numbered along a Hilbert curve through their first positions, for the sake of memory;
+/// samples() gives them in the order of the input. The weight of a sample is fixed when it is inserted
+/// somewhere.
+class PlaneDomain final : public Domain {
+ public:
+  /// Keeps a reference to the sizing. edge_length_scale: s of h = s rho (PlaneDensity). Throws InputError for
+  /// bad periods, fewer than least_plane_samples samples, or samples that leave a gap of half a period.
+  PlaneDomain(const geom::FlatTorus& torus, const PlaneSizing& sizing, double edge_length_scale,
+              std::span<const geom::Vec2> samples, const PlaneOptions& options = {});
+
+  std::size_t num_samples() const override { return input_index_.size(); }
+  double separation(SiteId x) override { return triangulation_.nearest_other(x).power; }
+  void remove(SiteId x) override;
+  Circle largest_empty(Scope scope) override;
+  void insert_at(SiteId x, const Circle& c) override;
+  void put_back(SiteId x) override;
+  double normalized_spacing(SiteId x) override;
+  void check() const override;
+
+  const geom::Regular2& triangulation() const { return triangulation_; }
+  const geom::FlatTorus& torus() const { return triangulation_.torus(); }
+  /// The wanted edge length at a location, and at a sample as fixed when it was inserted.
+  double edge_length(const geom::Vec2& x) const { return scale_ * sizing_.rho(x); }
+  double edge_length(SiteId x) const;
+  std::size_t num_hidden() const;
+  /// In the order of the input.
+  std::vector<PlaneSample> samples() const;
+  /// Position in the input of a sample.
+  std::uint32_t input_index(SiteId x) const { return input_index_[x]; }
+
+ private:
+  PlaneDomain(const geom::FlatTorus& torus, const PlaneSizing& sizing, double edge_length_scale,
+              std::span<const geom::Vec2> samples, const PlaneOptions& options,
+              std::vector<std::uint32_t> order);
+  double weight_at(const geom::Vec2& x) const;
+  geom::CellId largest_in_two_ring() const;
+  void apply(const geom::Regular2::Change& change);
+
+  const PlaneSizing& sizing_;
+  double scale_;          ///< s of h = s rho
+  double weight_factor_;  ///< c of w = (c h)^2; 0 if uniform
+  geom::Table<SiteId, std::uint32_t> input_index_;
+  geom::Regular2 triangulation_;
+  CircleQueue circles_;
+  geom::Regular2::Change last_change_;
+  geom::WeightedPoint2 removed_;  ///< where the sample that is out came from
+  geom::SiteId near_removed_;     ///< a visible sample close to it
+};
+
+}  // namespace fpo
