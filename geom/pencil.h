@@ -80,7 +80,7 @@ class Pencil {
   /// The sign of the height, 0 if uncertain.
   static int side(const Place& e) {
     const double h = rounded(e.height);
-    return h > e.height_error ? 1 : h < -e.height_error ? -1 : 0;
+    return (h > e.height_error) - (h < -e.height_error);
   }
 
   /// -1 if e is certainly inside the orthosphere through a, b, c and d, +1 if certainly outside, 0 if
@@ -93,7 +93,7 @@ class Pencil {
                          dh * e.offset_error +
                          (std::abs(rounded(d.offset)) + d.offset_error) * e.height_error +
                          eh * d.offset_error + 3 * u * (std::abs(rounded(left)) + std::abs(rounded(right)));
-    return power > 1.01 * error ? 1 : power < -1.01 * error ? -1 : 0;
+    return (power > 1.01 * error) - (power < -1.01 * error);
   }
 
  private:

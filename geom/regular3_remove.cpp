@@ -1,8 +1,7 @@
-#include <optional>
 #include <utility>
 
+#include "geom/apex_search.h"
 #include "geom/check.h"
-#include "geom/pencil.h"
 #include "geom/regular3.h"
 #include "geom/regular3_corners.h"
 
@@ -10,75 +9,16 @@ namespace geom {
 
 // Removal of p. Let T be the triangulation before and T' after it; both are unique, weights being perturbed.
 //
-// 1. A tetrahedron of T without corner p has an orthosphere that excludes all sites, so it is in T' as well:
-// T' differs
-//    from T only in the hole, the star of p.
-// 2. A corner of T' in the closed hole is either a corner of T, hence on the hole's boundary (the star has no
-// other
-//    corner inside than p): a site of the link; or hidden in T, with a witness in the star. (A hidden site
-//    whose witness survives stays hidden.) These are the candidates.
-// 3. So let a facet abc of T' have the hole on its positive side. One tetrahedron abcd of T' lies there, d is
-// a candidate,
-//    and its orthosphere excludes all other candidates. The orthospheres through abc form a pencil, and their
-//    parts on the positive side grow with it; hence among the candidates strictly on the positive side d is
-//    the one whose orthosphere excludes the others, and running through them, replacing the best by any that
-//    lies in its orthosphere, ends with d.
+// - A tetrahedron of T without corner p has an orthosphere that excludes all sites, so it is in T' as well:
+//   T' differs from T only in the hole, the star of p.
+// - A corner of T' in the closed hole is either a corner of T, hence on the hole's boundary (the star has no
+//   other corner inside than p): a site of the link; or hidden in T, with a witness in the star. (A hidden
+//   site whose witness survives stays hidden.) These are the candidates.
+// - So let a facet of T' have the hole on its positive side. One tetrahedron of T' lies there; its fourth
+//   corner is a candidate and its orthosphere excludes all others: it is the one that ApexSearch finds.
 //
 // Beginning with the facets of the link, the hole is thus wrapped facet by facet, and what fills it are the
 // tetrahedra of T', exposed hidden sites included. Facets met from both sides are closed.
-
-namespace {
-
-/// Step 3: in doubles, in twofold precision where these cannot tell (spheres: all sites near one
-/// orthosphere), exactly where that cannot.
-class ApexSearch {
- public:
-  ApexSearch(const RankedPoint3& a, const RankedPoint3& b, const RankedPoint3& c)
-      : a_(a), b_(b), c_(c), coarse_(*a.point, *b.point, *c.point) {}
-
-  /// Makes e the best so far if it is; says whether.
-  bool offer(const RankedPoint3& e) {
-    const auto place = coarse_.place(*e.point);
-    const int side = coarse_.side(place);
-    if (side < 0) return false;
-    if (best_.point == nullptr) {
-      if (side == 0 && !before(e)) return false;
-    } else {
-      const int power_side = coarse_.power_side(best_place_, place);
-      if (power_side > 0) return false;
-      if ((power_side == 0 || side == 0) && !improves(e)) return false;
-    }
-    best_ = e;
-    best_place_ = place;
-    best_fine_place_.reset();
-    return true;
-  }
-
- private:
-  bool before(const RankedPoint3& e) const {
-    return orient3(a_.point->position, b_.point->position, c_.point->position, e.point->position) > 0;
-  }
-
-  bool improves(const RankedPoint3& e) {
-    if (!fine_) fine_.emplace(*a_.point, *b_.point, *c_.point);
-    if (!best_fine_place_) best_fine_place_ = fine_->place(*best_.point);
-    const auto place = fine_->place(*e.point);
-    const int side = fine_->side(place);
-    if (side < 0) return false;
-    const int power_side = fine_->power_side(*best_fine_place_, place);
-    if (power_side > 0) return false;
-    if (power_side < 0 && side > 0) return true;
-    return conflicts3(a_, b_, c_, best_, e) && before(e);
-  }
-
-  RankedPoint3 a_, b_, c_, best_{nullptr, 0};
-  Pencil<double> coarse_;
-  Pencil<double>::Place best_place_{};
-  std::optional<Pencil<DoubleDouble>> fine_;  // made when first wanted
-  std::optional<Pencil<DoubleDouble>::Place> best_fine_place_;
-};
-
-}  // namespace
 
 Regular3::Change Regular3::remove(SiteId id) {
   ensure(contains(id), "regular3: the site to remove is not in the triangulation");
