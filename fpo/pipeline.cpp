@@ -30,6 +30,7 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
   OptimizeOptions optimization = options.optimize;
   optimization.seed = options.seed;
   result.optimization = optimize(domain, optimization);
+  result.localization = domain.localize();
   result.mesh = extract(domain.diagram(), domain.num_samples());
   for (std::size_t i = 0; i < domain.num_samples(); ++i) result.samples.push_back(domain.sample(SiteId(i)));
   if (options.keep_cells) result.cells = cell_polygons(domain.diagram());

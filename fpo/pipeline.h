@@ -23,6 +23,7 @@ struct RemeshResult {
   geom::TriMesh mesh;                  ///< vertex i is sample i
   std::vector<SurfaceSample> samples;  ///< position and facet of the input
   OptimizeResult optimization;
+  Localization localization;
   std::vector<CellPolygon> cells;  ///< the restricted power diagram
 };
 

@@ -81,6 +81,10 @@ void SurfaceDomain::apply(const geom::RestrictedPower::Change& change) {
 
 double SurfaceDomain::normalized_spacing(SiteId x) { return std::sqrt(separation(x)) / hexagonal_spacing_; }
 
+Localization SurfaceDomain::localize() {
+  return fpo::localize(*diagram_, std::span<const SurfaceSample>(samples_.data(), samples_.size()));
+}
+
 void SurfaceDomain::check() const {
   diagram_->check();
   circles_.check();

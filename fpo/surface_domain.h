@@ -7,6 +7,7 @@
 
 #include "fpo/domain.h"
 #include "fpo/initial_samples.h"
+#include "fpo/localize.h"
 #include "geom/indexed_heap.h"
 #include "geom/restricted_power.h"
 
@@ -40,6 +41,8 @@ class SurfaceDomain final : public Domain {
 
   const SurfaceSample& sample(SiteId x) const { return samples_[x]; }
   const geom::RestrictedPower& diagram() const { return *diagram_; }
+  /// Gives orphans away (localize.h) for the extraction. Ends the optimization: no move may follow.
+  Localization localize();
   const geom::TriMesh& mesh() const { return mesh_; }
   /// What the last removal or insertion changed.
   const geom::RestrictedPower::Change& last_change() const { return *last_change_; }

@@ -55,9 +55,8 @@ bool Clipper::beats_exactly(FacetId facet, SiteId owner, std::span<const Polygon
                        ranked(j));
 }
 
-Clip Clipper::classify(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners, SiteId j,
-                       const Bisector& b, std::vector<char>& beaten) const {
-  if (const Clip whole = compare_on_facet(facet, b); whole != Clip::cut) return whole;
+Clip Clipper::classify_corners(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners, SiteId j,
+                               const Bisector& b, std::vector<char>& beaten) const {
   beaten.resize(corners.size());
   std::size_t count = 0;
   for (std::size_t k = 0; k < corners.size(); ++k)

@@ -95,8 +95,14 @@ class Clipper {
   const Vec3& middle(FacetId facet) const { return balls_[facet].center; }
 
   /// Which corners j takes: none, some, all. O(corners). Fills `beaten` where the answer is `cut`.
+  Clip classify_corners(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners, SiteId j,
+                        const Bisector& b, std::vector<char>& beaten) const;
+  /// The same, with a look at the whole facet first.
   Clip classify(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners, SiteId j,
-                const Bisector& b, std::vector<char>& beaten) const;
+                const Bisector& b, std::vector<char>& beaten) const {
+    const Clip whole = compare_on_facet(facet, b);
+    return whole != Clip::cut ? whole : classify_corners(facet, owner, corners, j, b, beaten);
+  }
 
   /// Takes away what j beats. The new edge is labelled j. O(corners).
   Clip clip(FacetPolygon& polygon, SiteId j, const Bisector& b);

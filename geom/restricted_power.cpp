@@ -35,13 +35,6 @@ RestrictedPower::RestrictedPower(const TriMesh& mesh, NeighbourSource& neighbour
       if (!first_facet_[v].valid()) first_facet_[v] = t;
 }
 
-double RestrictedPower::reach(SiteId p) const {
-  double result = -infinity;
-  for (FragmentId f = store_.first_of_cell(p); f.valid(); f = store_.next_in_cell(f))
-    result = std::max(result, store_.max_radius2(f));
-  return result;
-}
-
 /// An upper bound of the power on a polygon: power is convex, so its maximum is at a corner. With a the
 /// rounded distance of a corner and b = sqrt(3) tolerance, (a + b)^2 <= a^2 (1 + e) + b^2 (1 + 1/e).
 double RestrictedPower::bound_radius2(const FacetPolygon& polygon) const {
@@ -62,8 +55,8 @@ double RestrictedPower::bound_radius2(const FacetPolygon& polygon) const {
 // --- fragments and their circles
 // -------------------------------------------------------------------------------------
 
-/// Gives fragment f (created if none) this polygon.
-void RestrictedPower::commit(FragmentId f, FacetPolygon& polygon) {
+/// Gives fragment f (created if none) this polygon; returns the bound of its power.
+double RestrictedPower::commit(FragmentId f, FacetPolygon& polygon) {
   if (f.valid()) {
     change_.cut.push_back({polygon.owner, polygon.facet});
   } else {
@@ -72,7 +65,9 @@ void RestrictedPower::commit(FragmentId f, FacetPolygon& polygon) {
   }
   register_corners(f, polygon);
   store_.set_corners(f, polygon.corners);
-  store_.set_max_radius2(f, bound_radius2(polygon));
+  const double max_radius2 = bound_radius2(polygon);
+  store_.set_max_radius2(f, max_radius2);
+  return max_radius2;
 }
 
 void RestrictedPower::forget(FragmentId f) {
@@ -179,6 +174,10 @@ void RestrictedPower::check() const {
   store_.check();
   std::array<PolygonCorner, 3> buffer;
   std::size_t registered = 0;
+  for (SiteId s(0); s.index() < reach_.size(); s = SiteId(s.value + 1))
+    for (FragmentId f = store_.first_of_cell(s); f.valid(); f = store_.next_in_cell(f))
+      ensure(store_.max_radius2(f) <= reach_[s],
+             "restricted power diagram: a cell reaches farther than it says");
   for (FacetId t(0); t.index() < mesh_.num_facets(); t = FacetId(t.value + 1)) {
     ensure(store_.size() == 0 || store_.first_of_facet(t).valid(),
            "restricted power diagram: a facet without owner");

@@ -54,6 +54,13 @@ class RestrictedPower {
   /// Gives p's cell to its heirs; p has just been removed from the neighbour source.
   const Change& after_remove(SiteId p);
 
+  /// Takes these fragments away from their owner p and divides them among the other sites, those in
+  /// `excluded` left out, as if only there p did not exist. From then on the diagram is no power diagram: no
+  /// insertion or removal may follow. `search` must hold all sites. Does nothing if no other site borders the
+  /// fragments.
+  const Change& abandon(SiteId p, std::span<const FragmentId> fragments, std::span<const SiteId> excluded,
+                        const NeighbourSource& search);
+
   const WeightedPoint3& site(SiteId p) const { return sites_[p]; }
   const EmptyCircle& circle(CircleId c) const { return circles_[c]; }
   /// The order of circles of equal radius2: by facet, place and sites.
@@ -61,8 +68,8 @@ class RestrictedPower {
 
   const FragmentStore& fragments() const { return store_; }
   const TriMesh& mesh() const { return mesh_; }
-  /// The largest power of a location in p's cell; -infinity if the cell is empty. Rounded up.
-  double reach(SiteId p) const;
+  /// An upper bound of the power of the locations in p's cell; -infinity if that has always been empty.
+  double reach(SiteId p) const { return reach_[p]; }
 
   /// A fragment by labels alone, the cycle starting at its smallest label.
   struct Canonical {
@@ -92,7 +99,7 @@ class RestrictedPower {
   };
 
   void begin(SiteId p);
-  void finish(SiteId p);
+  void finish();
   void touch_cell(SiteId j);
   TouchedFacet& touch_facet(FacetId t);
   bool take_from(SiteId j, SiteId p);
@@ -105,10 +112,13 @@ class RestrictedPower {
     return heirs_bisectors_[k * heirs_.size() + h];
   }
   Pending& add_pending(FragmentId old);
-  void gather_known_heirs(SiteId p);
-  bool add_missing_heirs(SiteId p);
+  void gather_known_heirs(std::span<const FragmentId> vacated);
+  void divide_all(SiteId p, const NeighbourSource& source);
+  void add_heir(SiteId k);
+  void find_fragments_of_heirs(FragmentId vacated);
+  bool add_missing_heirs(SiteId p, const NeighbourSource& source);
 
-  void commit(FragmentId f, FacetPolygon& polygon);
+  double commit(FragmentId f, FacetPolygon& polygon);
   void forget(FragmentId f);
   void register_corners(FragmentId f, FacetPolygon& polygon);
   CircleId create_circle(const FacetPolygon& polygon, std::size_t corner, std::int32_t place);
@@ -124,12 +134,14 @@ class RestrictedPower {
   FragmentStore store_;
   Table<CircleId, EmptyCircle> circles_;
   std::vector<CircleId> free_circles_;
+  Table<SiteId, double> reach_;
   Table<VertexId, FacetId> first_facet_;     ///< CornerTypes::all only: where a vertex's circle is registered
   Table<VertexId, CircleId> vertex_circle_;  ///< likewise
 
   Change change_;
   // Workspaces of one update.
   std::vector<SiteId> candidates_, heirs_;
+  std::vector<FragmentId> vacated_;
   std::vector<Bisector> heirs_bisectors_;  ///< row k, column h: of owner heirs_[k] and heirs_[h]
   std::vector<std::size_t> heirs_order_;   ///< of heirs_, those that matter most on the facet in hand first
   std::vector<TouchedFacet> touched_facets_;
@@ -139,7 +151,9 @@ class RestrictedPower {
   std::vector<char> beaten_;
   FacetPolygon polygon_;
   Table<FacetId, std::int32_t> facet_mark_;  ///< index into touched_facets_ or -1
+  std::vector<FragmentId> heirs_fragments_;  ///< of each heir on the facet in hand
   Table<SiteId, std::uint32_t> cell_stamp_, heir_stamp_;
+  Table<SiteId, std::int32_t> heir_index_;  ///< in heirs_, if the site is one
   std::uint32_t stamp_ = 0;
 };
 

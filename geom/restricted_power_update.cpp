@@ -20,13 +20,14 @@ void RestrictedPower::begin(SiteId p) {
   if (p.index() >= cell_stamp_.size()) {
     cell_stamp_.resize(p.index() + 1, 0);
     heir_stamp_.resize(p.index() + 1, 0);
+    heir_index_.resize(p.index() + 1, 0);
+    reach_.resize(p.index() + 1, -std::numeric_limits<double>::infinity());
   }
 }
 
 /// Tells the source how far the changed cells reach now.
-void RestrictedPower::finish(SiteId p) {
-  for (const SiteId j : change_.cells)
-    if (j != p) neighbours_.set_reach(j, reach(j));
+void RestrictedPower::finish() {
+  for (const SiteId j : change_.cells) neighbours_.set_reach(j, reach_[j]);
 }
 
 void RestrictedPower::touch_cell(SiteId j) {
@@ -47,6 +48,7 @@ const RestrictedPower::Change& RestrictedPower::after_insert(SiteId p, const Wei
   if (p.index() >= sites_.size()) sites_.resize(p.index() + 1);
   sites_[p] = point;
   begin(p);
+  reach_[p] = -std::numeric_limits<double>::infinity();
   if (store_.size() == 0) {
     occupy_everything(p);
   } else {
@@ -61,42 +63,51 @@ const RestrictedPower::Change& RestrictedPower::after_insert(SiteId p, const Wei
         clipper_.clip(polygon_, rival_links_[static_cast<std::size_t>(link)].site);
       ensure(!polygon_.corners.empty(),
              "restricted power diagram: a site takes from a facet but gets nothing");
-      commit(FragmentId(), polygon_);
+      reach_[p] = std::max(reach_[p], commit(FragmentId(), polygon_));
       facet_mark_[touched.facet] = -1;
     }
     touched_facets_.clear();
     rival_links_.clear();
   }
-  finish(p);
-  neighbours_.set_reach(p, reach(p));
+  finish();
+  neighbours_.set_reach(p, reach_[p]);
   return change_;
 }
 
-/// Cuts the fragments of j by p and notes the facets where p wins something. True if it does.
+/// Cuts the fragments of j by p and notes the facets where p wins something. True if it does. Computes the
+/// reach of what is left of j.
 bool RestrictedPower::take_from(SiteId j, SiteId p) {
   const Bisector b = clipper_.bisector_of(j, p);
   std::array<PolygonCorner, 3> buffer;
+  double reach = -std::numeric_limits<double>::infinity();
   bool took = false;
   for (FragmentId f = store_.first_of_cell(j), next; f.valid(); f = next) {
     next = store_.next_in_cell(f);
     const FacetId t = store_.facet(f);
-    const std::span<const PolygonCorner> corners = store_.corners(f, buffer);
-    const Clip outcome = clipper_.classify(t, j, corners, p, b, beaten_);
-    if (outcome == Clip::untouched) continue;
-    took = true;
-    TouchedFacet& touched = touch_facet(t);
-    if (outcome == Clip::swallowed) {
-      forget(f);
-      continue;
+    Clip outcome = clipper_.compare_on_facet(t, b);
+    if (outcome == Clip::cut) {
+      const std::span<const PolygonCorner> corners = store_.corners(f, buffer);
+      outcome = clipper_.classify_corners(t, j, corners, p, b, beaten_);
+      if (outcome == Clip::cut) {
+        polygon_.facet = t;
+        polygon_.owner = j;
+        polygon_.corners.assign(corners.begin(), corners.end());
+        clipper_.cut(polygon_, p, b, beaten_);
+        TouchedFacet& touched = touch_facet(t);
+        rival_links_.push_back({j, touched.rivals});
+        touched.rivals = static_cast<std::int32_t>(rival_links_.size()) - 1;
+        commit(f, polygon_);
+      }
     }
-    rival_links_.push_back({j, touched.rivals});
-    touched.rivals = static_cast<std::int32_t>(rival_links_.size()) - 1;
-    polygon_.facet = t;
-    polygon_.owner = j;
-    polygon_.corners.assign(corners.begin(), corners.end());
-    clipper_.cut(polygon_, p, b, beaten_);
-    commit(f, polygon_);
+    if (outcome == Clip::swallowed) {
+      touch_facet(t);
+      forget(f);
+    } else {
+      reach = std::max(reach, store_.max_radius2(f));
+    }
+    took = took || outcome != Clip::untouched;
   }
+  if (took) reach_[j] = reach;
   return took;
 }
 
@@ -112,7 +123,7 @@ RestrictedPower::TouchedFacet& RestrictedPower::touch_facet(FacetId t) {
 void RestrictedPower::occupy_everything(SiteId p) {
   for (FacetId t(0); t.index() < mesh_.num_facets(); t = FacetId(t.value + 1)) {
     clipper_.start(polygon_, t, p);
-    commit(FragmentId(), polygon_);
+    reach_[p] = std::max(reach_[p], commit(FragmentId(), polygon_));
   }
 }
 
@@ -126,47 +137,67 @@ void RestrictedPower::occupy_everything(SiteId p) {
 // divided again.
 const RestrictedPower::Change& RestrictedPower::after_remove(SiteId p) {
   begin(p);
-  if (!store_.first_of_cell(p).valid()) return change_;
-  gather_known_heirs(p);
+  vacated_.clear();
+  for (FragmentId f = store_.first_of_cell(p); f.valid(); f = store_.next_in_cell(f)) vacated_.push_back(f);
+  if (vacated_.empty()) return change_;
+  gather_known_heirs(vacated_);
+  if (heirs_.empty()) {  // p owned whole components of the surface alone
+    const SiteId nearest = neighbours_.nearest(sites_[p].position, p, SiteId()).site;
+    if (nearest.valid()) add_heir(nearest);
+  }
+  divide_all(p, neighbours_);
+  if (heirs_.empty()) {  // nobody is left
+    for (CircleId& c : vertex_circle_) {
+      if (c.valid()) erase_circle(c);
+      c = CircleId();
+    }
+  }
+  finish();
+  return change_;
+}
+
+const RestrictedPower::Change& RestrictedPower::abandon(SiteId p, std::span<const FragmentId> fragments,
+                                                        std::span<const SiteId> excluded,
+                                                        const NeighbourSource& search) {
+  begin(p);
+  vacated_.assign(fragments.begin(), fragments.end());
+  heir_stamp_[p] = stamp_;  // those who are known already are never added
+  for (const SiteId s : excluded) heir_stamp_[s] = stamp_;
+  gather_known_heirs(vacated_);
+  if (!heirs_.empty()) divide_all(p, search);
+  return change_;
+}
+
+/// Divides what p has to leave among the heirs and those that the source knows besides, and replaces it.
+void RestrictedPower::divide_all(SiteId p, const NeighbourSource& source) {
+  num_pending_ = 0;
   if (!heirs_.empty()) {
     do {
       num_pending_ = 0;
       prepare_bisectors();
-      for (FragmentId f = store_.first_of_cell(p); f.valid(); f = store_.next_in_cell(f)) divide(f, p);
-    } while (add_missing_heirs(p));
+      for (const FragmentId f : vacated_) divide(f, p);
+    } while (add_missing_heirs(p, source));
   }
-  for (FragmentId f = store_.first_of_cell(p), next; f.valid(); f = next) {
-    next = store_.next_in_cell(f);
-    forget(f);
-  }
+  for (const FragmentId f : vacated_) forget(f);
   for (std::size_t i = 0; i < num_pending_; ++i) {
-    touch_cell(pending_[i].polygon.owner);
-    commit(pending_[i].old, pending_[i].polygon);
+    const SiteId k = pending_[i].polygon.owner;
+    touch_cell(k);
+    reach_[k] = std::max(reach_[k], commit(pending_[i].old, pending_[i].polygon));
   }
-  if (heirs_.empty())
-    for (CircleId& c : vertex_circle_) {  // nobody is left
-      if (c.valid()) erase_circle(c);
-      c = CircleId();
-    }
-  finish(p);
-  return change_;
 }
 
-/// The sites that the boundary of p's cell is labelled with; if it has no boundary (p owned whole components
-/// of the surface alone), the site nearest to p.
-void RestrictedPower::gather_known_heirs(SiteId p) {
+/// The sites that the boundary of the vacated fragments is labelled with.
+void RestrictedPower::gather_known_heirs(std::span<const FragmentId> vacated) {
   heirs_.clear();
-  for (FragmentId f = store_.first_of_cell(p); f.valid(); f = store_.next_in_cell(f))
-    for (const PolygonCorner& corner : store_.corners(f)) {
-      if (!corner.edge.is_site() || heir_stamp_[corner.edge.site()] == stamp_) continue;
-      heir_stamp_[corner.edge.site()] = stamp_;
-      heirs_.push_back(corner.edge.site());
-    }
-  if (!heirs_.empty()) return;
-  const SiteId nearest = neighbours_.nearest(sites_[p].position, p, SiteId()).site;
-  if (!nearest.valid()) return;
-  heir_stamp_[nearest] = stamp_;
-  heirs_.push_back(nearest);
+  for (const FragmentId f : vacated)
+    for (const PolygonCorner& corner : store_.corners(f))
+      if (corner.edge.is_site() && heir_stamp_[corner.edge.site()] != stamp_) add_heir(corner.edge.site());
+}
+
+void RestrictedPower::add_heir(SiteId k) {
+  heir_stamp_[k] = stamp_;
+  heir_index_[k] = static_cast<std::int32_t>(heirs_.size());
+  heirs_.push_back(k);
 }
 
 RestrictedPower::Pending& RestrictedPower::add_pending(FragmentId old) {
@@ -193,6 +224,7 @@ void RestrictedPower::divide(FragmentId vacated, SiteId p) {
   const bool whole = store_.whole(vacated);
   if (whole && inherits_whole(t)) return;
   const std::span<const PolygonCorner> vacancy = store_.corners(vacated);
+  find_fragments_of_heirs(vacated);
   for (const std::size_t i : heirs_order_) {
     const SiteId k = heirs_[i];
     const bool borders = std::ranges::any_of(
@@ -201,9 +233,9 @@ void RestrictedPower::divide(FragmentId vacated, SiteId p) {
       const std::size_t first = heirs_order_.front();
       if (i != first && clipper_.compare_on_facet(t, bisector_of_heirs(i, first)) == Clip::swallowed)
         continue;
-      if (!whole && store_.find(k, t).valid()) continue;
+      if (heirs_fragments_[i].valid()) continue;
     }
-    const FragmentId old = borders ? store_.find(k, t) : FragmentId();
+    const FragmentId old = heirs_fragments_[i];
     FacetPolygon& share = add_pending(old).polygon;
     clipper_.start(share, t, k);
     if (old.valid())  // what bounded k before, but for p and the heirs, whose turn comes next
@@ -219,6 +251,23 @@ void RestrictedPower::divide(FragmentId vacated, SiteId p) {
     ensure(!old.valid() || !share.corners.empty(), "restricted power diagram: a removal shrank a cell");
     if (!inherits) --num_pending_;
   }
+}
+
+/// What the heirs have on the facet of a vacated fragment: from the facet's list if that is short, else one
+/// by one.
+void RestrictedPower::find_fragments_of_heirs(FragmentId vacated) {
+  heirs_fragments_.assign(heirs_.size(), FragmentId());
+  if (store_.whole(vacated)) return;
+  const FacetId t = store_.facet(vacated);
+  std::size_t steps = 0;
+  const std::size_t short_list = 8 * heirs_.size();
+  for (FragmentId f = store_.first_of_facet(t); f.valid() && steps <= short_list;
+       f = store_.next_in_facet(f), ++steps) {
+    const auto i = static_cast<std::size_t>(heir_index_[store_.site(f)]);
+    if (i < heirs_.size() && heirs_[i] == store_.site(f)) heirs_fragments_[i] = f;
+  }
+  if (steps <= short_list) return;
+  for (std::size_t i = 0; i < heirs_.size(); ++i) heirs_fragments_[i] = store_.find(heirs_[i], t);
 }
 
 void RestrictedPower::prepare_bisectors() {
@@ -261,13 +310,13 @@ bool RestrictedPower::inherits_whole(FacetId t) {
 }
 
 /// Asks the source for sites that beat the division somewhere; true if there are any, which are heirs now.
-bool RestrictedPower::add_missing_heirs(SiteId p) {
+bool RestrictedPower::add_missing_heirs(SiteId p, const NeighbourSource& source) {
   double max_radius2 = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < num_pending_; ++i)
     max_radius2 = std::max(max_radius2, bound_radius2(pending_[i].polygon));
   const double radius2 = std::max(reach(p) + sites_[p].weight, 0.0);
   candidates_.clear();
-  neighbours_.heirs({p, sites_[p].position, std::sqrt(radius2), max_radius2}, candidates_);
+  source.heirs({p, sites_[p].position, std::sqrt(radius2), max_radius2}, candidates_);
   const auto beats_the_division = [&](SiteId j) {
     const EdgeLabel own = EdgeLabel::bisector(j);
     for (std::size_t i = 0; i < num_pending_; ++i) {
@@ -283,8 +332,7 @@ bool RestrictedPower::add_missing_heirs(SiteId p) {
   const std::size_t known = heirs_.size();
   for (const SiteId j : candidates_) {
     if (heir_stamp_[j] == stamp_ || !beats_the_division(j)) continue;
-    heir_stamp_[j] = stamp_;
-    heirs_.push_back(j);
+    add_heir(j);
   }
   return heirs_.size() > known;
 }

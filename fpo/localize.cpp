@@ -1,0 +1,92 @@
+#include "fpo/localize.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "geom/site_tree.h"
+
+namespace fpo {
+
+using geom::FacetId;
+using geom::FragmentId;
+using geom::SiteId;
+
+namespace {
+
+constexpr int max_rounds = 16;  // an orphan given away can be an orphan of its new owner
+
+using Component = std::vector<FragmentId>;
+
+/// For each facet the sites that have given up a part of it.
+using Excluded = std::map<FacetId, std::set<SiteId>>;
+
+/// True if it found an heir.
+bool give_away(geom::RestrictedPower& diagram, SiteId p, const Component& orphan, const geom::SiteTree& sites,
+               Excluded& excluded) {
+  std::set<SiteId> out{p};
+  for (const FragmentId f : orphan) out.merge(std::set<SiteId>(excluded[diagram.fragments().facet(f)]));
+  for (const FragmentId f : orphan) excluded[diagram.fragments().facet(f)] = out;
+  const std::vector<SiteId> others(out.begin(), out.end());
+  return !diagram.abandon(p, orphan, others, sites).cells.empty();
+}
+
+}  // namespace
+
+std::vector<Component> cell_components(const geom::RestrictedPower& diagram, SiteId p, FacetId home) {
+  const geom::FragmentStore& fragments = diagram.fragments();
+  std::map<FacetId, FragmentId> unseen;
+  for (FragmentId f = fragments.first_of_cell(p); f.valid(); f = fragments.next_in_cell(f))
+    unseen.emplace(fragments.facet(f), f);
+  std::vector<Component> components;
+  std::array<geom::PolygonCorner, 3> buffer;
+  while (!unseen.empty()) {
+    Component component{unseen.begin()->second};
+    unseen.erase(unseen.begin());
+    for (std::size_t i = 0; i < component.size(); ++i)
+      for (const geom::PolygonCorner& corner : fragments.corners(component[i], buffer)) {
+        if (corner.edge.is_site()) continue;
+        const auto next =
+            unseen.find(diagram.mesh().across(fragments.facet(component[i]), corner.edge.edge()));
+        if (next == unseen.end()) continue;
+        component.push_back(next->second);
+        unseen.erase(next);
+      }
+    components.push_back(std::move(component));
+  }
+  const auto rank = [&](const Component& c) {
+    const bool is_home = std::ranges::any_of(c, [&](FragmentId f) { return fragments.facet(f) == home; });
+    return std::pair(is_home, c.size());
+  };
+  const auto own = std::ranges::max_element(components, {}, rank);
+  if (own != components.end()) std::swap(components.front(), *own);
+  return components;
+}
+
+Localization localize(geom::RestrictedPower& diagram, std::span<const SurfaceSample> samples) {
+  Localization result;
+  geom::SiteTree sites;
+  Excluded excluded;
+  for (int round = 0; round < max_rounds; ++round) {
+    result.remaining = 0;
+    std::size_t given = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const SiteId p(i);
+      const std::vector<Component> components = cell_components(diagram, p, samples[i].facet);
+      for (std::size_t k = 1; k < components.size();
+           ++k) {              // fragments of p keep their ids while others change
+        if (excluded.empty())  // the first orphan: most surfaces have none, and need no tree
+          for (std::size_t j = 0; j < samples.size(); ++j) sites.insert(SiteId(j), diagram.site(SiteId(j)));
+        if (give_away(diagram, p, components[k], sites, excluded))
+          ++given;
+        else
+          ++result.remaining;
+      }
+    }
+    result.orphans += given;
+    if (given == 0) break;
+  }
+  return result;
+}
+
+}  // namespace fpo

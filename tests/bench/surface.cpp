@@ -1,0 +1,79 @@
+// Microseconds of CPU time per FPO move on surfaces.
+//   bench-surface MODEL.obj N [ITERATIONS] [search|triangulation] [c|all]     one row; without arguments: a
+//   table for the models in the folder named by FPO_MODELS (default ../shared/models) that are there.
+
+#include <time.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "fpo/optimize.h"
+#include "fpo/surface_domain.h"
+#include "io/mesh_io.h"
+
+namespace {
+
+double cpu_seconds() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+struct Job {
+  std::filesystem::path model;
+  std::size_t n;
+  int iterations = 10;
+  fpo::SurfaceOptions options;
+};
+
+/// CPU time of the first diagram, of a move in the first iteration, and of one in the later ones.
+void measure(const Job& job) {
+  const geom::TriMesh mesh = io::read_mesh(job.model);
+  const auto samples = fpo::random_samples(mesh, job.n, 1);
+  const double start = cpu_seconds();
+  fpo::SurfaceDomain domain(mesh, samples, job.options);
+  const double built = cpu_seconds();
+  double after_first = 0;
+  fpo::OptimizeOptions options;
+  options.max_iterations = job.iterations;
+  options.on_iteration = [&](const fpo::IterationReport& r) {
+    if (r.iteration == 1) after_first = cpu_seconds();
+  };
+  const fpo::OptimizeResult result = fpo::optimize(domain, options);
+  const double end = cpu_seconds();
+  const double n = static_cast<double>(job.n);
+  std::printf(
+      "%-14s %8zu %8zu %-13s %-3s %9.1f %9.2f %9.2f   %.4f %.4f\n", job.model.stem().c_str(),
+      mesh.num_facets(), job.n, job.options.engine == fpo::Engine::search ? "search" : "triangulation",
+      job.options.corners == geom::CornerTypes::all ? "all" : "c", 1e3 * (built - start),
+      1e6 * (after_first - built) / n, 1e6 * (end - after_first) / (n * std::max(job.iterations - 1, 1)),
+      result.last.delta, result.last.mean_delta);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::printf("%-14s %8s %8s %-13s %-3s %9s %9s %9s   delta  mean\n", "model", "facets", "samples", "engine",
+              "cor", "build ms", "1st us", "later us");
+  if (argc > 2) {
+    Job job{argv[1], std::strtoull(argv[2], nullptr, 10), argc > 3 ? std::atoi(argv[3]) : 10, {}};
+    if (argc > 4 && std::string(argv[4]) == "triangulation") job.options.engine = fpo::Engine::triangulation;
+    if (argc > 5)
+      job.options.corners =
+          std::string(argv[5]) == "all" ? geom::CornerTypes::all : geom::CornerTypes::c_only;
+    measure(job);
+    return 0;
+  }
+  const char* folder = std::getenv("FPO_MODELS");
+  for (const auto& [name, n] : {std::pair("eight", 1700), {"venus", 1700}, {"homer", 7900}, {"bunny", 6300}})
+    for (const fpo::Engine engine : {fpo::Engine::search, fpo::Engine::triangulation}) {
+      Job job{std::filesystem::path(folder ? folder : "../shared/models") / (std::string(name) + ".obj"),
+              static_cast<std::size_t>(n),
+              10,
+              {}};
+      job.options.engine = engine;
+      if (std::filesystem::exists(job.model)) measure(job);
+    }
+}
