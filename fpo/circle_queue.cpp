@@ -21,21 +21,32 @@ CircleQueue::CircleQueue(const geom::Regular2& triangulation)
 void CircleQueue::apply(const geom::Regular2::Change& change) {
   if (!active_) return;
   for (const CellId t : change.destroyed) {
-    if (heap_.contains(t)) heap_.erase(t);
+    if (std::erase(fresh_, t) == 0 && heap_.contains(t)) heap_.erase(t);
   }
+  for (const CellId t : fresh_) heap_.push(t, triangulation_.radius2(t));
+  fresh_.clear();
   for (const CellId t : change.created) {
-    const double radius2 = triangulation_.radius2(t);
-    if (radius2 >= bar_) heap_.push(t, radius2);
+    if (triangulation_.radius2(t) >= bar_) fresh_.push_back(t);
   }
+}
+
+bool CircleQueue::larger(CellId a, CellId b) const {
+  const double ra = triangulation_.radius2(a), rb = triangulation_.radius2(b);
+  return ra > rb || (ra == rb && triangulation_.cell_before(a, b));
 }
 
 CellId CircleQueue::top() {
   if (!active_ || heap_.empty() || heap_.size() > most_) refill();
-  return heap_.top().slot;
+  CellId best = heap_.top().slot;
+  for (const CellId t : fresh_) {
+    if (larger(t, best)) best = t;
+  }
+  return best;
 }
 
 void CircleQueue::refill() {
   active_ = true;
+  fresh_.clear();
   scratch_.clear();
   const std::size_t capacity = triangulation_.cell_capacity();
   for (CellId t(0); t.index() < capacity; ++t.value)
@@ -59,11 +70,13 @@ void CircleQueue::check() const {
     if (!triangulation_.is_live(t)) continue;
     const double radius2 = triangulation_.radius2(t);
     above += radius2 >= bar_;
-    geom::ensure((radius2 >= bar_) == heap_.contains(t),
+    const bool fresh = std::find(fresh_.begin(), fresh_.end(), t) != fresh_.end();
+    geom::ensure((radius2 >= bar_) == (heap_.contains(t) || fresh),
                  "circle queue: a circle is on the wrong side of the bar");
+    geom::ensure(!(fresh && heap_.contains(t)), "circle queue: a circle is in twice");
     geom::ensure(!heap_.contains(t) || heap_.key(t) == radius2, "circle queue: a key is out of date");
   }
-  geom::ensure(above == heap_.size(), "circle queue: entries of dead triangles");
+  geom::ensure(above == heap_.size() + fresh_.size(), "circle queue: entries of dead triangles");
 }
 
 }  // namespace fpo

@@ -32,6 +32,7 @@ class CircleQueue {
   };
   using Heap = geom::IndexedHeap<geom::CellId, Order>;
 
+  bool larger(geom::CellId a, geom::CellId b) const;
   void refill();
 
   const geom::Regular2& triangulation_;
@@ -39,6 +40,9 @@ class CircleQueue {
   double bar_;
   std::size_t most_ = 0;  ///< more entries than these call for a higher bar
   bool active_ = false;   ///< somebody has asked for the top
+  /// Circles above the bar that the last change created. The next one destroys most of them (a removal opens
+  /// a hole, the insertion closes it), so they enter the heap only if they survive it.
+  std::vector<geom::CellId> fresh_;
   std::vector<double> scratch_;
 };
 

@@ -47,6 +47,10 @@ class Domain {
   /// mean mean_delta.
   virtual double normalized_spacing(SiteId x) = 0;
 
+  /// Tells that x will be moved soon: a few calls after this one. No effect but on speed: time to load what
+  /// its removal will read.
+  virtual void expect(SiteId) {}
+
   /// Verifies every invariant of the structures behind; throws geom::Bug. For tests.
   virtual void check() const {}
 };

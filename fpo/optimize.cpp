@@ -13,6 +13,8 @@
 namespace fpo {
 namespace {
 
+constexpr std::size_t look_ahead = 4;  ///< moves between Domain::expect() and the move itself
+
 /// Lines 4 to 9 of Algorithm 1 for one sample. True if it moved.
 bool move_to_farthest_point(Domain& domain, SiteId x, Scope scope) {
   const double d = domain.separation(x);
@@ -79,7 +81,9 @@ OptimizeResult optimize(Domain& domain, const OptimizeOptions& options) {
   for (int iteration = 1; iteration <= options.max_iterations; ++iteration) {
     std::size_t moved = 0;
     rng.shuffle(std::span(order));
-    for (const SiteId x : order) {
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const SiteId x = order[i];
+      if (i + look_ahead < order.size()) domain.expect(order[i + look_ahead]);
       if (interrupted()) {
         report(iteration, moved);
         result.reason = StopReason::interrupted;

@@ -99,6 +99,16 @@ void PlaneDomain::apply(const Regular2::Change& change) {
   last_change_ = change;
 }
 
+/// Loads in three steps, a move apart, for each needs what the one before has loaded: the site, a triangle at
+/// it, the triangles and sites around that.
+void PlaneDomain::expect(SiteId x) {
+  triangulation_.prefetch(x);
+  if (expected_[0].valid()) triangulation_.prefetch_corner(expected_[0]);
+  if (expected_[1].valid()) triangulation_.prefetch_around(expected_[1]);
+  if (expected_[2].valid()) triangulation_.prefetch_star(expected_[2]);
+  expected_ = {x, expected_[0], expected_[1]};
+}
+
 double PlaneDomain::edge_length(SiteId x) const {
   return weight_factor_ == 0 ? scale_ : std::sqrt(triangulation_.point(x).weight) / weight_factor_;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // The flat torus as a domain of Algorithm 1 (paper, section 3): uniform and adaptive, global and local.
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -43,6 +44,7 @@ class PlaneDomain final : public Domain {
   void insert_at(SiteId x, const Circle& c) override;
   void put_back(SiteId x) override;
   double normalized_spacing(SiteId x) override;
+  void expect(SiteId x) override;
   void check() const override;
 
   const geom::Regular2& triangulation() const { return triangulation_; }
@@ -71,8 +73,9 @@ class PlaneDomain final : public Domain {
   geom::Regular2 triangulation_;
   CircleQueue circles_;
   geom::Regular2::Change last_change_;
-  geom::WeightedPoint2 removed_;  ///< where the sample that is out came from
-  geom::SiteId near_removed_;     ///< a visible sample close to it
+  geom::WeightedPoint2 removed_;    ///< where the sample that is out came from
+  geom::SiteId near_removed_;       ///< a visible sample close to it
+  std::array<SiteId, 3> expected_;  ///< the last samples announced by expect(), the latest first
 };
 
 }  // namespace fpo

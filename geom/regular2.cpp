@@ -260,6 +260,34 @@ Regular2::Nearest Regular2::nearest_other(SiteId id) const {
   }
 }
 
+void Regular2::prefetch_corner(SiteId id) const {
+  const Side at = sites_[id].at;
+  if (at.valid()) __builtin_prefetch(&cells_[at.cell()]);
+}
+
+void Regular2::prefetch_around(SiteId id) const {
+  const Side at = sites_[id].at;
+  if (!at.valid() || !is_live(at.cell())) return;
+  const Cell& t = cells_[at.cell()];
+  for (std::size_t k = 0; k < 3; ++k) {
+    __builtin_prefetch(&cells_[t.neighbor[k].cell()]);
+    __builtin_prefetch(&sites_[t.corner[k]]);
+  }
+}
+
+void Regular2::prefetch_star(SiteId id) const {
+  if (!contains(id) || is_hidden(id)) return;
+  const Cell& t = cells_[sites_[id].at.cell()];
+  for (const Side side : t.neighbor) {
+    const Cell& beside = cells_[side.cell()];
+    if (side.corner() < 0 || !beside.corner[0].valid()) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      __builtin_prefetch(&cells_[beside.neighbor[k].cell()]);
+      __builtin_prefetch(&sites_[beside.corner[k]]);
+    }
+  }
+}
+
 void Regular2::link(SiteId id, std::vector<SiteId>& out) const {
   out.clear();
   ensure(contains(id), "link of a site that is not in the triangulation");

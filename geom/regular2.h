@@ -75,9 +75,12 @@ class Regular2 {
   bool cell_before(CellId a, CellId b) const;
   std::vector<Triangle> triangles() const;  ///< smallest corner first, in no particular order
 
-  /// Loads what a removal of `id` will read, as far as it is at hand; no effect otherwise.
+  // Hints to the memory, for a site that will be removed soon. Each loads what the next one reads, so they
+  // are best called some time apart: the site; a triangle at it; that one's neighbours and corners; the star.
   void prefetch(SiteId id) const { __builtin_prefetch(&sites_[id]); }
-  void prefetch_star(SiteId id) const { __builtin_prefetch(&cells_[sites_[id].at.cell()]); }
+  void prefetch_corner(SiteId id) const;
+  void prefetch_around(SiteId id) const;
+  void prefetch_star(SiteId id) const;
 
   /// Verifies orientation, adjacency, local regularity, edge lengths, dual vertices, the Euler number and the
   /// witnesses of hidden sites; throws Bug. O(n).
