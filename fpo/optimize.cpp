@@ -80,7 +80,7 @@ OptimizeResult optimize(Domain& domain, const OptimizeOptions& options) {
   report(0, 0);
   for (int iteration = 1; iteration <= options.max_iterations; ++iteration) {
     std::size_t moved = 0;
-    rng.shuffle(std::span(order));
+    if (options.order == VisitOrder::shuffled) rng.shuffle(std::span(order));
     for (std::size_t i = 0; i < order.size(); ++i) {
       const SiteId x = order[i];
       if (i + look_ahead < order.size()) domain.expect(order[i + look_ahead]);

@@ -18,13 +18,18 @@ struct IterationReport {
   double seconds = 0;     ///< since the start of optimize()
 };
 
+/// In which order an iteration visits the samples: in that of their ids ("for each x_i", Algorithm 1), or in
+/// a random one drawn anew for each iteration (for samples that are numbered along a curve).
+enum class VisitOrder { in_turn, shuffled };
+
 enum class StopReason { target_reached, nothing_moved, iteration_cap, interrupted };
 
 struct OptimizeOptions {
   int max_iterations = 100;
   double target_delta = 0.926;  ///< stop as soon as delta exceeds it (section 3.2)
   Scope scope = Scope::global;
-  std::uint64_t seed = 1;  ///< of the random order of visits, drawn anew for each iteration
+  VisitOrder order = VisitOrder::shuffled;
+  std::uint64_t seed = 1;                          ///< of the random orders
   const std::atomic<bool>* interrupted = nullptr;  ///< looked at before each move
   std::function<void(const IterationReport&)>
       on_iteration;  ///< called after each iteration and once before the first

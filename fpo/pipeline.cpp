@@ -29,6 +29,7 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
   SurfaceDomain domain(surface, initial, {options.engine, options.corners, options.seed});
   OptimizeOptions optimization = options.optimize;
   optimization.seed = options.seed;
+  optimization.order = VisitOrder::in_turn;  // the initial samples are in random order already
   result.optimization = optimize(domain, optimization);
   result.localization = domain.localize();
   result.mesh = extract(domain.diagram(), domain.num_samples());

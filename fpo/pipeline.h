@@ -12,10 +12,10 @@ namespace fpo {
 
 struct RemeshOptions {
   std::size_t num_samples = 0;
-  std::uint64_t seed = 1;  ///< of the initial samples and of the order of moves
+  std::uint64_t seed = 1;  ///< of the initial samples, which are then moved in turn
   Engine engine = Engine::search;
   geom::CornerTypes corners = geom::CornerTypes::c_only;
-  OptimizeOptions optimize;  ///< its seed is overruled by the one above
+  OptimizeOptions optimize;  ///< its seed and order are overruled
   bool keep_cells = false;   ///< fill RemeshResult::cells
 };
 
