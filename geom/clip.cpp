@@ -41,7 +41,6 @@ void Clipper::start(FacetPolygon& polygon, FacetId facet, SiteId owner) const {
 
 bool Clipper::beats_exactly(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners,
                             std::size_t k, SiteId j) const {
-  const auto ranked = [&](SiteId s) { return RankedPoint3{&sites_[s], s.value}; };
   const EdgeLabel before = corners[k == 0 ? corners.size() - 1 : k - 1].edge, after = corners[k].edge;
   if (before.is_site() && after.is_site()) {
     const FacetCorners q{&mesh_.corner(facet, 0), &mesh_.corner(facet, 1), &mesh_.corner(facet, 2)};
@@ -66,17 +65,22 @@ Clip Clipper::classify_corners(FacetId facet, SiteId owner, std::span<const Poly
 
 /// Where the bisector of the owner and j meets the line of `label` in the polygon's facet.
 RoundedPoint Clipper::meet(const FacetPolygon& polygon, EdgeLabel label, SiteId j, const Bisector& b) const {
+  const double uncertain = 0x1p-32 * extent_;
   const Vec3 &q0 = mesh_.corner(polygon.facet, 0), &q1 = mesh_.corner(polygon.facet, 1),
              &q2 = mesh_.corner(polygon.facet, 2);
   if (!label.is_site()) {
     const auto [s, e] = edge_ends(mesh_.facet(polygon.facet), label.edge());
     const Vec3 &ps = mesh_.corner(polygon.facet, s), &pe = mesh_.corner(polygon.facet, e);
-    return corner_on_edge(ps, pe, b(ps), b(pe), b.error, extent_);
+    const RoundedPoint point = corner_on_edge(ps, pe, b(ps), b(pe), b.error, extent_);
+    if (point.tolerance <= uncertain) return point;
+    return exact_corner_on_edge(ps, pe, ranked(polygon.owner), ranked(j), extent_);
   }
+  const SiteId first = std::min(j, label.site()), second = std::max(j, label.site());
   const LinearForm fj = linear_form(b, q0, q1, q2);
   const LinearForm fk = linear_form(bisector_of(polygon.owner, label.site()), q0, q1, q2);
-  return j < label.site() ? corner_in_facet(q0, q1, q2, fj, fk, extent_)
-                          : corner_in_facet(q0, q1, q2, fk, fj, extent_);
+  const RoundedPoint point = corner_in_facet(q0, q1, q2, first == j ? fj : fk, first == j ? fk : fj, extent_);
+  if (point.tolerance <= uncertain) return point;
+  return exact_corner_in_facet(q0, q1, q2, ranked(polygon.owner), ranked(first), ranked(second), extent_);
 }
 
 //                  beaten                    The polygon is convex and the bisector a line: the beaten

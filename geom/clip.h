@@ -113,6 +113,7 @@ class Clipper {
  private:
   bool beats_exactly(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners, std::size_t k,
                      SiteId j) const;
+  RankedPoint3 ranked(SiteId s) const { return {&sites_[s], s.value}; }
   RoundedPoint meet(const FacetPolygon& polygon, EdgeLabel label, SiteId j, const Bisector& b) const;
 
   struct Ball {

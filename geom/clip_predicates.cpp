@@ -2,23 +2,10 @@
 
 #include <initializer_list>
 
-#include "geom/expansion.h"
+#include "geom/exact_form.h"
 
 namespace geom {
 namespace {
-
-/// F_j at q: Pi(q, j) - Pi(q, p0) = (p0 - pj).((q - p0) + (q - pj)) + (w0 - wj), exactly.
-Expansion form_at(const Vec3& q, const RankedPoint3& owner, const RankedPoint3& j) {
-  const WeightedPoint3 &p0 = *owner.point, &pj = *j.point;
-  Expansion f = Expansion::difference(p0.weight, pj.weight);
-  for (int k = 0; k < 3; ++k) {
-    const Expansion towards = Expansion::difference(p0.position[k], pj.position[k]);
-    const Expansion twice =
-        Expansion::difference(q[k], p0.position[k]) + Expansion::difference(q[k], pj.position[k]);
-    f = f + towards * twice;
-  }
-  return f;
-}
 
 /// F_j at the three corners of a facet.
 struct Form {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geom/exact_form.h"
+
 namespace geom {
 namespace {
 
@@ -48,6 +50,27 @@ RoundedPoint corner_in_facet(const Vec3& q0, const Vec3& q1, const Vec3& q2, con
   const double db = 1.01 * (e_lambda + e_sum) * std::abs(inverse) + 8 * unit_roundoff;
   const double size = u.lpNorm<Eigen::Infinity>() + v.lpNorm<Eigen::Infinity>();
   return {q0 + b1 * u + b2 * v, 2 * (db * size + 16 * unit_roundoff * extent)};
+}
+
+// Each exact value is rounded with a relative error of at most 2u, the quotient of two with 5u.
+RoundedPoint exact_corner_on_edge(const Vec3& a, const Vec3& b, const RankedPoint3& owner,
+                                  const RankedPoint3& j, double extent) {
+  const Expansion fa = form_at(a, owner, j), difference = fa - form_at(b, owner, j);
+  const double t =
+      difference.sign() == 0 ? 0.5 : std::clamp(fa.approximate() / difference.approximate(), 0.0, 1.0);
+  return {a + t * (b - a), 32 * unit_roundoff * extent};
+}
+
+RoundedPoint exact_corner_in_facet(const Vec3& q0, const Vec3& q1, const Vec3& q2, const RankedPoint3& owner,
+                                   const RankedPoint3& first, const RankedPoint3& second, double extent) {
+  const Expansion f[3] = {form_at(q0, owner, first), form_at(q1, owner, first), form_at(q2, owner, first)};
+  const Expansion g[3] = {form_at(q0, owner, second), form_at(q1, owner, second), form_at(q2, owner, second)};
+  const Expansion l1 = f[2] * g[0] - f[0] * g[2], l2 = f[0] * g[1] - f[1] * g[0];
+  const double sum = (f[1] * g[2] - f[2] * g[1] + l1 + l2).approximate();
+  if (sum == 0) return {(q0 + q1 + q2) / 3, unknown};
+  const double b1 = std::clamp(l1.approximate() / sum, 0.0, 1.0),
+               b2 = std::clamp(l2.approximate() / sum, 0.0, 1.0);
+  return {q0 + b1 * (q1 - q0) + b2 * (q2 - q0), 64 * unit_roundoff * extent};
 }
 
 }  // namespace geom

@@ -1,11 +1,11 @@
 #pragma once
-// The one file that rounds: bisectors evaluated in doubles and the corners of clipped facets, each with a
+// The one place that rounds: bisectors evaluated in doubles and the corners of clipped facets, each with a
 // proven bound on its error, so that clip.h can use them as a filter and turn to exact predicates only where
 // the bound cannot tell.
 
 #include <limits>
 
-#include "geom/vec.h"
+#include "geom/predicates.h"
 
 namespace geom {
 
@@ -15,7 +15,7 @@ struct Bisector {
   Vec3 normal;
   double offset;
   double length;  ///< |normal|
-  double error;  ///< |computed f(x) - f(x)| <= error for every double x with |x|_inf <= extent
+  double error;   ///< |computed f(x) - f(x)| <= error for every double x with |x|_inf <= extent
 
   double operator()(const Vec3& x) const { return normal.dot(x) - offset; }
 };
@@ -59,5 +59,12 @@ RoundedPoint corner_on_edge(const Vec3& a, const Vec3& b, double fa, double fb, 
 /// the site of smaller id first.
 RoundedPoint corner_in_facet(const Vec3& q0, const Vec3& q1, const Vec3& q2, const LinearForm& first,
                              const LinearForm& second, double extent);
+
+/// The same two points where the forms above are too uncertain: from exact values, rounded at the end. The
+/// error is a few units in the last place of the facet's coordinates. Slow.
+RoundedPoint exact_corner_on_edge(const Vec3& a, const Vec3& b, const RankedPoint3& owner,
+                                  const RankedPoint3& j, double extent);
+RoundedPoint exact_corner_in_facet(const Vec3& q0, const Vec3& q1, const Vec3& q2, const RankedPoint3& owner,
+                                   const RankedPoint3& first, const RankedPoint3& second, double extent);
 
 }  // namespace geom
