@@ -6,7 +6,8 @@
 
 namespace geom {
 
-/// Bad input or bad use. The message is one line, complete, for the user: "bunny.ply:17: vertex index 99 out of range".
+/// Bad input or bad use. The message is one line, complete, for the user: "bunny.ply:17: vertex index 99 out
+/// of range".
 struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

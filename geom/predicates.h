@@ -1,10 +1,12 @@
 #pragma once
-// Exact geometric predicates on weighted points (design: "combinatorial decisions are exact in the stored doubles").
+// Exact geometric predicates on weighted points (design: "combinatorial decisions are exact in the stored
+// doubles").
 //
-// Every function returns the exact sign for the doubles given: a floating-point filter with a proven bound first,
-// expansion arithmetic (expansion.h) where the filter cannot tell. Ties of the power tests are broken by one symbolic
-// rule: the weight of a point of rank r is w + eps_r with eps_0 >> eps_1 >> ... > 0 infinitesimal, so among equals the
-// smaller rank has the larger weight. The rank of a sample is its id. No conflicts*/beats_* test ever ties.
+// Every function returns the exact sign for the doubles given: a floating-point filter with a proven bound
+// first, expansion arithmetic (expansion.h) where the filter cannot tell. Ties of the power tests are broken
+// by one symbolic rule: the weight of a point of rank r is w + eps_r with eps_0 >> eps_1 >> ... > 0
+// infinitesimal, so among equals the smaller rank has the larger weight. The rank of a sample is its id. No
+// conflicts*/beats_* test ever ties.
 //
 // Valid range: see expansion.h. Cost: tens of flops where the filter decides.
 
@@ -32,16 +34,20 @@ int orient3(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
 /// Sign of the power of e with respect to the circle orthogonal to a, b, c, less the weight of e, times
 /// orient2(a, b, c): -1 if e lies inside for a counterclockwise triangle. 0 on a tie.
-int power_side2(const WeightedPoint2& a, const WeightedPoint2& b, const WeightedPoint2& c, const WeightedPoint2& e);
+int power_side2(const WeightedPoint2& a, const WeightedPoint2& b, const WeightedPoint2& c,
+                const WeightedPoint2& e);
 
-/// The same in space for a tetrahedron: -1 if e lies inside the orthosphere and orient3(a, b, c, d) > 0. 0 on a tie.
-int power_side3(const WeightedPoint3& a, const WeightedPoint3& b, const WeightedPoint3& c, const WeightedPoint3& d,
-                const WeightedPoint3& e);
+/// The same in space for a tetrahedron: -1 if e lies inside the orthosphere and orient3(a, b, c, d) > 0. 0 on
+/// a tie.
+int power_side3(const WeightedPoint3& a, const WeightedPoint3& b, const WeightedPoint3& c,
+                const WeightedPoint3& d, const WeightedPoint3& e);
 
-/// Does e lie inside the orthocircle of a, b, c after the symbolic perturbation? Requires orient2(a, b, c) > 0.
+/// Does e lie inside the orthocircle of a, b, c after the symbolic perturbation? Requires orient2(a, b, c) >
+/// 0.
 bool conflicts2(const RankedPoint2& a, const RankedPoint2& b, const RankedPoint2& c, const RankedPoint2& e);
 
-/// Does e lie inside the orthosphere of a, b, c, d after the symbolic perturbation? Requires orient3(a, b, c, d) > 0.
+/// Does e lie inside the orthosphere of a, b, c, d after the symbolic perturbation? Requires orient3(a, b, c,
+/// d) > 0.
 bool conflicts3(const RankedPoint3& a, const RankedPoint3& b, const RankedPoint3& c, const RankedPoint3& d,
                 const RankedPoint3& e);
 

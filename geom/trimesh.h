@@ -10,15 +10,15 @@
 
 namespace geom {
 
-/// A triangle mesh. Facet corners are counterclockwise seen from outside; edge e of a facet joins corners e and e+1 mod 3.
-/// Not necessarily manifold, closed or oriented: see topology().
+/// A triangle mesh. Facet corners are counterclockwise seen from outside; edge e of a facet joins corners e
+/// and e+1 mod 3. Not necessarily manifold, closed or oriented: see topology().
 class TriMesh {
  public:
   using Facet = std::array<VertexId, 3>;
 
   TriMesh() = default;
-  /// Takes the arrays as they are. Throws InputError (one line, naming the vertex or facet) on an index out of range, a
-  /// coordinate that is not finite, a facet that names a vertex twice, more than 2^30 elements.
+  /// Takes the arrays as they are. Throws InputError (one line, naming the vertex or facet) on an index out
+  /// of range, a coordinate that is not finite, a facet that names a vertex twice, more than 2^30 elements.
   TriMesh(Table<VertexId, Vec3> vertices, Table<FacetId, Facet> facets);
 
   std::size_t num_vertices() const { return vertices_.size(); }

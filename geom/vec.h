@@ -21,7 +21,11 @@ struct WeightedPoint3 {
 };
 
 /// Power of the unweighted location x with respect to p (paper, equation 1): |x - p|^2 - w. Rounded.
-inline double power(const Vec3& x, const WeightedPoint3& p) { return (x - p.position).squaredNorm() - p.weight; }
-inline double power(const Vec2& x, const WeightedPoint2& p) { return (x - p.position).squaredNorm() - p.weight; }
+inline double power(const Vec3& x, const WeightedPoint3& p) {
+  return (x - p.position).squaredNorm() - p.weight;
+}
+inline double power(const Vec2& x, const WeightedPoint2& p) {
+  return (x - p.position).squaredNorm() - p.weight;
+}
 
 }  // namespace geom
