@@ -2,7 +2,9 @@
 // What Algorithm 1 needs from a sampling domain. It never sees a coordinate.
 
 #include <cstddef>
+#include <vector>
 
+#include "geom/check.h"
 #include "geom/ids.h"
 
 namespace fpo {
@@ -47,6 +49,10 @@ class Domain {
   /// mean mean_delta.
   virtual double normalized_spacing(SiteId x) = 0;
 
+  /// The samples, at least, whose normalized_spacing depends on where x is. Needed by shortest edge removal
+  /// (section 4.3) only; a domain that cannot tell throws geom::Bug.
+  virtual void neighbours(SiteId x, std::vector<SiteId>& out);
+
   /// Tells that x will be moved soon: a few calls after this one. No effect but on speed: time to load what
   /// its removal will read.
   virtual void expect(SiteId) {}
@@ -54,5 +60,9 @@ class Domain {
   /// Verifies every invariant of the structures behind; throws geom::Bug. For tests.
   virtual void check() const {}
 };
+
+inline void Domain::neighbours(SiteId, std::vector<SiteId>&) {
+  throw geom::Bug("this domain knows no neighbours of a sample");
+}
 
 }  // namespace fpo

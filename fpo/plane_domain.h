@@ -16,9 +16,17 @@ namespace fpo {
 /// Fewer samples than these leave gaps of half a period, which the triangulation refuses.
 inline constexpr std::size_t least_plane_samples = 32;
 
+// Which c? A sample that leaves a hole among neighbours at p_j is put where |x - p_j|^2 - w_j is the same for
+// all. Wanted are distances |x - p_j| = r (h(x) + h_j) / 2, with h growing by g: at x = 0 that is
+// r^2 (h^2 + h g.p_j + ...), while w_j = c^2 (h^2 + 2 h g.p_j + ...). The linear terms agree if 2 c^2 = r^2,
+// and r is about 0.94 when FPO has converged, so c = 2/3 keeps the grading as it is. Measured: the slope of
+// log spacing against log rho stays within 0.98 .. 1.00 for hundreds of local iterations with c = 2/3; it
+// falls to .92 with c = .62 and rises to 1.07 with c = .70. The global variant takes samples from dense
+// places to fill the random set's voids in sparse ones (its slope is .75 after one iteration with c = .66); a
+// larger c, .75, prevents that and then slowly over-grades.
 struct PlaneOptions {
   double weight_factor =
-      0.75;  ///< c of w = (c h)^2, the weight of a sample where edges of length h are wanted
+      2.0 / 3;  ///< c of w = (c h)^2, the weight of a sample where edges of length h are wanted
 };
 
 /// A sample as the user sees it.
@@ -44,6 +52,7 @@ class PlaneDomain final : public Domain {
   void insert_at(SiteId x, const Circle& c) override;
   void put_back(SiteId x) override;
   double normalized_spacing(SiteId x) override;
+  void neighbours(SiteId x, std::vector<SiteId>& out) override { triangulation_.link(x, out); }
   void expect(SiteId x) override;
   void check() const override;
 

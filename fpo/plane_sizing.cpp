@@ -6,6 +6,7 @@
 
 #include "fpo/plane_domain.h"
 #include "geom/check.h"
+#include "geom/hilbert.h"
 
 namespace fpo {
 
@@ -79,45 +80,44 @@ std::unique_ptr<PlaneSizing> named_sizing(const std::string& name, const FlatTor
   return nullptr;
 }
 
-PlaneDensity::PlaneDensity(const PlaneSizing& sizing, const FlatTorus& torus, int resolution)
-    : period_(torus.period()), columns_(1), rows_(1), integral_(torus.area()) {
-  if (sizing.is_uniform()) return;
-  const double longer = period_.maxCoeff();
-  const auto cells_along = [&](double period) {
-    return static_cast<std::size_t>(std::max(1.0, std::ceil(resolution * period / longer)));
+PlaneDensity::PlaneDensity(const PlaneSizing& sizing, const FlatTorus& torus, int resolution) {
+  const Vec2& period = torus.period();
+  const auto cells_along = [&](double side) {
+    return static_cast<std::size_t>(std::max(1.0, std::ceil(resolution * side / period.maxCoeff())));
   };
-  columns_ = cells_along(period_.x());
-  rows_ = cells_along(period_.y());
-  mass_up_to_.reserve(columns_ * rows_);
-  const Vec2 cell(period_.x() / static_cast<double>(columns_), period_.y() / static_cast<double>(rows_));
-  double mass = 0;
-  for (std::size_t j = 0; j < rows_; ++j) {
-    for (std::size_t i = 0; i < columns_; ++i) {
-      const double rho =
-          sizing.rho({(static_cast<double>(i) + 0.5) * cell.x(), (static_cast<double>(j) + 0.5) * cell.y()});
-      geom::require(rho > 0 && std::isfinite(rho), "the sizing function is not positive everywhere");
-      mass_up_to_.push_back(mass += cell.x() * cell.y() / (rho * rho));
-    }
+  const std::size_t columns = cells_along(period.x()), rows = cells_along(period.y());
+  cell_ = {period.x() / static_cast<double>(columns), period.y() / static_cast<double>(rows)};
+  std::vector<Vec2> grid;
+  grid.reserve(columns * rows);
+  for (std::size_t j = 0; j < rows; ++j) {
+    for (std::size_t i = 0; i < columns; ++i)
+      grid.emplace_back(static_cast<double>(i) * cell_.x(), static_cast<double>(j) * cell_.y());
   }
-  integral_ = mass;
+  corner_.reserve(grid.size());
+  mass_up_to_.reserve(grid.size());
+  double mass = 0;
+  for (const std::uint32_t k : geom::hilbert_order(grid, Vec2::Constant(period.maxCoeff()))) {
+    const double rho = sizing.rho(grid[k] + cell_ / 2);
+    geom::require(rho > 0 && std::isfinite(rho), "the sizing function is not positive everywhere");
+    corner_.push_back(grid[k]);
+    mass_up_to_.push_back(mass += cell_.x() * cell_.y() / (rho * rho));
+  }
+  geom::require(mass > 0 && std::isfinite(mass), "the sizing function is too large or too small");
 }
 
 double PlaneDensity::edge_length_scale(std::size_t n) const {
-  return std::sqrt(2 * integral_ / (std::numbers::sqrt3 * static_cast<double>(n)));
+  return std::sqrt(2 * integral() / (std::numbers::sqrt3 * static_cast<double>(n)));
 }
 
-Vec2 PlaneDensity::draw(Rng& rng) const {
-  std::size_t cell = 0;
-  if (!mass_up_to_.empty()) {
-    const auto pick = std::ranges::upper_bound(mass_up_to_, rng.uniform() * integral_);
-    cell = static_cast<std::size_t>(std::min(pick, mass_up_to_.end() - 1) - mass_up_to_.begin());
-  }
-  const double x = static_cast<double>(cell % columns_) + rng.uniform();
-  const double y = static_cast<double>(cell / columns_) + rng.uniform();
-  return {x / static_cast<double>(columns_) * period_.x(), y / static_cast<double>(rows_) * period_.y()};
+Vec2 PlaneDensity::draw(double share, Rng& rng) const {
+  const auto pick = std::ranges::upper_bound(mass_up_to_, share * integral());
+  const auto cell = static_cast<std::size_t>(std::min(pick, mass_up_to_.end() - 1) - mass_up_to_.begin());
+  const double u = rng.uniform(), v = rng.uniform();
+  return corner_[cell] + Vec2(u * cell_.x(), v * cell_.y());
 }
 
-std::vector<Vec2> random_plane_samples(const PlaneDensity& density, std::size_t n, std::uint64_t seed) {
+std::vector<Vec2> initial_plane_samples(const PlaneDensity& density, std::size_t n, std::uint64_t seed,
+                                        PlaneStart start) {
   geom::require(n >= least_plane_samples,
                 "a periodic domain needs at least " + std::to_string(least_plane_samples) + " samples");
   geom::require(n <= most_plane_samples,
@@ -125,7 +125,12 @@ std::vector<Vec2> random_plane_samples(const PlaneDensity& density, std::size_t 
   Rng rng(seed);
   std::vector<Vec2> samples;
   samples.reserve(n);
-  while (samples.size() < n) samples.push_back(density.draw(rng));
+  for (std::size_t i = 0; i < n; ++i) {
+    const double u = rng.uniform();
+    const bool stratified = start == PlaneStart::stratified;
+    samples.push_back(
+        density.draw(stratified ? (static_cast<double>(i) + u) / static_cast<double>(n) : u, rng));
+  }
   return samples;
 }
 

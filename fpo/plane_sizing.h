@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -35,28 +34,34 @@ class UniformSizing final : public PlaneSizing {
 std::unique_ptr<PlaneSizing> named_sizing(const std::string& name, const geom::FlatTorus& torus);
 std::vector<std::string> sizing_names();
 
-/// The density rho^-2 tabulated on a grid: its integral, and independent draws from it.
+/// The density rho^-2 tabulated on a grid whose cells are taken along a Hilbert curve: its integral, and
+/// locations by the share of the integral that comes before them.
 class PlaneDensity {
  public:
-  /// `resolution`: grid cells along the longer period. O(resolution^2). Throws InputError if rho is not
+  /// `resolution`: grid cells along the longer period. O(resolution^2 log). Throws InputError if rho is not
   /// positive and finite somewhere on the grid.
   PlaneDensity(const PlaneSizing& sizing, const geom::FlatTorus& torus, int resolution = 512);
 
-  /// I of h = s rho, s = sqrt(2 / sqrt(3) I / n): the integral of rho^-2 over the torus (midpoint rule).
-  double integral() const { return integral_; }
-  /// The factor s between rho and the wanted edge length for n samples.
+  /// The integral of rho^-2 over the torus (midpoint rule).
+  double integral() const { return mass_up_to_.back(); }
+  /// The factor s between rho and the wanted edge length h for n samples: sqrt(2 / sqrt(3) integral / n).
   double edge_length_scale(std::size_t n) const;
-  geom::Vec2 draw(geom::Rng& rng) const;
+  /// A random location in the grid cell up to which the given share, in [0, 1), of the integral is reached.
+  geom::Vec2 draw(double share, geom::Rng& rng) const;
 
  private:
-  geom::Vec2 period_;
-  std::size_t columns_, rows_;
-  std::vector<double> mass_up_to_;  ///< cumulated over the cells; empty if uniform
-  double integral_;
+  geom::Vec2 cell_;                 ///< size of a grid cell
+  std::vector<geom::Vec2> corner_;  ///< of each, in the curve's order
+  std::vector<double> mass_up_to_;  ///< cumulated
 };
 
-/// Exactly n samples, drawn independently with density proportional to rho^-2. A function of its arguments.
-/// Throws InputError if n is less than least_plane_samples or absurd.
-std::vector<geom::Vec2> random_plane_samples(const PlaneDensity& density, std::size_t n, std::uint64_t seed);
+/// How the initial samples are drawn: independently, or one in each of n parts of equal integral along the
+/// curve. The latter spreads the samples, so that fewer of them must travel far.
+enum class PlaneStart { random, stratified };
+
+/// Exactly n samples with density proportional to rho^-2. A function of its arguments. Throws InputError if n
+/// is less than least_plane_samples or absurd.
+std::vector<geom::Vec2> initial_plane_samples(const PlaneDensity& density, std::size_t n, std::uint64_t seed,
+                                              PlaneStart start = PlaneStart::random);
 
 }  // namespace fpo

@@ -9,6 +9,8 @@
 
 #include "doctest.h"
 #include "fpo/optimize.h"
+#include "fpo/plane_quality.h"
+#include "fpo/shortest_edge.h"
 #include "geom/check.h"
 
 using fpo::Circle;
@@ -32,7 +34,7 @@ struct Setting {
       : torus(period),
         sizing(fpo::named_sizing(name, torus)),
         density(*sizing, torus),
-        domain(torus, *sizing, density.edge_length_scale(n), fpo::random_plane_samples(density, n, seed)) {}
+        domain(torus, *sizing, density.edge_length_scale(n), fpo::initial_plane_samples(density, n, seed)) {}
 
   FlatTorus torus;
   std::unique_ptr<fpo::PlaneSizing> sizing;
@@ -158,6 +160,37 @@ TEST_CASE("plane domain: normalized spacing is the distance to the nearest other
   }
 }
 
+TEST_CASE("shortest edge removal: fair sets from random ones, by about 0.6 moves a sample") {
+  for (const std::string name : {"uniform", "waves5"}) {
+    CAPTURE(name);
+    Setting s(name, 1000);
+    const fpo::ShortestEdgeResult result = fpo::remove_shortest_edges(s.domain);
+    s.domain.check();
+    CHECK(result.converged);
+    CHECK(result.moves < 1000);
+    const fpo::IterationReport report = fpo::measure(s.domain);
+    CHECK(report.delta > 0.6);
+    CHECK(report.mean_delta > 0.75);
+  }
+}
+
+TEST_CASE("plane domain: local iterations keep the grading of a stratified start") {
+  const FlatTorus torus({1, 1});
+  const auto sizing = fpo::named_sizing("waves5", torus);
+  const PlaneDensity density(*sizing, torus);
+  const auto start = fpo::initial_plane_samples(density, 2000, 1, fpo::PlaneStart::stratified);
+  PlaneDomain domain(torus, *sizing, density.edge_length_scale(2000), start);
+  fpo::OptimizeOptions options;
+  options.max_iterations = 20;
+  options.scope = Scope::two_ring;
+  fpo::optimize(domain, options);
+  const fpo::PlaneQuality quality = fpo::plane_quality(domain);
+  CHECK(std::abs(quality.grading_slope - 1) < 0.05);
+  CHECK(quality.spacing_variation < 0.04);
+  CHECK(quality.hidden == 0);
+  CHECK(quality.min_angle > 25);
+}
+
 TEST_CASE("plane density: integrals known in closed form, draws that follow the density") {
   const FlatTorus torus({2, 0.5});
   CHECK(PlaneDensity(fpo::UniformSizing(), torus).integral() == 1);
@@ -169,8 +202,6 @@ TEST_CASE("plane density: integrals known in closed form, draws that follow the 
     CHECK(density.integral() == doctest::Approx(a * std::pow(a * a - b * b, -1.5)).epsilon(1e-9));
     // The share of draws in a part of the torus is that part's share of the integral, to 4 sigma.
     const std::size_t n = 20000;
-    const auto samples = fpo::random_plane_samples(density, n, 3);
-    REQUIRE(samples.size() == n);
     double expected = 0;
     const auto dense = [&](const Vec2& x) { return band->rho(x) < 2; };
     constexpr int m = 400;
@@ -180,8 +211,12 @@ TEST_CASE("plane density: integrals known in closed form, draws that follow the 
         if (dense(x)) expected += 1.0 / (m * m) / (band->rho(x) * band->rho(x));
       }
     expected *= static_cast<double>(n) / density.integral();
-    const auto found = static_cast<double>(std::count_if(samples.begin(), samples.end(), dense));
-    CHECK(std::abs(found - expected) < 4 * std::sqrt(expected));
+    for (const fpo::PlaneStart start : {fpo::PlaneStart::random, fpo::PlaneStart::stratified}) {
+      const auto samples = fpo::initial_plane_samples(density, n, 3, start);
+      REQUIRE(samples.size() == n);
+      const auto found = static_cast<double>(std::count_if(samples.begin(), samples.end(), dense));
+      CHECK(std::abs(found - expected) < 4 * std::sqrt(expected));
+    }
   }
 }
 
@@ -190,8 +225,8 @@ TEST_CASE("plane domain: too few samples or none that fill the torus are refused
   const FlatTorus torus({1, 1});
   const fpo::UniformSizing uniform;
   const PlaneDensity density(uniform, torus);
-  CHECK_THROWS_AS(fpo::random_plane_samples(density, 3, 1), InputError);
-  CHECK_THROWS_AS(fpo::random_plane_samples(density, std::size_t{1} << 40, 1), InputError);
+  CHECK_THROWS_AS(fpo::initial_plane_samples(density, 3, 1), InputError);
+  CHECK_THROWS_AS(fpo::initial_plane_samples(density, std::size_t{1} << 40, 1), InputError);
   CHECK_THROWS_AS(PlaneDomain(torus, uniform, 0.1, std::vector<Vec2>(8, {0.5, 0.5})), InputError);
   CHECK_THROWS_AS(PlaneDomain(torus, uniform, 0.1, std::vector<Vec2>(100, {0.5, 0.5})), InputError);
   CHECK_THROWS_AS(PlaneDomain(torus, uniform, 0.1, std::vector<Vec2>(100, {NAN, 0.5})), InputError);
