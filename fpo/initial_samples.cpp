@@ -14,7 +14,7 @@ using geom::Vec3;
 
 namespace {
 
-constexpr std::size_t max_samples = 100'000'000;  // ids and memory: about 1 KB a sample
+constexpr std::size_t max_samples = 20'000'000;  // ids and memory: about 1 KB a sample
 
 }  // namespace
 

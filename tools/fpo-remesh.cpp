@@ -11,91 +11,11 @@
 #include "tools/cli.h"
 #include "tools/interrupt.h"
 #include "tools/progress.h"
+#include "tools/remesh_arguments.h"
 
 namespace {
 
-namespace fs = std::filesystem;
-
-struct Arguments {
-  fs::path input, output, points, rpd, log, picture;
-  fpo::RemeshOptions remesh;
-};
-
-/// An option whose issue has not come yet: the values in `today` are accepted and change nothing.
-void declare_later(tools::CommandLine& cli, tools::Option option, std::string today) {
-  option.help += " (not yet: only '" + today + "')";
-  option.standard = today;
-  cli.custom(option, [name = option.name, today](const std::string& text) {
-    geom::require(text == today, "--" + name + " " + text + " does not work yet; only '" + today + "' does");
-  });
-}
-
-void declare_later(tools::CommandLine& cli, const std::string& name, const std::string& help) {
-  cli.custom({.name = name, .value = "FILE", .help = help + " (not yet)"},
-             [name](const std::string&) { throw geom::InputError("--" + name + " does not work yet"); });
-}
-
-void parse(tools::CommandLine& cli, Arguments& a) {
-  cli.describe("INPUT", "Remeshes a surface (obj, off, ply, stl) with COUNT samples of blue noise.");
-  cli.group("Result");
-  cli.integer({.name = "count",
-               .letter = 'n',
-               .value = "COUNT",
-               .help = "number of samples: exactly the vertices of OUT",
-               .required = true},
-              a.remesh.num_samples, 1, 100'000'000);
-  cli.path({.name = "output",
-            .letter = 'o',
-            .value = "OUT",
-            .help = "the remesh: .obj .off .ply .stl",
-            .required = true},
-           a.output);
-  cli.path({.name = "points", .value = "OUT", .help = "the samples: .xyz .ply"}, a.points);
-  cli.path({.name = "rpd", .value = "OUT.obj", .help = "the restricted power diagram, a group a cell"},
-           a.rpd);
-  cli.path({.name = "picture", .value = "OUT.svg", .help = "a drawing of the remesh"}, a.picture);
-  cli.path({.name = "log", .value = "OUT.csv", .help = "iteration, moved, delta, mean_delta, seconds"},
-           a.log);
-  declare_later(cli, "report", "a report in one file");
-
-  cli.group("Optimization");
-  cli.integer({.name = "iterations", .value = "MAX", .help = "at most so many"},
-              a.remesh.optimize.max_iterations, 0, 1'000'000);
-  cli.number({.name = "target-delta", .value = "D", .help = "stop when delta exceeds it"},
-             a.remesh.optimize.target_delta, 0, 2);
-  cli.choice({.name = "corners",
-              .value = "c|all",
-              .help = "where the farthest point may lie: on type C corners as in the "
-                      "paper, or on A and B too"},
-             a.remesh.corners, {{"c", geom::CornerTypes::c_only}, {"all", geom::CornerTypes::all}});
-  cli.choice(
-      {.name = "engine", .value = "search|triangulation", .help = "where neighbours come from; same result"},
-      a.remesh.engine, {{"search", fpo::Engine::search}, {"triangulation", fpo::Engine::triangulation}});
-  declare_later(cli, {.name = "sizing", .value = "KIND", .help = "wanted edge lengths"}, "uniform");
-  declare_later(cli, {.name = "features", .value = "KIND", .help = "creases and borders to keep"}, "none");
-  declare_later(cli, "gradation", "limit of the sizing's slope");
-  bool ser = false, local = false, global = true, angles = false;
-  cli.toggle({.name = "ser", .help = "shortest edge removal first (not yet)"}, ser);
-  cli.toggle({.name = "optimize-angles", .help = "angle optimization afterwards (not yet)"}, angles);
-  cli.flag({.name = "local", .help = "look for farthest points nearby only (not yet)"}, local);
-  cli.flag({.name = "global", .help = "look for them everywhere"}, global);
-  a.input = cli.parse(1, 1).front();
-  geom::require(!ser && !local && !angles, "--ser, --local and --optimize-angles do not work yet");
-  a.remesh.seed = cli.seed();
-  a.remesh.keep_cells = !a.rpd.empty();
-}
-
-/// Refuses bad output names before the work starts.
-void check_outputs(const Arguments& a) {
-  io::mesh_format(a.output);
-  if (!a.points.empty())
-    geom::require(io::point_format(a.points) != io::PointFormat::txt,
-                  a.points.string() + ": use .xyz or .ply");
-  for (const fs::path& path : {a.output, a.points, a.rpd, a.log, a.picture})
-    if (!path.empty()) io::require_writable(path);
-}
-
-void write_outputs(const Arguments& a, const fpo::RemeshResult& result, const std::string& log) {
+void write_outputs(const tools::RemeshArguments& a, const fpo::RemeshResult& result, const std::string& log) {
   io::write_mesh(a.output, result.mesh);
   if (!a.points.empty()) {
     std::vector<geom::WeightedPoint3> points;
@@ -107,7 +27,11 @@ void write_outputs(const Arguments& a, const fpo::RemeshResult& result, const st
     for (const fpo::CellPolygon& cell : result.cells) cells.push_back({cell.site.value, cell.corners});
     io::write_polygons(a.rpd, "cell_", cells);
   }
-  if (!a.picture.empty()) io::draw_mesh(result.mesh, {.back_faces = true}).save(a.picture);
+  if (!a.picture.empty()) {
+    io::MeshPicture picture;
+    picture.back_faces = geom::topology(result.mesh).boundary_edges > 0;
+    io::draw_mesh(result.mesh, picture).save(a.picture);
+  }
   if (!a.log.empty()) io::write_file(a.log, log);
 }
 
@@ -142,10 +66,9 @@ const char* name_of(fpo::StopReason reason) {
 }
 
 int remesh(tools::CommandLine& cli) {
-  Arguments a;
-  parse(cli, a);
-  check_outputs(a);
+  tools::RemeshArguments a = tools::parse_remesh_arguments(cli);
   const geom::TriMesh input = io::read_mesh(a.input);
+  geom::require(input.area() > 0, a.input.string() + ": the surface has no area");
 
   std::string log = "iteration,moved,delta,mean_delta,seconds\n";
   tools::Progress progress("optimizing", cli.quiet());

@@ -1,0 +1,93 @@
+#include "tools/remesh_arguments.h"
+
+#include "io/atomic_file.h"
+#include "io/mesh_io.h"
+#include "io/points.h"
+
+namespace tools {
+namespace {
+
+/// An option whose issue has not come yet: the values in `today` are accepted and change nothing.
+void declare_later(CommandLine& cli, Option option, std::string today) {
+  option.help += " (not yet: only '" + today + "')";
+  option.standard = today;
+  cli.custom(option, [today](const std::string& text) {
+    geom::require(text == today, text + " does not work yet; only '" + today + "' does");
+  });
+}
+
+void declare_later(CommandLine& cli, const std::string& name, const std::string& help) {
+  cli.custom({.name = name, .value = "FILE", .help = help + " (not yet)"},
+             [](const std::string&) { throw geom::InputError("does not work yet"); });
+}
+
+void parse(CommandLine& cli, RemeshArguments& a) {
+  cli.describe("INPUT", "Remeshes a surface (obj, off, ply, stl) with COUNT samples of blue noise.");
+  cli.group("Result");
+  cli.integer({.name = "count",
+               .letter = 'n',
+               .value = "COUNT",
+               .help = "number of samples: exactly the vertices of OUT",
+               .required = true},
+              a.remesh.num_samples, 1, 20'000'000);
+  cli.path({.name = "output",
+            .letter = 'o',
+            .value = "OUT",
+            .help = "the remesh: .obj .off .ply .stl",
+            .required = true},
+           a.output);
+  cli.path({.name = "points", .value = "OUT", .help = "the samples: .xyz .ply"}, a.points);
+  cli.path({.name = "rpd", .value = "OUT.obj", .help = "the restricted power diagram, a group a cell"},
+           a.rpd);
+  cli.path({.name = "picture", .value = "OUT.svg", .help = "a drawing of the remesh"}, a.picture);
+  cli.path({.name = "log", .value = "OUT.csv", .help = "iteration, moved, delta, mean_delta, seconds"},
+           a.log);
+  declare_later(cli, "report", "a report in one file");
+
+  cli.group("Optimization");
+  cli.integer({.name = "iterations", .value = "MAX", .help = "at most so many"},
+              a.remesh.optimize.max_iterations, 0, 1'000'000);
+  cli.number({.name = "target-delta", .value = "D", .help = "stop when delta exceeds it"},
+             a.remesh.optimize.target_delta, 0, 2);
+  cli.choice({.name = "corners",
+              .value = "c|all",
+              .help = "where the farthest point may lie: on type C corners as in the "
+                      "paper, or on A and B too"},
+             a.remesh.corners, {{"c", geom::CornerTypes::c_only}, {"all", geom::CornerTypes::all}});
+  cli.choice(
+      {.name = "engine", .value = "search|triangulation", .help = "where neighbours come from; same result"},
+      a.remesh.engine, {{"search", fpo::Engine::search}, {"triangulation", fpo::Engine::triangulation}});
+  declare_later(cli, {.name = "sizing", .value = "KIND", .help = "wanted edge lengths"}, "uniform");
+  declare_later(cli, {.name = "features", .value = "KIND", .help = "creases and borders to keep"}, "none");
+  declare_later(cli, "gradation", "limit of the sizing's slope");
+  bool ser = false, local = false, global = true, angles = false;
+  cli.toggle({.name = "ser", .help = "shortest edge removal first (not yet)"}, ser);
+  cli.toggle({.name = "optimize-angles", .help = "angle optimization afterwards (not yet)"}, angles);
+  cli.flag({.name = "local", .help = "look for farthest points nearby only (not yet)"}, local);
+  cli.flag({.name = "global", .help = "look for them everywhere"}, global);
+  a.input = cli.parse(1, 1).front();
+  geom::require(!ser && !local && !angles, "--ser, --local and --optimize-angles do not work yet");
+  a.remesh.seed = cli.seed();
+  a.remesh.keep_cells = !a.rpd.empty();
+}
+
+/// Refuses bad output names before the work starts.
+void check_outputs(const RemeshArguments& a) {
+  io::mesh_format(a.output);
+  if (!a.points.empty())
+    geom::require(io::point_format(a.points) != io::PointFormat::txt,
+                  a.points.string() + ": use .xyz or .ply");
+  for (const std::filesystem::path& path : {a.output, a.points, a.rpd, a.log, a.picture})
+    if (!path.empty()) io::require_writable(path);
+}
+
+}  // namespace
+
+RemeshArguments parse_remesh_arguments(CommandLine& cli) {
+  RemeshArguments a;
+  parse(cli, a);
+  check_outputs(a);
+  return a;
+}
+
+}  // namespace tools
