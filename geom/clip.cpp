@@ -117,4 +117,16 @@ Clip Clipper::clip(FacetPolygon& polygon, SiteId j, const Bisector& b) {
   return outcome;
 }
 
+Clip Clipper::clip_beyond(FacetPolygon& polygon, SiteId j, const Bisector& b) {
+  const Clip outcome = classify(polygon.facet, polygon.owner, polygon.corners, j, b, beaten_);
+  if (outcome == Clip::untouched) polygon.corners.clear();
+  if (outcome == Clip::cut) {
+    for (char& is_beaten : beaten_) is_beaten = !is_beaten;
+    cut(polygon, j, b, beaten_);
+  }
+  return outcome == Clip::untouched   ? Clip::swallowed
+         : outcome == Clip::swallowed ? Clip::untouched
+                                      : Clip::cut;
+}
+
 }  // namespace geom

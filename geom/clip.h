@@ -107,7 +107,9 @@ class Clipper {
   /// Takes away what j beats. The new edge is labelled j. O(corners).
   Clip clip(FacetPolygon& polygon, SiteId j, const Bisector& b);
   Clip clip(FacetPolygon& polygon, SiteId j) { return clip(polygon, j, bisector_of(polygon.owner, j)); }
-  /// The same, with the answer of classify() at hand.
+  /// Takes away what j does not beat: what is left is on j's side of the bisector.
+  Clip clip_beyond(FacetPolygon& polygon, SiteId j, const Bisector& b);
+  /// clip() with the answer of classify() at hand.
   void cut(FacetPolygon& polygon, SiteId j, const Bisector& b, const std::vector<char>& beaten);
 
  private:

@@ -86,8 +86,8 @@ class RestrictedPower {
 
  private:
   struct Pending {
-    FragmentId old;
-    FacetPolygon polygon;
+    FragmentId joins;  ///< the fragment that the share is added to; none: it is a new one
+    FacetPolygon share;
   };
   struct TouchedFacet {
     FacetId facet;
@@ -111,11 +111,13 @@ class RestrictedPower {
   const Bisector& bisector_of_heirs(std::size_t k, std::size_t h) const {
     return heirs_bisectors_[k * heirs_.size() + h];
   }
-  Pending& add_pending(FragmentId old);
+  Pending& add_pending();
+  void find_fragments_of_heirs(FragmentId vacated);
+  bool yields_everywhere(std::size_t i, std::span<const PolygonCorner> corners) const;
+  void join(FragmentId old, const FacetPolygon& share, SiteId p);
   void gather_known_heirs(std::span<const FragmentId> vacated);
   void divide_all(SiteId p, const NeighbourSource& source);
   void add_heir(SiteId k);
-  void find_fragments_of_heirs(FragmentId vacated);
   bool add_missing_heirs(SiteId p, const NeighbourSource& source);
 
   double commit(FragmentId f, FacetPolygon& polygon);

@@ -180,9 +180,13 @@ void RestrictedPower::divide_all(SiteId p, const NeighbourSource& source) {
   }
   for (const FragmentId f : vacated_) forget(f);
   for (std::size_t i = 0; i < num_pending_; ++i) {
-    const SiteId k = pending_[i].polygon.owner;
-    touch_cell(k);
-    reach_[k] = std::max(reach_[k], commit(pending_[i].old, pending_[i].polygon));
+    const auto& [joins, share] = pending_[i];
+    touch_cell(share.owner);
+    if (joins.valid())
+      join(joins, share, p);
+    else
+      polygon_ = share;
+    reach_[share.owner] = std::max(reach_[share.owner], commit(joins, polygon_));
   }
 }
 
@@ -200,57 +204,62 @@ void RestrictedPower::add_heir(SiteId k) {
   heirs_.push_back(k);
 }
 
-RestrictedPower::Pending& RestrictedPower::add_pending(FragmentId old) {
+RestrictedPower::Pending& RestrictedPower::add_pending() {
   if (num_pending_ == pending_.size()) pending_.emplace_back();
   Pending& pending = pending_[num_pending_++];
-  pending.old = old;
+  pending.joins = FragmentId();
   return pending;
 }
 
-// Divides one fragment P of p, on facet t, among the heirs H. H contains every label of P.
+// Divides one fragment P of p, on facet t, among the heirs H, which contain every label of P. The share of k
+// is
 //
-//   k has a fragment on t    It grows iff P has an edge labelled k: both the old and the new fragment are
-//   convex, and on the
-//                            other edges of P other heirs are nearer than k. The new one is t clipped by the
-//                            old labels (less p) and by H.
-//   k has none               Let Q be t clipped by H. If k inherits, its share lies inside P, away from the
-//   edges of P, and
-//                            is bounded by heirs and edges of t alone, hence equal to Q. If not, Q is empty
-//                            or lies outside of P. All heirs yield to k on Q, so a corner of Q is in P iff p
-//                            beats k there.
+//     { x in t : p beats k at x, and k beats every other h in H at x }
+//
+// because where k beats all labels of P and p beats k, p beats them too, and the location is in P. If P has
+// an edge labelled k, the share lies along that edge and joins the fragment that k has there. If not, it is
+// an island, for on every edge of P another heir is nearer than k; then p beats k on all of { k beats every
+// other h } or nowhere on it, and a k that has a fragment on t already has no share, because the two would
+// make one convex fragment.
 void RestrictedPower::divide(FragmentId vacated, SiteId p) {
   const FacetId t = store_.facet(vacated);
   order_heirs(vacated);
   const bool whole = store_.whole(vacated);
   if (whole && inherits_whole(t)) return;
-  const std::span<const PolygonCorner> vacancy = store_.corners(vacated);
+  std::array<PolygonCorner, 3> buffer;
+  const std::span<const PolygonCorner> vacancy = store_.corners(vacated, buffer);
   find_fragments_of_heirs(vacated);
   for (const std::size_t i : heirs_order_) {
     const SiteId k = heirs_[i];
+    const FragmentId old = heirs_fragments_[i];
     const bool borders = std::ranges::any_of(
         vacancy, [&](const PolygonCorner& c) { return c.edge == EdgeLabel::bisector(k); });
-    if (!borders) {
-      const std::size_t first = heirs_order_.front();
-      if (i != first && clipper_.compare_on_facet(t, bisector_of_heirs(i, first)) == Clip::swallowed)
-        continue;
-      if (heirs_fragments_[i].valid()) continue;
-    }
-    const FragmentId old = heirs_fragments_[i];
-    FacetPolygon& share = add_pending(old).polygon;
+    if (!borders && (old.valid() || yields_everywhere(i, vacancy))) continue;
+    Pending& pending = add_pending();
+    pending.joins = old;
+    FacetPolygon& share = pending.share;
     clipper_.start(share, t, k);
-    if (old.valid())  // what bounded k before, but for p and the heirs, whose turn comes next
-      for (const PolygonCorner& corner : store_.corners(old))
-        if (corner.edge.is_site() && corner.edge.site() != p && heir_stamp_[corner.edge.site()] != stamp_)
-          clipper_.clip(share, corner.edge.site());
+    const Bisector beyond = clipper_.bisector_of(k, p);
+    if (borders) clipper_.clip_beyond(share, p, beyond);
     for (const std::size_t h : heirs_order_) {
       if (share.corners.empty()) break;
       if (h != i) clipper_.clip(share, heirs_[h], bisector_of_heirs(i, h));
     }
-    const bool inherits =
-        old.valid() || (!share.corners.empty() && clipper_.beats_at(share, 0, p, clipper_.bisector_of(k, p)));
-    ensure(!old.valid() || !share.corners.empty(), "restricted power diagram: a removal shrank a cell");
-    if (!inherits) --num_pending_;
+    ensure(!borders || !share.corners.empty(),
+           "restricted power diagram: a cell next to a vacancy gets nothing of it");
+    if (share.corners.empty() || (!borders && !clipper_.beats_at(share, 0, p, beyond))) --num_pending_;
   }
+}
+
+/// Is some other heir surely nearer than heir i at every corner of this polygon, hence all over it? Most
+/// heirs that do not border a fragment are dismissed by this. "No" means nothing: the corners are rounded.
+bool RestrictedPower::yields_everywhere(std::size_t i, std::span<const PolygonCorner> corners) const {
+  return std::ranges::any_of(heirs_order_, [&](std::size_t h) {
+    const Bisector& b = bisector_of_heirs(i, h);
+    return h != i && std::ranges::all_of(corners, [&](const PolygonCorner& c) {
+             return b(c.point.position) < -(b.error + b.length * c.point.tolerance);
+           });
+  });
 }
 
 /// What the heirs have on the facet of a vacated fragment: from the facet's list if that is short, else one
@@ -268,6 +277,33 @@ void RestrictedPower::find_fragments_of_heirs(FragmentId vacated) {
   }
   if (steps <= short_list) return;
   for (std::size_t i = 0; i < heirs_.size(); ++i) heirs_fragments_[i] = store_.find(heirs_[i], t);
+}
+
+//      old fragment of k            Both are convex and share the edge between k and p, so their union
+//      (convex again, a
+//    b ___________ a               fragment of the new diagram) is the old polygon with that edge replaced by
+//    the rest of
+//   . \_____p_____/ .              the share: its edges from a to b. The lines of a and b go on across the
+//   corners where
+//    . \   share  / .              they met p, so these corners vanish.
+//      . \__x1__/ .
+/// Puts the union of an old fragment and a share of p's into polygon_.
+void RestrictedPower::join(FragmentId old, const FacetPolygon& share, SiteId p) {
+  const EdgeLabel border = EdgeLabel::bisector(p);
+  const std::span<const PolygonCorner> corners = store_.corners(old);
+  const auto position = [&](std::span<const PolygonCorner> of) {
+    return static_cast<std::size_t>(std::ranges::find(of, border, &PolygonCorner::edge) - of.begin());
+  };
+  const std::size_t n = corners.size(), q = position(corners), m = share.corners.size(),
+                    g = position(share.corners);
+  ensure(q < n && g < m && corners[(q + n - 1) % n].edge == share.corners[(g + 1) % m].edge &&
+             corners[(q + 1) % n].edge == share.corners[(g + m - 1) % m].edge,
+         "restricted power diagram: a share does not fit its neighbour");
+  polygon_.facet = share.facet;
+  polygon_.owner = share.owner;
+  polygon_.corners.clear();
+  for (std::size_t i = 2; i < n; ++i) polygon_.corners.push_back(corners[(q + i) % n]);
+  for (std::size_t i = 2; i < m; ++i) polygon_.corners.push_back(share.corners[(g + i) % m]);
 }
 
 void RestrictedPower::prepare_bisectors() {
@@ -305,7 +341,7 @@ bool RestrictedPower::inherits_whole(FacetId t) {
     if (clipper_.classify(t, polygon_.owner, polygon_.corners, heirs_[h], b, beaten_) != Clip::untouched)
       return false;
   }
-  clipper_.start(add_pending(FragmentId()).polygon, t, heirs_[first]);
+  clipper_.start(add_pending().share, t, heirs_[first]);
   return true;
 }
 
@@ -313,14 +349,14 @@ bool RestrictedPower::inherits_whole(FacetId t) {
 bool RestrictedPower::add_missing_heirs(SiteId p, const NeighbourSource& source) {
   double max_radius2 = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < num_pending_; ++i)
-    max_radius2 = std::max(max_radius2, bound_radius2(pending_[i].polygon));
+    max_radius2 = std::max(max_radius2, bound_radius2(pending_[i].share));
   const double radius2 = std::max(reach(p) + sites_[p].weight, 0.0);
   candidates_.clear();
   source.heirs({p, sites_[p].position, std::sqrt(radius2), max_radius2}, candidates_);
   const auto beats_the_division = [&](SiteId j) {
     const EdgeLabel own = EdgeLabel::bisector(j);
     for (std::size_t i = 0; i < num_pending_; ++i) {
-      const FacetPolygon& share = pending_[i].polygon;
+      const FacetPolygon& share = pending_[i].share;
       const Bisector b = clipper_.bisector_of(share.owner, j);
       if (clipper_.compare_on_facet(share.facet, b) == Clip::untouched) continue;
       for (std::size_t k = 0; k < share.corners.size(); ++k)  // where an edge is labelled j, j is no news
