@@ -1,5 +1,6 @@
 #include "fpo/plane_domain.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -72,17 +73,20 @@ Circle PlaneDomain::largest_empty(Scope scope) {
 
 /// Among the triangles with a corner in the link of the removed sample, those that fill its hole included: a
 /// disk of two rings around it.
-CellId PlaneDomain::largest_in_two_ring() const {
+CellId PlaneDomain::largest_in_two_ring() {
   CellId best;
   const auto consider = [&](CellId t, int) {
     if (!best.valid() || triangulation_.radius2(t) > triangulation_.radius2(best) ||
         (triangulation_.radius2(t) == triangulation_.radius2(best) && triangulation_.cell_before(t, best)))
       best = t;
   };
-  if (near_removed_.valid()) triangulation_.visit_star(near_removed_, consider);
+  ring_.clear();
+  if (near_removed_.valid()) ring_.push_back(near_removed_);
   for (const CellId t : last_change_.created) {
-    for (const SiteId v : triangulation_.corners(t)) triangulation_.visit_star(v, consider);
+    for (const SiteId v : triangulation_.corners(t))
+      if (std::find(ring_.begin(), ring_.end(), v) == ring_.end()) ring_.push_back(v);
   }
+  for (const SiteId v : ring_) triangulation_.visit_star(v, consider);
   return best;
 }
 

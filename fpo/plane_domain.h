@@ -72,7 +72,7 @@ class PlaneDomain final : public Domain {
               std::span<const geom::Vec2> samples, const PlaneOptions& options,
               std::vector<std::uint32_t> order);
   double weight_at(const geom::Vec2& x) const;
-  geom::CellId largest_in_two_ring() const;
+  geom::CellId largest_in_two_ring();
   void apply(const geom::Regular2::Change& change);
 
   const PlaneSizing& sizing_;
@@ -84,6 +84,7 @@ class PlaneDomain final : public Domain {
   geom::Regular2::Change last_change_;
   geom::WeightedPoint2 removed_;    ///< where the sample that is out came from
   geom::SiteId near_removed_;       ///< a visible sample close to it
+  std::vector<SiteId> ring_;        ///< scratch: around the removed sample
   std::array<SiteId, 3> expected_;  ///< the last samples announced by expect(), the latest first
 };
 

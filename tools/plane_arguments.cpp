@@ -1,0 +1,104 @@
+#include "tools/plane_arguments.h"
+
+#include "fpo/plane_sizing.h"
+#include "io/atomic_file.h"
+#include "io/extension.h"
+#include "tools/numbers.h"
+
+namespace tools {
+namespace {
+
+geom::Vec2 parse_period(const std::string& text) {
+  const std::size_t times = text.find('x');
+  geom::require(times != std::string::npos, "'" + text + "' is not WIDTHxHEIGHT");
+  const auto side = [](const std::string& number) {
+    return parse_number(number, geom::FlatTorus::least_period, geom::FlatTorus::largest_period);
+  };
+  return {side(text.substr(0, times)), side(text.substr(times + 1))};
+}
+
+std::string all_sizing_names() {
+  std::string all;
+  for (const std::string& name : fpo::sizing_names()) all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
+
+void declare_result(CommandLine& cli, PlaneArguments& a) {
+  cli.group("Result");
+  cli.integer(
+      {.name = "count", .letter = 'n', .value = "COUNT", .help = "number of samples", .required = true},
+      a.num_samples, fpo::least_plane_samples, 100'000'000);
+  cli.path({.name = "output",
+            .letter = 'o',
+            .value = "OUT",
+            .help = "the samples: .txt (x y [weight] a line) or .svg",
+            .required = true},
+           a.output);
+  cli.path({.name = "log", .value = "OUT.csv", .help = "iteration, moved, delta, mean_delta, seconds"},
+           a.log);
+  cli.flag({.name = "draw-triangulation", .help = "in .svg: the regular triangulation"},
+           a.picture.triangulation);
+  cli.flag({.name = "draw-cells", .help = "in .svg: the power cells"}, a.picture.cells);
+  cli.flag({.name = "draw-disks", .help = "in .svg: the samples' disks"}, a.picture.disks);
+  cli.flag({.name = "draw-sizing", .help = "in .svg: cells coloured by the wanted edge length"},
+           a.picture.colour);
+}
+
+void declare_domain(CommandLine& cli, PlaneArguments& a) {
+  cli.group("Domain");
+  cli.custom({.name = "period", .value = "WxH", .help = "width and height of the torus", .standard = "1x1"},
+             [&a](const std::string& text) { a.period = parse_period(text); });
+  cli.text({.name = "sizing",
+            .value = "KIND",
+            .help = "IMAGE.pgm (dark is dense), or one of " + all_sizing_names()},
+           a.sizing);
+  cli.number({.name = "gradation",
+              .value = "G",
+              .help = "of images: edge lengths grow by at most G times the distance"},
+             a.gradation, 0.01, 1);
+  cli.choice({.name = "start", .value = "stratified|random", .help = "initial samples"}, a.start,
+             {{"stratified", fpo::PlaneStart::stratified}, {"random", fpo::PlaneStart::random}});
+}
+
+void declare_optimization(CommandLine& cli, PlaneArguments& a, bool& local, bool& global, bool& bounded) {
+  cli.group("Optimization");
+  cli.integer({.name = "iterations", .value = "MAX", .help = "at most so many"}, a.optimize.max_iterations, 0,
+              1'000'000);
+  cli.number({.name = "target-delta", .value = "D", .help = "stop when delta exceeds it"},
+             a.optimize.target_delta, 0, 2);
+  cli.toggle({.name = "ser", .help = "shortest edge removal first"}, a.ser);
+  cli.flag({.name = "local", .help = "look for farthest points nearby only (default if not uniform)"}, local);
+  cli.flag({.name = "global", .help = "look for them everywhere (default if uniform)"}, global);
+  cli.custom({.name = "weight-factor",
+              .value = "C",
+              .help = "weights are (C h)^2 for edge length h",
+              .standard = "2/3, or 0.75 with --global"},
+             [&a](const std::string& text) { a.weight_factor = parse_number(text, 0.01, 1); });
+  cli.flag({.name = "bounded", .help = "a rectangle with a border, not a torus (not yet)"}, bounded);
+}
+
+}  // namespace
+
+bool PlaneArguments::writes_svg() const { return io::lower_extension(output) == ".svg"; }
+
+PlaneArguments parse_plane_arguments(CommandLine& cli) {
+  PlaneArguments a;
+  bool local = false, global = false, bounded = false;
+  cli.describe("", "Spreads COUNT samples of blue noise over a periodic rectangle.");
+  declare_result(cli, a);
+  declare_domain(cli, a);
+  declare_optimization(cli, a, local, global, bounded);
+  cli.parse(0, 0);
+  if (local && global) throw UsageError("--local and --global exclude each other");
+  geom::require(!bounded, "--bounded does not work yet: use fpo-remesh on a flat mesh");
+  geom::require(a.writes_svg() || io::lower_extension(a.output) == ".txt",
+                a.output.string() + ": use .txt or .svg");
+  if (local) a.scope = fpo::Scope::two_ring;
+  if (global) a.scope = fpo::Scope::global;
+  a.optimize.seed = cli.seed();
+  for (const std::filesystem::path& path : {a.output, a.log})
+    if (!path.empty()) io::require_writable(path);
+  return a;
+}
+
+}  // namespace tools
