@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "geom/check.h"
@@ -14,52 +15,58 @@ namespace fpo {
 using geom::FacetId;
 using geom::TriMesh;
 using geom::Vec3;
+using geom::VertexId;
 
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
+constexpr double rounding = 1e-9;  // an angle of 30 degrees is not below 30, however it is rounded
 
 struct FacetQuality {
   double q;
   std::array<double, 3> angles;
 };
 
+/// Angles by the arc tangent of sine and cosine times lengths: accurate near 0 and 180 degrees too.
 FacetQuality facet_quality(const TriMesh& mesh, FacetId t) {
-  FacetQuality result{0, {0, 0, 180}};
-  const double area = mesh.area(t);
-  if (!(area > 0)) return result;
-  std::array<double, 3> edges{};
-  for (int i = 0; i < 3; ++i)
-    edges[static_cast<std::size_t>(i)] = (mesh.corner(t, (i + 1) % 3) - mesh.corner(t, i)).norm();
-  const double half_perimeter = (edges[0] + edges[1] + edges[2]) / 2;
-  result.q = 6 / std::numbers::sqrt3 * area / (half_perimeter * std::ranges::max(edges));
+  FacetQuality result{0, {0, 0, 0}};
+  double perimeter = 0, longest = 0;
   for (int i = 0; i < 3; ++i) {
     const Vec3 u = mesh.corner(t, (i + 1) % 3) - mesh.corner(t, i),
                v = mesh.corner(t, (i + 2) % 3) - mesh.corner(t, i);
     result.angles[static_cast<std::size_t>(i)] = degrees * std::atan2(u.cross(v).norm(), u.dot(v));
+    perimeter += u.norm();
+    longest = std::max(longest, u.norm());
   }
+  if (longest > 0) result.q = 6 / std::numbers::sqrt3 * mesh.area(t) / (perimeter / 2 * longest);
   return result;
 }
 
 /// What the edges say of each vertex.
 struct VertexStar {
-  std::size_t facets = 0, borders = 0;
+  std::size_t edges = 0;
+  bool on_boundary = false;
   double shortest = std::numeric_limits<double>::infinity();
 };
 
 std::vector<VertexStar> vertex_stars(const TriMesh& mesh) {
+  std::vector<std::pair<VertexId, VertexId>> sides;  // ends ascending, once for each facet there
+  sides.reserve(3 * mesh.num_facets());
+  for (const TriMesh::Facet& f : mesh.facets())
+    for (std::size_t e = 0; e < 3; ++e) sides.push_back(std::minmax(f[e], f[(e + 1) % 3]));
+  std::ranges::sort(sides);
   std::vector<VertexStar> stars(mesh.num_vertices());
-  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
-    for (int e = 0; e < 3; ++e) {
-      const std::size_t a = mesh.facet(t)[static_cast<std::size_t>(e)].index(),
-                        b = mesh.facet(t)[static_cast<std::size_t>((e + 1) % 3)].index();
-      const double length = (mesh.corner(t, (e + 1) % 3) - mesh.corner(t, e)).norm();
-      ++stars[a].facets;
-      for (const std::size_t v : {a, b}) {
-        stars[v].shortest = std::min(stars[v].shortest, length);
-        stars[v].borders += !mesh.across(t, e).valid();
-      }
+  for (auto first = sides.begin(); first != sides.end();) {
+    const auto last = std::find_if(first, sides.end(), [&](const auto& side) { return side != *first; });
+    const double length = (mesh.position(first->first) - mesh.position(first->second)).norm();
+    for (const VertexId v : {first->first, first->second}) {
+      VertexStar& star = stars[v.index()];
+      ++star.edges;
+      star.on_boundary |= last - first == 1;
+      star.shortest = std::min(star.shortest, length);
     }
+    first = last;
+  }
   return stars;
 }
 
@@ -78,24 +85,24 @@ Quality quality(const TriMesh& mesh, double area) {
     result.theta_min = std::min(result.theta_min, smallest);
     result.theta_max = std::max(result.theta_max, largest);
     result.theta_min_avg += smallest;
-    below_30 += static_cast<std::size_t>(std::ranges::count_if(f.angles, [](double a) { return a < 30; }));
+    below_30 +=
+        static_cast<std::size_t>(std::ranges::count_if(f.angles, [](double a) { return a < 30 - rounding; }));
   }
   const auto facets = static_cast<double>(mesh.num_facets());
   result.q_avg /= facets;
   result.theta_min_avg /= facets;
   result.theta_lt30_pct = 100 * static_cast<double>(below_30) / (3 * facets);
 
-  // An interior vertex has as many edges as facets.
   std::size_t referenced = 0, interior = 0, regular = 0;
   double shortest = std::numeric_limits<double>::infinity(), sum = 0;
   for (const VertexStar& star : vertex_stars(mesh)) {
-    if (star.facets == 0) continue;
+    if (star.edges == 0) continue;
     ++referenced;
     shortest = std::min(shortest, star.shortest);
     sum += star.shortest;
-    if (star.borders > 0) continue;
+    if (star.on_boundary) continue;
     ++interior;
-    regular += star.facets >= 5 && star.facets <= 7;
+    regular += star.edges >= 5 && star.edges <= 7;
   }
   result.v567_pct = interior == 0 ? 0 : 100 * static_cast<double>(regular) / static_cast<double>(interior);
   const double d_max = std::sqrt(2 * area / (std::numbers::sqrt3 * static_cast<double>(referenced)));

@@ -5,13 +5,14 @@
 
 namespace fpo {
 
-/// Angles in degrees, shares in percent. A facet without area has quality 0 and the angles 0, 0, 180.
+/// Angles in degrees, shares in percent. A facet without area has quality 0 and the angles 0, 0, 180,
+/// or 0, 0, 0 if two of its corners coincide.
 struct Quality {
   double q_min = 0, q_avg = 0;  ///< Q_t = 6/sqrt(3) area / (half-perimeter * longest edge): 1 if equilateral
   double theta_min = 0, theta_max = 0;
   double theta_min_avg = 0;   ///< mean over facets of the smallest angle
-  double theta_lt30_pct = 0;  ///< angles below 30 degrees among all
-  double v567_pct = 0;        ///< interior vertices with 5, 6 or 7 edges among all interior ones
+  double theta_lt30_pct = 0;  ///< angles below 30 degrees (less 1e-9, for rounding) among all
+  double v567_pct = 0;        ///< interior vertices with 5, 6 or 7 edges among all interior ones; 0 if none
   double delta = 0;           ///< shortest edge / d_max
   double delta_avg = 0;       ///< mean over vertices of the shortest edge there / d_max
 };

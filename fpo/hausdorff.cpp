@@ -1,0 +1,327 @@
+#include "fpo/hausdorff.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "geom/aabb_tree.h"
+#include "geom/parallel.h"
+
+// How far the points of one surface are from the other, d(x), is bounded over a triangle T in two ways:
+//
+//   d is 1-Lipschitz:           d <= d(m) + max |q - m| over T's corners q, with m the centroid;
+//   distance to one facet f of the other surface is convex, since f is:  d <= max over q of |q - f|.
+//
+// The second is exact where f is what T is nearest to, the usual case for small T. Triangles that by these
+// bounds could exceed the largest distance found so far are divided, those of the largest bound first. The
+// whole is exact if the surfaces coincide piecewise, as on flat faces meshed differently: a triangle that
+// reaches beyond its nearest facet is cut along the planes that stand on that facet's edges, and its parts
+// get their own nearest facets.
+
+namespace fpo {
+
+using geom::AabbTree;
+using geom::FacetId;
+using geom::TriMesh;
+using geom::Vec3;
+using geom::VertexId;
+
+namespace {
+
+constexpr double relative_gap = 1e-3, absolute_gap = 1e-6;  // the latter in diagonals
+constexpr std::size_t max_cells = 4'000'000;
+constexpr std::size_t grain = 128;        // facets or cells a thread takes at a time
+constexpr std::size_t batch_size = 2048;  // cells divided before the largest distance is looked at again
+constexpr double quadrature_parts = 6e4;  // triangles of equal area that a surface is divided into, at least
+
+/// A point of one surface and what is nearest to it on the other.
+struct Probe {
+  Vec3 position{0, 0, 0};
+  FacetId nearest;
+  double distance = 0;
+};
+
+/// A part of a facet.
+struct Cell {
+  std::array<Probe, 3> corners;
+  FacetId nearest;   ///< to the centroid
+  double bound = 0;  ///< of the distance of its points
+};
+
+double longest_edge(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+}
+Vec3 centroid(const Cell& cell) {
+  return (cell.corners[0].position + cell.corners[1].position + cell.corners[2].position) / 3;
+}
+
+/// A convex polygon divided by a plane; corners on the plane belong to both parts.
+struct Halves {
+  std::vector<Probe> inside, outside;
+};
+
+/// From one surface to the other.
+class OneSided {
+ public:
+  OneSided(const TriMesh& from, const AabbTree& to, int threads) : from_(from), to_(to), threads_(threads) {}
+
+  struct Samples {
+    double max = 0, mean_square = 0;
+  };
+  /// Distances at the vertices and at the points of the quadrature.
+  Samples sample();
+
+  struct Range {
+    double attained = 0, bound = 0;
+  };
+  /// The largest distance, given that `attained` is reached somewhere (not necessarily here): divides until
+  /// no bound exceeds what is attained by more than the gap. Requires sample().
+  Range maximum(double attained, double diagonal) const;
+
+ private:
+  struct FacetSum {
+    double weight = 0, squares = 0, max = 0;
+  };
+  /// Cells that may matter, and the extremes of those that do not.
+  struct Found {
+    std::vector<Cell> cells;
+    Range range;
+  };
+
+  Probe probe(const Vec3& x, FacetId hint) const;
+  void probe_vertices();
+  FacetSum integrate(FacetId t, double total_area) const;
+  void evaluate(Cell& cell, Found& found, double limit) const;
+  void divide(const Cell& cell, Found& found, double limit) const;
+  bool carve(const Cell& cell, std::vector<Cell>& parts) const;
+  Halves halve(const std::vector<Probe>& polygon, const Vec3& origin, const Vec3& normal, double zero) const;
+  std::vector<Cell> bisect(const Cell& cell) const;
+  std::vector<Cell> worst(std::vector<Cell>& heap, double limit) const;
+
+  const TriMesh& from_;
+  const AabbTree& to_;
+  int threads_;
+  geom::Table<VertexId, Probe> vertices_;
+};
+
+Probe OneSided::probe(const Vec3& x, FacetId hint) const {
+  const AabbTree::Closest c = to_.closest(x, hint);
+  return {x, c.facet, std::sqrt(c.distance2)};
+}
+
+void OneSided::probe_vertices() {
+  std::vector<char> used(from_.num_vertices(), 0);
+  for (const TriMesh::Facet& facet : from_.facets())
+    for (const VertexId v : facet) used[v.index()] = 1;
+  vertices_.resize(from_.num_vertices());
+  geom::parallel_ranges(used.size(), grain, threads_, [&](std::size_t first, std::size_t last) {
+    FacetId hint;
+    for (VertexId v(first); v.index() < last; v = VertexId(v.value + 1)) {
+      if (!used[v.index()]) continue;
+      vertices_[v] = probe(from_.position(v), hint);
+      hint = vertices_[v].nearest;
+    }
+  });
+}
+
+// The facet is divided into k^2 congruent triangles, k to a side, "up" ones like the facet and "down" ones
+// turned by half. In each, the three points halfway between centre and corners, of equal weight, integrate
+// polynomials of degree 2 exactly, hence the squared distance to a plane.
+OneSided::FacetSum OneSided::integrate(FacetId t, double total_area) const {
+  const Vec3 &o = from_.corner(t, 0), u = from_.corner(t, 1) - o, v = from_.corner(t, 2) - o;
+  FacetSum sum;
+  sum.weight = total_area > 0 ? from_.area(t) / total_area : 1;
+  const int k = std::max(
+      1, static_cast<int>(std::ceil(std::sqrt(total_area > 0 ? quadrature_parts * sum.weight : 1.0))));
+  FacetId hint = vertices_[from_.facet(t)[0]].nearest;
+  const auto add_part = [&](double i, double j, double side) {
+    for (const auto& [a, b] : {std::pair(-1.0, -1.0), std::pair(2.0, -1.0), std::pair(-1.0, 2.0)}) {
+      const Probe p = probe(o + (i + side * a / 6) / k * u + (j + side * b / 6) / k * v, hint);
+      hint = p.nearest;
+      sum.max = std::max(sum.max, p.distance);
+      sum.squares += p.distance * p.distance;
+    }
+  };
+  for (int i = 0; i < k; ++i)
+    for (int j = 0; i + j < k; ++j) {
+      add_part(i + 1.0 / 3, j + 1.0 / 3, 1);
+      if (i + j + 1 < k) add_part(i + 2.0 / 3, j + 2.0 / 3, -1);
+    }
+  sum.squares *= sum.weight / (3.0 * k * k);
+  return sum;
+}
+
+OneSided::Samples OneSided::sample() {
+  probe_vertices();
+  const double total_area = from_.area();
+  std::vector<FacetSum> sums(from_.num_facets());
+  geom::parallel_ranges(sums.size(), grain, threads_, [&](std::size_t first, std::size_t last) {
+    for (FacetId t(first); t.index() < last; t = FacetId(t.value + 1))
+      sums[t.index()] = integrate(t, total_area);
+  });
+  Samples result;
+  for (const Probe& p : vertices_) result.max = std::max(result.max, p.distance);
+  double weight = 0;
+  for (const FacetSum& s : sums) {
+    weight += s.weight;
+    result.mean_square += s.squares;
+    result.max = std::max(result.max, s.max);
+  }
+  result.mean_square /= weight;
+  return result;
+}
+
+/// Bounds a cell whose corners are known and keeps it only if that exceeds the limit.
+void OneSided::evaluate(Cell& cell, Found& found, double limit) const {
+  const auto& [a, b, c] = cell.corners;
+  const Vec3 m = centroid(cell);
+  const Probe middle = probe(m, a.nearest);
+  cell.nearest = middle.nearest;
+  found.range.attained =
+      std::max({found.range.attained, middle.distance, a.distance, b.distance, c.distance});
+  double radius2 = 0;
+  for (const Probe& corner : cell.corners) radius2 = std::max(radius2, (corner.position - m).squaredNorm());
+  cell.bound = std::min(cell.bound, middle.distance + std::sqrt(radius2));
+  for (const FacetId f : {middle.nearest, a.nearest, b.nearest, c.nearest}) {
+    double farthest2 = 0;
+    for (const Probe& corner : cell.corners)
+      farthest2 = std::max(farthest2, geom::closest_point(corner.position, to_.triangle(f)).distance2);
+    cell.bound = std::min(cell.bound, std::sqrt(farthest2));
+    if (cell.bound <= limit) break;
+  }
+  if (cell.bound > limit)
+    found.cells.push_back(cell);
+  else
+    found.range.bound = std::max(found.range.bound, cell.bound);
+}
+
+Halves OneSided::halve(const std::vector<Probe>& polygon, const Vec3& origin, const Vec3& normal,
+                       double zero) const {
+  const auto side = [&](const Probe& p) {
+    const double s = normal.dot(p.position - origin);
+    return std::abs(s) <= zero ? 0 : s;
+  };
+  Halves result;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Probe &p = polygon[i], &q = polygon[i + 1 == polygon.size() ? 0 : i + 1];
+    const double at_p = side(p), at_q = side(q);
+    if (at_p >= 0) result.inside.push_back(p);
+    if (at_p <= 0) result.outside.push_back(p);
+    if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) {
+      const Probe cut = probe(p.position + at_p / (at_p - at_q) * (q.position - p.position), p.nearest);
+      result.inside.push_back(cut);
+      result.outside.push_back(cut);
+    }
+  }
+  return result;
+}
+
+/// Cuts off what lies beyond the edges of the facet nearest to the centroid, if the centroid is above the
+/// facet's interior and the cell not much larger than the facet. Returns false if there is nothing to cut
+/// off: what is beyond an edge by no more than rounding would be cut off again and again.
+bool OneSided::carve(const Cell& cell, std::vector<Cell>& parts) const {
+  const auto& f = to_.triangle(cell.nearest);
+  const double size =
+      longest_edge(cell.corners[0].position, cell.corners[1].position, cell.corners[2].position);
+  if (size > 2 * longest_edge(f[0], f[1], f[2])) return false;
+  if (!(geom::closest_point(centroid(cell), f).barycentric.minCoeff() > 0)) return false;
+  const Vec3 normal = (f[1] - f[0]).cross(f[2] - f[0]);
+  const auto add = [&](const std::vector<Probe>& polygon) {
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+      parts.push_back({{polygon[0], polygon[i - 1], polygon[i]}, FacetId(), cell.bound});
+  };
+  std::vector<Probe> inside(cell.corners.begin(), cell.corners.end());
+  for (std::size_t e = 0; e < 3; ++e) {
+    const Vec3 inward = normal.cross(f[(e + 1) % 3] - f[e]);
+    Halves halves = halve(inside, f[e], inward, 1e-9 * size * inward.norm());
+    add(halves.outside);
+    inside = std::move(halves.inside);
+  }
+  if (parts.empty()) return false;
+  add(inside);
+  return true;
+}
+
+/// At the middle of the longest edge.
+std::vector<Cell> OneSided::bisect(const Cell& cell) const {
+  const auto length2 = [&](std::size_t e) {
+    return (cell.corners[(e + 1) % 3].position - cell.corners[e].position).squaredNorm();
+  };
+  const std::size_t e = std::max({std::size_t{0}, std::size_t{1}, std::size_t{2}},
+                                 [&](std::size_t i, std::size_t j) { return length2(i) < length2(j); });
+  const Probe &a = cell.corners[e], &b = cell.corners[(e + 1) % 3], &c = cell.corners[(e + 2) % 3];
+  const Probe middle = probe((a.position + b.position) / 2, cell.nearest);
+  return {{{a, middle, c}, FacetId(), cell.bound}, {{middle, b, c}, FacetId(), cell.bound}};
+}
+
+void OneSided::divide(const Cell& cell, Found& found, double limit) const {
+  std::vector<Cell> parts;
+  if (!carve(cell, parts)) parts = bisect(cell);
+  for (Cell& part : parts) evaluate(part, found, limit);
+}
+
+/// Takes up to a batch of cells, those of the largest bounds, off the heap; none that are within the limit.
+std::vector<Cell> OneSided::worst(std::vector<Cell>& heap, double limit) const {
+  std::vector<Cell> batch;
+  while (!heap.empty() && heap.front().bound > limit && batch.size() < batch_size) {
+    std::ranges::pop_heap(heap, {}, &Cell::bound);
+    batch.push_back(heap.back());
+    heap.pop_back();
+  }
+  return batch;
+}
+
+OneSided::Range OneSided::maximum(double attained, double diagonal) const {
+  Range range{attained, attained};
+  const auto limit = [&] {
+    return range.attained + std::max(relative_gap * range.attained, absolute_gap * diagonal);
+  };
+  std::vector<Cell> heap;
+  std::size_t num_cells = 0;
+  // Calls work(k, found, limit) for k < count, in parallel, and takes up what it finds, in the order of k.
+  const auto gather = [&](std::size_t count, std::size_t step, const auto& work) {
+    std::vector<Found> found((count + step - 1) / step);
+    geom::parallel_ranges(count, step, threads_, [&, at = limit()](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) work(k, found[first / step], at);
+    });
+    for (const Found& f : found) {
+      range = {std::max(range.attained, f.range.attained), std::max(range.bound, f.range.bound)};
+      num_cells += f.cells.size();
+      for (const Cell& cell : f.cells) {
+        heap.push_back(cell);
+        std::ranges::push_heap(heap, {}, &Cell::bound);
+      }
+    }
+  };
+  gather(from_.num_facets(), grain, [&](std::size_t k, Found& found, double at) {
+    const TriMesh::Facet& facet = from_.facet(FacetId(k));
+    Cell cell{{vertices_[facet[0]], vertices_[facet[1]], vertices_[facet[2]]},
+              FacetId(),
+              std::numeric_limits<double>::infinity()};
+    evaluate(cell, found, at);
+  });
+  while (num_cells < max_cells) {
+    const std::vector<Cell> batch = worst(heap, limit());
+    if (batch.empty()) break;
+    gather(batch.size(), 16, [&](std::size_t k, Found& found, double at) { divide(batch[k], found, at); });
+  }
+  if (!heap.empty()) range.bound = std::max(range.bound, heap.front().bound);
+  range.bound = std::max(range.bound, range.attained);
+  return range;
+}
+
+}  // namespace
+
+SurfaceDistance surface_distance(const TriMesh& mesh, const TriMesh& reference, int threads) {
+  const AabbTree mesh_tree(mesh), reference_tree(reference);
+  OneSided out(mesh, reference_tree, threads), back(reference, mesh_tree, threads);
+  const OneSided::Samples s = out.sample(), r = back.sample();
+  const double diagonal = reference.diagonal();
+  const OneSided::Range first = out.maximum(std::max(s.max, r.max), diagonal);
+  const OneSided::Range both = back.maximum(first.attained, diagonal);
+  return {both.attained, std::max(first.bound, both.bound),
+          std::sqrt(std::max(s.mean_square, r.mean_square))};
+}
+
+}  // namespace fpo
