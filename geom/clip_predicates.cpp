@@ -2,25 +2,28 @@
 
 #include <initializer_list>
 
+#include "geom/clip_filters.h"
 #include "geom/exact_form.h"
+#include "geom/exact_vector.h"
 
 namespace geom {
 namespace {
 
-/// F_j at the three corners of a facet.
-struct Form {
-  Expansion f[3];
-  Form(const FacetCorners& q, const RankedPoint3& owner, const RankedPoint3& j)
-      : f{form_at(*q.q0, owner, j), form_at(*q.q1, owner, j), form_at(*q.q2, owner, j)} {}
-};
+int sign_of(const filter::Estimate& estimate, const auto& exact) {
+  return estimate.certain() ? estimate.sign() : exact().sign();
+}
 
-/// Corner values of the intersection of two forms: barycentric coordinates up to scale.
-struct Corner {
-  Expansion l[3];
-  Corner(const Form& a, const Form& b)
-      : l{a.f[1] * b.f[2] - a.f[2] * b.f[1], a.f[2] * b.f[0] - a.f[0] * b.f[2],
-          a.f[0] * b.f[1] - a.f[1] * b.f[0]} {}
-  Expansion sum() const { return l[0] + l[1] + l[2]; }
+/// f_j exactly, as in clip_filters.h: F_j at q0 and, up to a factor 2, the slopes along the given edges.
+Expansion exact_slope(const WeightedPoint3& p0, const WeightedPoint3& j, const ExactVec3& edge) {
+  return dot(exact_difference(p0.position, j.position), edge);
+}
+struct ExactRow {
+  Expansion f, s, t;
+  ExactRow(const Vec3& q0, const ExactVec3& u, const ExactVec3& v, const RankedPoint3& p0,
+           const RankedPoint3& j)
+      : f(form_at(q0, p0, j)),
+        s(exact_slope(*p0.point, *j.point, u)),
+        t(exact_slope(*p0.point, *j.point, v)) {}
 };
 
 /// A coefficient of eps_rank in a perturbed value.
@@ -38,42 +41,70 @@ int sign_of_ties(std::initializer_list<Tie> ties) {
   return decisive ? decisive->coefficient.sign() : 0;
 }
 
+// E = s_1 F_2 - F_1 s_2, F_j at a. Shifts d_1, d_2 of f_1, f_2 change E by d_2 s_1 - d_1 s_2, where d_j =
+// eps_0 - eps_j.
+int exact_numerator_on_edge(const Vec3& a, const Vec3& b, const RankedPoint3& owner,
+                            const RankedPoint3& on_bisector, const RankedPoint3& j) {
+  const ExactVec3 u = exact_difference(b, a);
+  const Expansion s1 = exact_slope(*owner.point, *on_bisector.point, u);
+  const Expansion s2 = exact_slope(*owner.point, *j.point, u);
+  const int sign = exact_minor(s1, form_at(a, owner, j), form_at(a, owner, on_bisector), s2).sign();
+  if (sign != 0) return sign;
+  return sign_of_ties({{owner.rank, s1 - s2}, {on_bisector.rank, s2}, {j.rank, -s1}});
+}
+
+// T = det(F, s, t). A shift d_k of f_k adds d_k to F_k, hence d_k times the minor of the other two rows to T.
+int exact_numerator_in_facet(const FacetCorners& q, const RankedPoint3& owner, const RankedPoint3& first,
+                             const RankedPoint3& second, const RankedPoint3& j) {
+  const ExactVec3 u = exact_difference(*q.q1, *q.q0), v = exact_difference(*q.q2, *q.q0);
+  const ExactRow r1(*q.q0, u, v, owner, first), r2(*q.q0, u, v, owner, second), r3(*q.q0, u, v, owner, j);
+  const Expansion m12 = exact_minor(r1.s, r2.t, r1.t, r2.s), m23 = exact_minor(r2.s, r3.t, r2.t, r3.s),
+                  m31 = exact_minor(r3.s, r1.t, r3.t, r1.s);
+  const int sign = (r1.f * m23 + r2.f * m31 + r3.f * m12).sign();
+  if (sign != 0) return sign;
+  return sign_of_ties(
+      {{owner.rank, m12 + m23 + m31}, {first.rank, -m23}, {second.rank, -m31}, {j.rank, -m12}});
+}
+
+Expansion exact_denominator_in_facet(const FacetCorners& q, const Vec3& p0, const Vec3& first,
+                                     const Vec3& second) {
+  const ExactVec3 u = exact_difference(*q.q1, *q.q0), v = exact_difference(*q.q2, *q.q0);
+  const ExactVec3 d1 = exact_difference(p0, first), d2 = exact_difference(p0, second);
+  return exact_minor(dot(d1, u), dot(d2, v), dot(d1, v), dot(d2, u));
+}
+
 }  // namespace
 
 // w_j + eps_j lowers f_j by eps_j, w_0 + eps_0 raises it by eps_0: on a tie the smaller rank wins.
 bool beats_at_vertex(const Vec3& q, const RankedPoint3& owner, const RankedPoint3& j) {
-  const int sign = form_at(q, owner, j).sign();
+  const int sign =
+      sign_of(filter::at_vertex(q, *owner.point, *j.point), [&] { return form_at(q, owner, j); });
   return sign != 0 ? sign < 0 : j.rank < owner.rank;
 }
 
-// E = F1[b] F2[a] - F1[a] F2[b] has the sign of f_2 at the corner times that of F1[b] - F1[a]. Shifts d_1,
-// d_2 of the rows F1, F2 change E by d_1 (F2[a] - F2[b]) + d_2 (F1[b] - F1[a]), where d_j = eps_0 - eps_j.
 bool beats_on_edge(const Vec3& a, const Vec3& b, const RankedPoint3& owner, const RankedPoint3& on_bisector,
                    const RankedPoint3& j) {
-  const Expansion f1a = form_at(a, owner, on_bisector), f1b = form_at(b, owner, on_bisector);
-  const Expansion f2a = form_at(a, owner, j), f2b = form_at(b, owner, j);
-  const Expansion rise = f1b - f1a;
-  int sign = (f1b * f2a - f1a * f2b).sign();
-  if (sign == 0) {
-    const Expansion fall = f2a - f2b;
-    sign = sign_of_ties({{owner.rank, fall + rise}, {on_bisector.rank, -fall}, {j.rank, -rise}});
-  }
-  return sign * rise.sign() < 0;
+  const auto [numerator, denominator] = filter::on_edge(a, b, *owner.point, *on_bisector.point, *j.point);
+  const bool decided = numerator.certain() && numerator.value != 0;
+  const int above = decided ? numerator.sign() : exact_numerator_on_edge(a, b, owner, on_bisector, j);
+  return above *
+             sign_of(denominator,
+                     [&] { return exact_slope(*owner.point, *on_bisector.point, exact_difference(b, a)); }) <
+         0;
 }
 
-// T = F3 . (F1 x F2) = det(F1, F2, F3). A shift d of a row adds d times the determinant with that row
-// replaced by (1, 1, 1); two shifted rows add nothing more.
 bool beats_in_facet(const FacetCorners& facet, const RankedPoint3& owner, const RankedPoint3& first,
                     const RankedPoint3& second, const RankedPoint3& j) {
-  const Form f1(facet, owner, first), f2(facet, owner, second), f3(facet, owner, j);
-  const Corner corner(f1, f2);
-  const Expansion d = corner.sum();
-  int sign = (f3.f[0] * corner.l[0] + f3.f[1] * corner.l[1] + f3.f[2] * corner.l[2]).sign();
-  if (sign == 0) {
-    const Expansion d1 = Corner(f2, f3).sum(), d2 = Corner(f3, f1).sum();  // det(1, F2, F3), det(F1, 1, F3)
-    sign = sign_of_ties({{owner.rank, d1 + d2 + d}, {first.rank, -d1}, {second.rank, -d2}, {j.rank, -d}});
-  }
-  return sign * d.sign() < 0;
+  const auto [numerator, denominator] =
+      filter::in_facet(facet, *owner.point, *first.point, *second.point, *j.point);
+  const bool decided = numerator.certain() && numerator.value != 0;
+  const int above = decided ? numerator.sign() : exact_numerator_in_facet(facet, owner, first, second, j);
+  return above * sign_of(denominator,
+                         [&] {
+                           return exact_denominator_in_facet(facet, owner.point->position,
+                                                             first.point->position, second.point->position);
+                         }) <
+         0;
 }
 
 }  // namespace geom

@@ -1,7 +1,11 @@
 #include "geom/expansion.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "geom/check.h"
 
@@ -37,97 +41,78 @@ TwoTerms two_product(double a, double b) {
 #endif
 }
 
-}  // namespace
+/// A sum of doubles under construction: zeros are left out.
+struct Writer {
+  double* terms;
+  std::size_t size = 0;
+  void push(double term) {
+    terms[size] = term;
+    size += term != 0;
+  }
+};
 
-Expansion::Expansion(double a) { push(inline_.data(), a); }
+/// Doubles for a while.
+class Scratch {
+ public:
+  double* take(std::size_t count) {
+    if (used_ + count <= local_.size()) return local_.data() + std::exchange(used_, used_ + count);
+    return spilled_.emplace_back(new double[count]).get();
+  }
 
-double* Expansion::reserve(std::size_t capacity) {
-  if (capacity <= inline_capacity) return inline_.data();
-  spilled_.resize(capacity);
-  return spilled_.data();
-}
+ private:
+  std::size_t used_ = 0;
+  std::array<double, 160> local_;
+  std::vector<std::unique_ptr<double[]>> spilled_;
+};
 
-Expansion Expansion::difference(double a, double b) {
-  const TwoTerms t = two_sum(a, -b);
-  Expansion result(t.tail);
-  result.push(result.inline_.data(), t.head);
-  return result;
-}
+struct Terms {
+  const double* begin;
+  std::size_t size;
+};
 
-Expansion Expansion::product(double a, double b) {
-  const TwoTerms t = two_product(a, b);
-  Expansion result(t.tail);
-  result.push(result.inline_.data(), t.head);
-  return result;
-}
-
-Expansion Expansion::operator-() const {
-  Expansion result = *this;
-  double* terms = result.spilled_.empty() ? result.inline_.data() : result.spilled_.data();
-  for (std::size_t i = 0; i < size_; ++i) terms[i] = -terms[i];
-  return result;
-}
-
-/// Shewchuk's fast expansion sum with zero elimination: merge by magnitude, then carry upwards.
-Expansion Expansion::sum(const Expansion& a, const Expansion& b, double sign_of_b) {
-  if (b.size_ == 0) return a;
-  if (a.size_ == 0) return sign_of_b < 0 ? -b : b;
-  Expansion result;
-  double* out = result.reserve(a.size_ + b.size_);
-  const double *p = a.terms(), *p_end = p + a.size_, *q = b.terms(), *q_end = q + b.size_;
+/// Shewchuk's fast expansion sum with zero elimination: merge by magnitude, then carry upwards. Neither may
+/// be empty; `out` has room for both.
+std::size_t add(Terms a, Terms b, double sign_of_b, double* out) {
+  Writer result{out};
+  const double *p = a.begin, *p_end = p + a.size, *q = b.begin, *q_end = q + b.size;
   const auto next = [&] {
     if (q == q_end || (p != p_end && std::abs(*p) < std::abs(*q))) return *p++;
     return sign_of_b * *q++;
   };
   const double first = next();
   TwoTerms carry = fast_two_sum(next(), first);
-  result.push(out, carry.tail);
+  result.push(carry.tail);
   while (p != p_end || q != q_end) {
     carry = two_sum(carry.head, next());
-    result.push(out, carry.tail);
+    result.push(carry.tail);
   }
-  result.push(out, carry.head);
-  return result;
+  result.push(carry.head);
+  return result.size;
 }
 
-Expansion operator+(const Expansion& a, const Expansion& b) { return Expansion::sum(a, b, 1); }
-Expansion operator-(const Expansion& a, const Expansion& b) { return Expansion::sum(a, b, -1); }
-
-/// Shewchuk's scale expansion.
-Expansion Expansion::scaled(double factor) const {
-  Expansion result;
-  if (size_ == 0 || factor == 0) return result;
-  double* out = result.reserve(2 * size_);
-  const double* e = terms();
-  TwoTerms carry = two_product(e[0], factor);
-  result.push(out, carry.tail);
-  for (std::size_t i = 1; i < size_; ++i) {
-    const TwoTerms product = two_product(e[i], factor);
+/// Shewchuk's scale expansion. `out` has room for twice as many terms, at least one.
+std::size_t scale(Terms a, double factor, double* out) {
+  Writer result{out};
+  TwoTerms carry = two_product(a.begin[0], factor);
+  result.push(carry.tail);
+  for (std::size_t i = 1; i < a.size; ++i) {
+    const TwoTerms product = two_product(a.begin[i], factor);
     const TwoTerms low = two_sum(carry.head, product.tail);
-    result.push(out, low.tail);
+    result.push(low.tail);
     carry = fast_two_sum(product.head, low.head);
-    result.push(out, carry.tail);
+    result.push(carry.tail);
   }
-  result.push(out, carry.head);
-  return result;
+  result.push(carry.head);
+  return result.size;
 }
 
-Expansion operator*(const Expansion& a, const Expansion& b) {
-  const Expansion &shorter = a.size_ <= b.size_ ? a : b, &longer = a.size_ <= b.size_ ? b : a;
-  Expansion result;
-  for (std::size_t i = 0; i < shorter.size_; ++i) result = result + longer.scaled(shorter.terms()[i]);
-  result.compress();
-  return result;
-}
-
-/// Shewchuk's compression: a pass down that gathers the value in as few terms as possible, a pass up that
-/// drops the zeros.
-void Expansion::compress() {
-  if (size_ < 2) return;
-  double* e = spilled_.empty() ? inline_.data() : spilled_.data();
-  std::size_t bottom = size_ - 1;
+/// Shewchuk's compression, in place: a pass down that gathers the value in as few terms as possible, a pass
+/// up that drops the zeros.
+std::size_t compress(double* e, std::size_t size) {
+  if (size < 2) return size;
+  std::size_t bottom = size - 1;
   double q = e[bottom];
-  for (std::size_t i = size_ - 1; i-- > 0;) {
+  for (std::size_t i = size - 1; i-- > 0;) {
     const TwoTerms t = fast_two_sum(q, e[i]);
     q = t.head;
     if (t.tail != 0) {
@@ -137,13 +122,86 @@ void Expansion::compress() {
   }
   e[bottom] = q;
   std::size_t top = 0;
-  for (std::size_t i = bottom + 1; i < size_; ++i) {
+  for (std::size_t i = bottom + 1; i < size; ++i) {
     const TwoTerms t = fast_two_sum(e[i], q);
     q = t.head;
     if (t.tail != 0) e[top++] = t.tail;
   }
   e[top++] = q;
-  size_ = q == 0 ? 0 : top;
+  return q == 0 ? 0 : top;
+}
+
+}  // namespace
+
+Expansion::Expansion(double a) : size_(a != 0) { inline_[0] = a; }
+
+Expansion::Expansion(const Expansion& other) : size_(other.size_) {
+  std::copy_n(other.terms(), size_, make_room(size_));
+}
+
+Expansion::Expansion(Expansion&& other) noexcept : size_(other.size_), spilled_(std::move(other.spilled_)) {
+  if (!spilled_) std::copy_n(other.inline_.data(), size_, inline_.data());
+  other.size_ = 0;
+}
+
+Expansion& Expansion::operator=(Expansion&& other) noexcept {
+  size_ = std::exchange(other.size_, 0);
+  spilled_ = std::move(other.spilled_);
+  if (!spilled_) std::copy_n(other.inline_.data(), size_, inline_.data());
+  return *this;
+}
+
+double* Expansion::make_room(std::size_t capacity) {
+  if (capacity > inline_capacity) spilled_.reset(new double[capacity]);
+  return terms();
+}
+
+Expansion Expansion::difference(double a, double b) {
+  const TwoTerms t = two_sum(a, -b);
+  Expansion result;
+  Writer writer{result.inline_.data()};
+  writer.push(t.tail);
+  writer.push(t.head);
+  result.size_ = writer.size;
+  return result;
+}
+
+Expansion Expansion::product(double a, double b) { return Expansion(a) * Expansion(b); }
+
+Expansion Expansion::operator-() const {
+  Expansion result = *this;
+  std::transform(terms(), terms() + size_, result.terms(), std::negate());
+  return result;
+}
+
+Expansion Expansion::sum(const Expansion& a, const Expansion& b, double sign_of_b) {
+  if (b.size_ == 0) return a;
+  if (a.size_ == 0) return sign_of_b < 0 ? -b : b;
+  Scratch scratch;
+  double* terms = scratch.take(a.size_ + b.size_);
+  Expansion result;
+  result.size_ = compress(terms, add({a.terms(), a.size_}, {b.terms(), b.size_}, sign_of_b, terms));
+  std::copy_n(terms, result.size_, result.make_room(result.size_));
+  return result;
+}
+
+Expansion operator*(const Expansion& a, const Expansion& b) {
+  Expansion result;
+  if (a.size_ == 0 || b.size_ == 0) return result;
+  const Expansion &shorter = a.size_ <= b.size_ ? a : b, &longer = a.size_ <= b.size_ ? b : a;
+  const std::size_t room = 2 * a.size_ * b.size_;
+  Scratch scratch;
+  double *total = scratch.take(room), *next = scratch.take(room), *row = scratch.take(2 * longer.size_);
+  const Terms factor{longer.terms(), longer.size_};
+  std::size_t size = scale(factor, shorter.terms()[0], total);
+  for (std::size_t i = 1; i < shorter.size_; ++i) {
+    const std::size_t row_size = scale(factor, shorter.terms()[i], row);
+    size = add({total, size}, {row, row_size}, 1, next);
+    std::swap(total, next);
+  }
+  result.size_ = compress(total, size);
+  std::copy_n(total, result.size_, result.make_room(result.size_));
+  return result;
 }
 
 int Expansion::sign() const {
