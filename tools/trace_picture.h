@@ -1,0 +1,31 @@
+#pragma once
+// A neighbourhood of the restricted power diagram, drawn flat.
+
+#include <filesystem>
+
+#include "fpo/extract.h"
+#include "fpo/initial_samples.h"
+
+namespace tools {
+
+/// Looks at the cells within a radius of a sample along the normal of its facet.
+class TracePicture {
+ public:
+  /// Keeps a reference to the mesh.
+  TracePicture(const geom::TriMesh& mesh, const fpo::SurfaceSample& at, double radius);
+
+  /// Writes STEM.svg (cells, facets' edges, samples; sample x and the circle marked) and STEM.obj (the
+  /// cells).
+  void save(const geom::RestrictedPower& diagram, const std::filesystem::path& stem, geom::SiteId x,
+            const geom::EmptyCircle* circle) const;
+
+ private:
+  geom::Vec2 project(const geom::Vec3& p) const;
+  bool near(const fpo::CellPolygon& polygon) const;
+
+  const geom::TriMesh& mesh_;
+  geom::Vec3 center_, u_, v_, normal_;
+  double radius_;
+};
+
+}  // namespace tools
