@@ -1,0 +1,98 @@
+#include "fpo/pipeline.h"
+
+#include "doctest.h"
+#include "geom/check.h"
+#include "tests/fixtures/surfaces.h"
+
+using namespace fpo;
+
+namespace {
+
+RemeshResult run(const geom::TriMesh& mesh, std::size_t n, Engine engine, std::uint64_t seed = 1) {
+  RemeshOptions options;
+  options.num_samples = n;
+  options.seed = seed;
+  options.engine = engine;
+  options.optimize.max_iterations = 6;
+  return remesh(mesh, options);
+}
+
+bool same(const geom::TriMesh& a, const geom::TriMesh& b) {
+  return a.vertices() == b.vertices() && a.facets() == b.facets();
+}
+
+}  // namespace
+
+TEST_CASE("pipeline: both engines give the same bits, a repeated run too, another seed does not") {
+  for (const fixtures::NamedSurface& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const RemeshResult a = run(surface.mesh, 150, Engine::search),
+                       b = run(surface.mesh, 150, Engine::triangulation),
+                       c = run(surface.mesh, 150, Engine::search),
+                       d = run(surface.mesh, 150, Engine::search, 2);
+    CHECK(a.mesh.num_vertices() == 150);
+    CHECK(same(a.mesh, b.mesh));
+    CHECK(same(a.mesh, c.mesh));
+    CHECK(!same(a.mesh, d.mesh));
+    CHECK(a.optimization.last.delta == b.optimization.last.delta);
+  }
+}
+
+TEST_CASE("pipeline: a scaled input gives the scaled output, from tiny to huge") {
+  const geom::TriMesh mesh = fixtures::blob(5);
+  const RemeshResult unit = run(mesh, 100, Engine::search);
+  for (const int exponent : {-120, -3, 7, 130}) {
+    const double factor = std::ldexp(1.0, exponent);
+    geom::Table<geom::VertexId, geom::Vec3> vertices = mesh.vertices();
+    for (geom::Vec3& v : vertices) v *= factor;
+    const RemeshResult result = run(geom::TriMesh(std::move(vertices), mesh.facets()), 100, Engine::search);
+    for (std::size_t i = 0; i < 100; ++i)
+      CHECK(result.mesh.position(geom::VertexId(i)) == unit.mesh.position(geom::VertexId(i)) * factor);
+    CHECK(result.mesh.facets() == unit.mesh.facets());
+  }
+}
+
+TEST_CASE("pipeline: a closed smooth surface keeps its topology, and delta grows") {
+  const geom::TriMesh mesh = fixtures::blob(8);
+  RemeshOptions options;
+  options.num_samples = 300;
+  std::vector<double> deltas;
+  options.optimize.max_iterations = 20;
+  options.optimize.on_iteration = [&](const IterationReport& r) { deltas.push_back(r.delta); };
+  const RemeshResult result = remesh(mesh, options);
+  const geom::Topology t = geom::topology(result.mesh);
+  CHECK(t.manifold());
+  CHECK(t.euler == 2);
+  CHECK(t.boundary_edges == 0);
+  CHECK(t.misoriented_edges == 0);
+  CHECK(t.unreferenced_vertices == 0);
+  for (std::size_t i = 1; i < deltas.size(); ++i) CHECK(deltas[i] >= deltas[i - 1] - 1e-12);
+  CHECK(deltas.back() > 0.85);
+}
+
+TEST_CASE("pipeline: a plate thinner than the spacing of its samples is closed and of genus 0") {
+  const geom::TriMesh plate = fixtures::box(geom::Vec3(1, 1, 0.05), 6);
+  const RemeshResult result = run(plate, 150, Engine::search);
+  const geom::Topology t = geom::topology(result.mesh);
+  CHECK(result.localization.orphans > 0);
+  CHECK(result.localization.remaining == 0);
+  CHECK(result.mesh.num_vertices() == 150);
+  MESSAGE("plate: euler ", t.euler, ", non-manifold edges ", t.nonmanifold_edges);
+}
+
+TEST_CASE("pipeline: interruption keeps all samples; too few samples are refused") {
+  const geom::TriMesh mesh = fixtures::blob(5);
+  std::atomic<bool> stop{false};
+  RemeshOptions options;
+  options.num_samples = 80;
+  options.optimize.interrupted = &stop;
+  options.optimize.on_move = [&](std::size_t move) { stop = move >= 100; };
+  const RemeshResult result = remesh(mesh, options);
+  CHECK(result.optimization.reason == StopReason::interrupted);
+  CHECK(result.optimization.moves == 101);
+  CHECK(result.mesh.num_vertices() == 80);
+  options.num_samples = 1;
+  CHECK_THROWS_AS(remesh(mesh, options), geom::InputError);
+  options.num_samples = 0;
+  CHECK_THROWS_AS(remesh(mesh, options), geom::InputError);
+}
