@@ -33,7 +33,9 @@ constexpr double relative_gap = 1e-3, absolute_gap = 1e-6;  // the latter in dia
 constexpr std::size_t max_cells = 4'000'000;
 constexpr std::size_t grain = 128;        // facets or cells a thread takes at a time
 constexpr std::size_t batch_size = 2048;  // cells divided before the largest distance is looked at again
-constexpr double quadrature_parts = 6e4;  // triangles of equal area that a surface is divided into, at least
+
+// The quadrature's triangles have no edge longer than a square of this share of the surface.
+constexpr double quadrature_share = 1e-4;
 
 /// A point of one surface and what is nearest to it on the other.
 struct Probe {
@@ -49,8 +51,15 @@ struct Cell {
   double bound = 0;  ///< of the distance of its points
 };
 
-double longest_edge(const Vec3& a, const Vec3& b, const Vec3& c) {
-  return std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+std::array<Vec3, 3> positions(const Cell& cell) {
+  return {cell.corners[0].position, cell.corners[1].position, cell.corners[2].position};
+}
+double edge_length(const std::array<Vec3, 3>& q, std::size_t e) { return (q[(e + 1) % 3] - q[e]).norm(); }
+std::size_t longest_edge(const std::array<Vec3, 3>& q) {
+  std::size_t longest = 0;
+  for (const std::size_t e : {1, 2})
+    if (edge_length(q, e) > edge_length(q, longest)) longest = e;
+  return longest;
 }
 Vec3 centroid(const Cell& cell) {
   return (cell.corners[0].position + cell.corners[1].position + cell.corners[2].position) / 3;
@@ -81,7 +90,7 @@ class OneSided {
 
  private:
   struct FacetSum {
-    double weight = 0, squares = 0, max = 0;
+    double mean_square = 0, max = 0;
   };
   /// Cells that may matter, and the extremes of those that do not.
   struct Found {
@@ -91,7 +100,7 @@ class OneSided {
 
   Probe probe(const Vec3& x, FacetId hint) const;
   void probe_vertices();
-  FacetSum integrate(FacetId t, double total_area) const;
+  FacetSum integrate(FacetId t, double size) const;
   void evaluate(Cell& cell, Found& found, double limit) const;
   void divide(const Cell& cell, Found& found, double limit) const;
   bool carve(const Cell& cell, std::vector<Cell>& parts) const;
@@ -125,50 +134,57 @@ void OneSided::probe_vertices() {
   });
 }
 
-// The facet is divided into k^2 congruent triangles, k to a side, "up" ones like the facet and "down" ones
-// turned by half. In each, the three points halfway between centre and corners, of equal weight, integrate
-// polynomials of degree 2 exactly, hence the squared distance to a plane.
-OneSided::FacetSum OneSided::integrate(FacetId t, double total_area) const {
-  const Vec3 &o = from_.corner(t, 0), u = from_.corner(t, 1) - o, v = from_.corner(t, 2) - o;
+// The facet is halved across its longest edges until these are at most `size`, thin facets too. In each part
+// the three points halfway between centroid and corners, of equal weight, integrate polynomials of degree 2
+// exactly, hence the squared distance to a plane.
+OneSided::FacetSum OneSided::integrate(FacetId t, double size) const {
   FacetSum sum;
-  sum.weight = total_area > 0 ? from_.area(t) / total_area : 1;
-  const int k = std::max(
-      1, static_cast<int>(std::ceil(std::sqrt(total_area > 0 ? quadrature_parts * sum.weight : 1.0))));
   FacetId hint = vertices_[from_.facet(t)[0]].nearest;
-  const auto add_part = [&](double i, double j, double side) {
-    for (const auto& [a, b] : {std::pair(-1.0, -1.0), std::pair(2.0, -1.0), std::pair(-1.0, 2.0)}) {
-      const Probe p = probe(o + (i + side * a / 6) / k * u + (j + side * b / 6) / k * v, hint);
+  struct Part {
+    std::array<Vec3, 3> corners;
+    double share;  // of the facet's area
+  };
+  std::vector<Part> stack{{{from_.corner(t, 0), from_.corner(t, 1), from_.corner(t, 2)}, 1}};
+  while (!stack.empty()) {
+    const auto [q, share] = stack.back();
+    stack.pop_back();
+    const std::size_t e = longest_edge(q);
+    const Vec3 &a = q[e], &b = q[(e + 1) % 3], &c = q[(e + 2) % 3];
+    if ((b - a).norm() > size) {
+      const Vec3 middle = (a + b) / 2;
+      stack.push_back({{a, middle, c}, share / 2});
+      stack.push_back({{middle, b, c}, share / 2});
+      continue;
+    }
+    const Vec3 centroid = (a + b + c) / 3;
+    for (const Vec3& corner : q) {
+      const Probe p = probe((centroid + corner) / 2, hint);
       hint = p.nearest;
       sum.max = std::max(sum.max, p.distance);
-      sum.squares += p.distance * p.distance;
+      sum.mean_square += share / 3 * p.distance * p.distance;
     }
-  };
-  for (int i = 0; i < k; ++i)
-    for (int j = 0; i + j < k; ++j) {
-      add_part(i + 1.0 / 3, j + 1.0 / 3, 1);
-      if (i + j + 1 < k) add_part(i + 2.0 / 3, j + 2.0 / 3, -1);
-    }
-  sum.squares *= sum.weight / (3.0 * k * k);
+  }
   return sum;
 }
 
 OneSided::Samples OneSided::sample() {
   probe_vertices();
-  const double total_area = from_.area();
+  const double area = from_.area();
+  const double size = area > 0 ? std::sqrt(area * quadrature_share) : from_.diagonal();
   std::vector<FacetSum> sums(from_.num_facets());
   geom::parallel_ranges(sums.size(), grain, threads_, [&](std::size_t first, std::size_t last) {
-    for (FacetId t(first); t.index() < last; t = FacetId(t.value + 1))
-      sums[t.index()] = integrate(t, total_area);
+    for (FacetId t(first); t.index() < last; t = FacetId(t.value + 1)) sums[t.index()] = integrate(t, size);
   });
   Samples result;
   for (const Probe& p : vertices_) result.max = std::max(result.max, p.distance);
-  double weight = 0;
-  for (const FacetSum& s : sums) {
-    weight += s.weight;
-    result.mean_square += s.squares;
-    result.max = std::max(result.max, s.max);
+  double weights = 0;
+  for (FacetId t(0); t.index() < sums.size(); t = FacetId(t.value + 1)) {
+    const double weight = area > 0 ? from_.area(t) : 1;
+    weights += weight;
+    result.mean_square += weight * sums[t.index()].mean_square;
+    result.max = std::max(result.max, sums[t.index()].max);
   }
-  result.mean_square /= weight;
+  result.mean_square /= weights;
   return result;
 }
 
@@ -222,9 +238,9 @@ Halves OneSided::halve(const std::vector<Probe>& polygon, const Vec3& origin, co
 /// off: what is beyond an edge by no more than rounding would be cut off again and again.
 bool OneSided::carve(const Cell& cell, std::vector<Cell>& parts) const {
   const auto& f = to_.triangle(cell.nearest);
-  const double size =
-      longest_edge(cell.corners[0].position, cell.corners[1].position, cell.corners[2].position);
-  if (size > 2 * longest_edge(f[0], f[1], f[2])) return false;
+  const auto q = positions(cell);
+  const double size = edge_length(q, longest_edge(q));
+  if (size > 2 * edge_length(f, longest_edge(f))) return false;
   if (!(geom::closest_point(centroid(cell), f).barycentric.minCoeff() > 0)) return false;
   const Vec3 normal = (f[1] - f[0]).cross(f[2] - f[0]);
   const auto add = [&](const std::vector<Probe>& polygon) {
@@ -245,11 +261,7 @@ bool OneSided::carve(const Cell& cell, std::vector<Cell>& parts) const {
 
 /// At the middle of the longest edge.
 std::vector<Cell> OneSided::bisect(const Cell& cell) const {
-  const auto length2 = [&](std::size_t e) {
-    return (cell.corners[(e + 1) % 3].position - cell.corners[e].position).squaredNorm();
-  };
-  const std::size_t e = std::max({std::size_t{0}, std::size_t{1}, std::size_t{2}},
-                                 [&](std::size_t i, std::size_t j) { return length2(i) < length2(j); });
+  const std::size_t e = longest_edge(positions(cell));
   const Probe &a = cell.corners[e], &b = cell.corners[(e + 1) % 3], &c = cell.corners[(e + 2) % 3];
   const Probe middle = probe((a.position + b.position) / 2, cell.nearest);
   return {{{a, middle, c}, FacetId(), cell.bound}, {{middle, b, c}, FacetId(), cell.bound}};
