@@ -52,7 +52,9 @@ RoundedPoint corner_in_facet(const Vec3& q0, const Vec3& q1, const Vec3& q2, con
   return {q0 + b1 * u + b2 * v, 2 * (db * size + 16 * unit_roundoff * extent)};
 }
 
-// Each exact value is rounded with a relative error of at most 2u, the quotient of two with 5u.
+// Each exact value is rounded with a relative error of at most 2u, so a quotient in [0, 1] is off by 5u. With
+// M the extent, a coordinate is off by 5u * 2M and another 5u M for a + t (b - a), or by 2 * 5u * 2M and
+// another 12u M for q0 + b1 u + b2 v; times sqrt(3) that makes 26u M and 56u M.
 RoundedPoint exact_corner_on_edge(const Vec3& a, const Vec3& b, const RankedPoint3& owner,
                                   const RankedPoint3& j, double extent) {
   const Expansion fa = form_at(a, owner, j), difference = fa - form_at(b, owner, j);

@@ -22,9 +22,11 @@ struct Bisector {
 
 /// `extent` bounds every coordinate of p0, pj and of the locations at which f will be evaluated.
 ///
-/// Error: with u = 2^-53 the rounded normal . x is off by at most 5u |n|_1 M, the offset by 7u |n|_1 M + 2u
-/// |wj - w0|, the last subtraction by u (2 |n|_1 M + |wj - w0|), to first order. 16u (|n|_1 M + |wj - w0|)
-/// covers the sum and the higher orders.
+/// Error: let u = 2^-53, n the normal, |.|_1 the sum of magnitudes, M the extent. The rounded normal . x is
+/// off by at most 4u |n|_1 M (a difference, a product, two sums), (p0 - pj).(p0 + pj) by 5u |n|_1 M, dw by
+/// u |dw|, their sum by u (|n|_1 M + |dw|), the last subtraction by u (2 |n|_1 M + |dw|): together
+/// u (12 |n|_1 M + 3 |dw|) to first order. As |n|_1 <= sqrt(3) |n|, 32u (|n| M + |dw|) leaves a third for the
+/// higher orders and the rounding of the bound.
 inline Bisector bisector(const WeightedPoint3& p0, const WeightedPoint3& pj, double extent) {
   const Vec3 d = p0.position - pj.position, s = p0.position + pj.position;
   const double dw = pj.weight - p0.weight;
@@ -42,8 +44,8 @@ inline LinearForm linear_form(const Bisector& b, const Vec3& q0, const Vec3& q1,
   return {{b(q0), b(q1), b(q2)}, b.error};
 }
 
-/// A rounded location: the exact one differs by at most `tolerance` in every coordinate (infinity: unknown,
-/// but both lie in the facet).
+/// A rounded location: the exact one is at most `tolerance` away (infinity: unknown, but both lie in the
+/// facet).
 struct RoundedPoint {
   Vec3 position;
   double tolerance;

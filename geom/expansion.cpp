@@ -70,10 +70,15 @@ struct Terms {
   std::size_t size;
 };
 
-/// Shewchuk's fast expansion sum with zero elimination: merge by magnitude, then carry upwards. Neither may
-/// be empty; `out` has room for both.
+/// Shewchuk's fast expansion sum with zero elimination: merge by magnitude, then carry upwards. `out` has
+/// room for both.
 std::size_t add(Terms a, Terms b, double sign_of_b, double* out) {
   Writer result{out};
+  if (a.size + b.size < 2) {
+    for (std::size_t i = 0; i < a.size; ++i) result.push(a.begin[i]);
+    for (std::size_t i = 0; i < b.size; ++i) result.push(sign_of_b * b.begin[i]);
+    return result.size;
+  }
   const double *p = a.begin, *p_end = p + a.size, *q = b.begin, *q_end = q + b.size;
   const auto next = [&] {
     if (q == q_end || (p != p_end && std::abs(*p) < std::abs(*q))) return *p++;

@@ -2,6 +2,7 @@
 
 #include "geom/expansion.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -72,6 +73,50 @@ TEST_CASE("expansions: random expressions equal those of exact numbers") {
                                          : a - a * Pair{Expansion(1), 1});
     }
     for (const Pair& number : numbers) compare(number);
+  }
+}
+
+// Sums of numbers far apart have many terms, more than fit without allocation.
+TEST_CASE("expansions: long sums and their products") {
+  Rng rng(4);
+  std::size_t longest = 0;
+  for (int i = 0; i < 200; ++i) {
+    Pair sums[2];
+    for (Pair& sum : sums)
+      for (int k = 0; k < 12; ++k) sum = i % 2 == 0 ? sum + leaf(rng, 400) : leaf(rng, 400) - sum;
+    const Pair product = sums[0] * sums[1];
+    longest = std::max(longest, product.expansion.size());
+    compare(product);
+    Pair copy = product;
+    copy = copy - sums[0] * sums[1];
+    CHECK(copy.expansion.size() == 0);
+    copy = product;
+    CHECK((-copy.expansion + product.expansion).size() == 0);
+  }
+  CHECK(longest > 24);
+}
+
+TEST_CASE("expansions: the rounded value is off by less than a unit in the last place") {
+  Rng rng(5);
+  for (int i = 0; i < 5000; ++i) {
+    Pair number = leaf(rng, 60) * leaf(rng, 60) - leaf(rng, 60) * leaf(rng, 60);
+    // Leave the tail of a product behind: what was rounded away is now what counts.
+    for (const auto cuts = rng.below(4); const auto cut : {0u, 1u, 2u})
+      if (cut < cuts)
+        number = number - Pair{Expansion(number.expansion.approximate()), number.expansion.approximate()};
+    const double rounded = number.expansion.approximate(), size = std::abs(rounded);
+    const Rational error = Rational(rounded) - number.rational, unit = std::nextafter(size, 1e300) - size;
+    CHECK((error * error - unit * unit).sign() <= 0);
+    CHECK((rounded > 0) - (rounded < 0) == number.rational.sign());
+  }
+}
+
+// Beyond the valid range (expansion.h) results may be wrong; the program must not be.
+TEST_CASE("expansions: underflow stays within the arrays") {
+  for (const double tiny : {5e-324, 3e-310, 1e-200, 1e-160}) {
+    const Expansion a = Expansion::difference(tiny, 1e-300), b = a * a, c = b * a + Expansion(tiny) - b;
+    CHECK(c.size() < 50);
+    CHECK((c * c - b).size() < 50);
   }
 }
 
