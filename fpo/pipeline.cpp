@@ -23,17 +23,33 @@ geom::TriMesh scaled(const geom::TriMesh& mesh, double factor) {
   return geom::TriMesh(std::move(vertices), mesh.facets());
 }
 
+Sizing sizing_of(const geom::TriMesh& surface, const RemeshOptions& options) {
+  if (!options.rho.empty()) return fit_sizing(surface, options.rho, options.num_samples, options.limits);
+  return Sizing::uniform(hexagonal_spacing(surface.area(), options.num_samples));
+}
+
 RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {
   RemeshResult result;
-  const std::vector<SurfaceSample> initial = random_samples(surface, options.num_samples, options.seed);
-  SurfaceDomain domain(surface, initial, {options.engine, options.corners, options.seed});
+  const Sizing sizing = sizing_of(surface, options);
+  SurfaceOptions surface_options = options.surface;
+  surface_options.seed = options.seed;
+  SurfaceDomain domain(surface, sizing, random_samples(surface, sizing, options.num_samples, options.seed),
+                       surface_options);
   OptimizeOptions optimization = options.optimize;
   optimization.seed = options.seed;
   optimization.order = VisitOrder::in_turn;  // the initial samples are in random order already
+  if (options.shortest_edge_removal) {
+    ShortestEdgeOptions removal;
+    removal.interrupted = optimization.interrupted;
+    result.shortest_edges = remove_shortest_edges(domain, removal);
+  }
   result.optimization = optimize(domain, optimization);
+  result.hidden = domain.num_hidden();
   result.localization = domain.localize();
   result.mesh = extract(domain.diagram(), domain.num_samples());
   for (std::size_t i = 0; i < domain.num_samples(); ++i) result.samples.push_back(domain.sample(SiteId(i)));
+  for (std::size_t v = 0; v < surface.num_vertices(); ++v)
+    result.sizing.push_back(sizing.at(geom::VertexId(v)));
   if (options.keep_cells) result.cells = cell_polygons(domain.diagram());
   return result;
 }
@@ -41,10 +57,13 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
 }  // namespace
 
 RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options) try {
+  geom::require(input.area() > 0 && options.num_samples > 0,
+                "the surface has no area or the samples no number");
   const double factor = scale_to_unit(input);
   RemeshResult result = remesh_in_unit_box(scaled(input, factor), options);
   result.mesh = scaled(result.mesh, 1 / factor);
   for (SurfaceSample& sample : result.samples) sample.position /= factor;
+  for (double& h : result.sizing) h /= factor;
   for (CellPolygon& cell : result.cells)
     for (geom::Vec3& corner : cell.corners) corner /= factor;
   return result;

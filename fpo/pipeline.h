@@ -6,6 +6,8 @@
 
 #include "fpo/extract.h"
 #include "fpo/optimize.h"
+#include "fpo/shortest_edge.h"
+#include "fpo/sizing.h"
 #include "fpo/surface_domain.h"
 
 namespace fpo {
@@ -13,17 +15,22 @@ namespace fpo {
 struct RemeshOptions {
   std::size_t num_samples = 0;
   std::uint64_t seed = 1;  ///< of the initial samples, which are then moved in turn
-  Engine engine = Engine::search;
-  geom::CornerTypes corners = geom::CornerTypes::c_only;
-  OptimizeOptions optimize;  ///< its seed and order are overruled
-  bool keep_cells = false;   ///< fill RemeshResult::cells
+  VertexField rho;         ///< wanted edge lengths up to a factor, per vertex of the input; empty: uniform
+  SizingLimits limits;     ///< of what is made of rho
+  SurfaceOptions surface;  ///< its seed is overruled
+  bool shortest_edge_removal = false;  ///< before the optimization (section 4.3)
+  OptimizeOptions optimize;            ///< its seed and order are overruled
+  bool keep_cells = false;             ///< fill RemeshResult::cells
 };
 
 struct RemeshResult {
   geom::TriMesh mesh;                  ///< vertex i is sample i
   std::vector<SurfaceSample> samples;  ///< position and facet of the input
+  VertexField sizing;                  ///< the wanted edge length at each vertex of the input
+  ShortestEdgeResult shortest_edges;
   OptimizeResult optimization;
   Localization localization;
+  std::size_t hidden = 0;          ///< samples without a cell, hence without a triangle
   std::vector<CellPolygon> cells;  ///< the restricted power diagram
 };
 

@@ -1,8 +1,8 @@
 #include "fpo/surface_domain.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include "geom/check.h"
@@ -13,6 +13,8 @@
 namespace fpo {
 namespace {
 
+constexpr Circle no_circle{-std::numeric_limits<double>::infinity(), CircleId()};
+
 std::unique_ptr<geom::NeighbourSource> make_source(Engine engine, const geom::Box3& box) {
   if (engine == Engine::search) return std::make_unique<geom::SiteTree>();
   return std::make_unique<geom::TriangulationSource>(box);
@@ -20,17 +22,20 @@ std::unique_ptr<geom::NeighbourSource> make_source(Engine engine, const geom::Bo
 
 }  // namespace
 
-double hexagonal_spacing(double area, std::size_t n) {
-  return std::sqrt(2 * area / (std::numbers::sqrt3 * static_cast<double>(n)));
-}
-
 SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, std::span<const SurfaceSample> samples,
                              const SurfaceOptions& options)
+    : SurfaceDomain(mesh, Sizing::uniform(hexagonal_spacing(mesh.area(), samples.size())), samples, options) {
+}
+
+SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,
+                             std::span<const SurfaceSample> samples, const SurfaceOptions& options)
     : mesh_(mesh),
+      sizing_(sizing),
+      weight_factor_(sizing.is_uniform() ? 0 : options.weight_factor),
       samples_(samples.begin(), samples.end()),
-      hexagonal_spacing_(hexagonal_spacing(mesh.area(), samples.size())),
-      neighbours_(make_source(options.engine, mesh.box())),
-      diagram_(std::make_unique<geom::RestrictedPower>(mesh, *neighbours_, options.corners)),
+      weight_share_(samples.size(), 1.0),
+      source_(make_source(options.engine, mesh.box())),
+      diagram_(std::make_unique<geom::RestrictedPower>(mesh, *source_, options.corners)),
       circles_(CircleOrder{diagram_.get()}) {
   geom::require(!samples.empty(), "there must be at least one sample");
   std::vector<SiteId> order;
@@ -39,21 +44,62 @@ SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, std::span<const SurfaceS
   for (const SiteId x : order) insert(x, SiteId());
 }
 
-double SurfaceDomain::separation(SiteId x) {
-  return neighbours_->nearest(samples_[x].position, x, x).radius2;
+double SurfaceDomain::weight_at(SiteId x) const {
+  if (weight_factor_ == 0) return 0;
+  const double radius = weight_factor_ * sizing_.at(samples_[x]);
+  return weight_share_[x] * radius * radius;
 }
+
+double SurfaceDomain::separation(SiteId x) { return source_->nearest(samples_[x].position, x, x).radius2; }
 
 // One move, forward only: the neighbour source, then the diagram, then the heap.
 
 void SurfaceDomain::remove(SiteId x) {
-  neighbours_->remove(x);
+  near_removed_ = SiteId();
+  if (!diagram_->fragments().first_of_cell(x).valid())
+    near_removed_ = source_->nearest(samples_[x].position, x, x).site;
+  source_->remove(x);
   apply(diagram_->after_remove(x));
 }
 
 Circle SurfaceDomain::largest_empty(Scope scope) {
-  geom::ensure(scope == Scope::global, "the local scope on surfaces does not exist yet");
-  if (circles_.empty()) return {-std::numeric_limits<double>::infinity(), CircleId()};
+  if (scope == Scope::two_ring) return largest_in_two_ring();
+  if (circles_.empty()) return no_circle;
   return {circles_.top().key, circles_.top().slot};
+}
+
+/// Among the circles on the cells of the removed sample's neighbours: two rings of the RRT around it. Each
+/// circle is kept with one of its cells only, so the cells of the second ring are looked through too.
+Circle SurfaceDomain::largest_in_two_ring() {
+  first_ring_ = last_change_->cells;
+  if (first_ring_.empty()) first_ring_.push_back(near_removed_);  // it was hidden
+  ring_ = first_ring_;
+  for (const SiteId y : first_ring_) {
+    neighbours(y, link_);
+    ring_.insert(ring_.end(), link_.begin(), link_.end());
+  }
+  std::ranges::sort(ring_);
+  ring_.erase(std::unique(ring_.begin(), ring_.end()), ring_.end());
+
+  nearby_circles_.clear();
+  const geom::FragmentStore& fragments = diagram_->fragments();
+  for (const SiteId y : ring_)
+    for (geom::FragmentId f = fragments.first_of_cell(y); f.valid(); f = fragments.next_in_cell(f))
+      diagram_->circles_at(f, nearby_circles_);
+  CircleId best;
+  for (const CircleId c : nearby_circles_) {
+    const bool near = std::ranges::any_of(diagram_->circle(c).sites, [&](SiteId s) {
+      return std::ranges::find(first_ring_, s) != first_ring_.end();
+    });
+    if (near && (!best.valid() || larger(c, best))) best = c;
+  }
+  return best.valid() ? Circle{diagram_->circle(best).radius2, best} : no_circle;
+}
+
+/// The heap's order.
+bool SurfaceDomain::larger(CircleId a, CircleId b) const {
+  const double ra = diagram_->circle(a).radius2, rb = diagram_->circle(b).radius2;
+  return ra > rb || (ra == rb && diagram_->circle_before(a, b));
 }
 
 void SurfaceDomain::insert_at(SiteId x, const Circle& c) {
@@ -68,8 +114,8 @@ void SurfaceDomain::put_back(SiteId x) {
 }
 
 void SurfaceDomain::insert(SiteId x, SiteId hint) {
-  const geom::WeightedPoint3 point{samples_[x].position, 0};
-  neighbours_->insert(x, point, hint);
+  const geom::WeightedPoint3 point{samples_[x].position, weight_at(x)};
+  source_->insert(x, point, hint);
   apply(diagram_->after_insert(x, point));
 }
 
@@ -79,7 +125,37 @@ void SurfaceDomain::apply(const geom::RestrictedPower::Change& change) {
   last_change_ = &change;
 }
 
-double SurfaceDomain::normalized_spacing(SiteId x) { return std::sqrt(separation(x)) / hexagonal_spacing_; }
+double SurfaceDomain::normalized_spacing(SiteId x) {
+  const double h = sizing_.at(samples_[x]);
+  if (sizing_.is_uniform()) return std::sqrt(separation(x)) / h;
+  neighbours(x, link_);
+  double least2 = std::numeric_limits<double>::infinity();
+  for (const SiteId y : link_)
+    least2 = std::min(least2, (samples_[y].position - samples_[x].position).squaredNorm());
+  return std::sqrt(least2) / h;
+}
+
+void SurfaceDomain::neighbours(SiteId x, std::vector<SiteId>& out) {
+  diagram_->adjacent(x, out);
+  if (!out.empty() || num_samples() == 1) return;
+  const SiteId hider = source_->nearest(samples_[x].position, x, x).site;
+  if (hider.valid()) out.push_back(hider);
+}
+
+void SurfaceDomain::set_weight_share(SiteId x, double share) {
+  geom::ensure(share >= 0 && share <= 1, "the share of a weight must be in [0, 1]");
+  if (share == weight_share_[x]) return;
+  remove(x);
+  weight_share_[x] = share;
+  put_back(x);
+}
+
+std::size_t SurfaceDomain::num_hidden() const {
+  std::size_t hidden = 0;
+  for (std::size_t i = 0; i < num_samples(); ++i)
+    hidden += !diagram_->fragments().first_of_cell(SiteId(i)).valid();
+  return hidden;
+}
 
 Localization SurfaceDomain::localize() {
   return fpo::localize(*diagram_, std::span<const SurfaceSample>(samples_.data(), samples_.size()));

@@ -1,6 +1,10 @@
 #pragma once
 // Farthest point optimization on a surface (paper, section 4): the samples, their restricted power diagram,
 // and the heap of empty circles.
+//
+// A sample where the sizing wants edges of length h has weight (c h)^2 (section 3.2 with k chosen so that the
+// weight is a squared length), or 0 if the sizing is uniform. The weight is that of the sample's own place:
+// it changes as the sample moves.
 
 #include <memory>
 #include <span>
@@ -17,6 +21,7 @@ namespace fpo {
 enum class Engine { search, triangulation };
 
 struct SurfaceOptions {
+  double weight_factor = 0.75;  ///< c; without effect if the sizing is uniform
   Engine engine = Engine::search;
   geom::CornerTypes corners = geom::CornerTypes::c_only;
   std::uint64_t seed =
@@ -27,6 +32,9 @@ class SurfaceDomain final : public Domain {
  public:
   /// Keeps a reference to the mesh. Builds the diagram of the samples by inserting them in random order: O(F
   /// + n log n) expected. Throws InputError if there is no sample or no facet.
+  SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing, std::span<const SurfaceSample> samples,
+                const SurfaceOptions& options = {});
+  /// With uniform sizing.
   SurfaceDomain(const geom::TriMesh& mesh, std::span<const SurfaceSample> samples,
                 const SurfaceOptions& options = {});
 
@@ -36,8 +44,20 @@ class SurfaceDomain final : public Domain {
   Circle largest_empty(Scope scope) override;
   void insert_at(SiteId x, const Circle& c) override;
   void put_back(SiteId x) override;
+  /// Distance over h. If the sizing is uniform, to the nearest sample in space; else to the nearest of
+  /// neighbours(x), which power does not order by distance.
   double normalized_spacing(SiteId x) override;
+  /// The samples whose cells border on that of x (the RRT of section 4.1); of a hidden sample the one that
+  /// hides it.
+  void neighbours(SiteId x, std::vector<SiteId>& out) override;
   void check() const override;
+
+  /// The weight of x is to be `share` (in [0, 1]) of what the sizing gives, now and wherever it goes (angle
+  /// optimization, section 5). Removes and inserts x if that changes its weight.
+  void set_weight_share(SiteId x, double share);
+  double weight_share(SiteId x) const { return weight_share_[x]; }
+  /// Samples with an empty cell.
+  std::size_t num_hidden() const;
 
   const SurfaceSample& sample(SiteId x) const { return samples_[x]; }
   const geom::RestrictedPower& diagram() const { return *diagram_; }
@@ -46,7 +66,8 @@ class SurfaceDomain final : public Domain {
   const geom::TriMesh& mesh() const { return mesh_; }
   /// What the last removal or insertion changed.
   const geom::RestrictedPower::Change& last_change() const { return *last_change_; }
-  const geom::NeighbourSource& neighbours() const { return *neighbours_; }
+  const geom::NeighbourSource& source() const { return *source_; }
+  const Sizing& sizing() const { return sizing_; }
 
  private:
   struct CircleOrder {
@@ -55,18 +76,23 @@ class SurfaceDomain final : public Domain {
   };
 
   void insert(SiteId x, SiteId hint);
+  double weight_at(SiteId x) const;
+  Circle largest_in_two_ring();
+  bool larger(CircleId a, CircleId b) const;
   void apply(const geom::RestrictedPower::Change& change);
 
   const geom::TriMesh& mesh_;
+  Sizing sizing_;
+  double weight_factor_;  ///< 0 if the sizing is uniform
   geom::Table<SiteId, SurfaceSample> samples_;
-  double hexagonal_spacing_;  ///< d_max of section 2.1
-  std::unique_ptr<geom::NeighbourSource> neighbours_;
+  geom::Table<SiteId, double> weight_share_;
+  std::unique_ptr<geom::NeighbourSource> source_;
   std::unique_ptr<geom::RestrictedPower> diagram_;
   geom::IndexedHeap<CircleId, CircleOrder> circles_;
   const geom::RestrictedPower::Change* last_change_ = nullptr;
+  SiteId near_removed_;                           ///< a sample near the removed one if that was hidden
+  std::vector<SiteId> first_ring_, ring_, link_;  // workspaces
+  std::vector<CircleId> nearby_circles_;          // likewise
 };
-
-/// d_max of section 2.1: the spacing of n samples in hexagonal arrangement on the given area.
-double hexagonal_spacing(double area, std::size_t n);
 
 }  // namespace fpo

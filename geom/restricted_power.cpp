@@ -70,6 +70,27 @@ double RestrictedPower::commit(FragmentId f, FacetPolygon& polygon) {
   return max_radius2;
 }
 
+void RestrictedPower::adjacent(SiteId p, std::vector<SiteId>& out) const {
+  out.clear();
+  for (FragmentId f = store_.first_of_cell(p); f.valid(); f = store_.next_in_cell(f))
+    for (const PolygonCorner& corner : store_.corners(f))
+      if (corner.edge.is_site()) out.push_back(corner.edge.site());
+  std::ranges::sort(out);
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+}
+
+void RestrictedPower::circles_at(FragmentId f, std::vector<CircleId>& out) const {
+  std::array<PolygonCorner, 3> buffer;
+  const std::span<const PolygonCorner> corners = store_.corners(f, buffer);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    if (corners[k].circle.valid()) out.push_back(corners[k].circle);
+    const EdgeLabel before = corners[k == 0 ? corners.size() - 1 : k - 1].edge, after = corners[k].edge;
+    if (types_ == CornerTypes::c_only || before.is_site() || after.is_site()) continue;
+    const CircleId c = vertex_circle_[mesh_.facet(store_.facet(f))[static_cast<std::size_t>(after.edge())]];
+    if (c.valid()) out.push_back(c);
+  }
+}
+
 void RestrictedPower::forget(FragmentId f) {
   for (const PolygonCorner& corner : store_.corners(f))
     if (corner.circle.valid()) erase_circle(corner.circle);

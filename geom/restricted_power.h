@@ -71,6 +71,14 @@ class RestrictedPower {
   /// An upper bound of the power of the locations in p's cell; -infinity if that has always been empty.
   double reach(SiteId p) const { return reach_[p]; }
 
+  /// The sites whose cells border on that of p inside a facet, ascending: the link of p in the dual, the
+  /// restricted regular triangulation.
+  void adjacent(SiteId p, std::vector<SiteId>& out) const;
+
+  /// Appends the circles at the corners of a fragment, those that are registered in it (each circle is in one
+  /// fragment of the up to three cells that meet there; that of a mesh vertex in each of its cell's).
+  void circles_at(FragmentId f, std::vector<CircleId>& out) const;
+
   /// A fragment by labels alone, the cycle starting at its smallest label.
   struct Canonical {
     FacetId facet;

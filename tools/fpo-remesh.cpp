@@ -8,6 +8,7 @@
 #include "io/mesh_picture.h"
 #include "io/points.h"
 #include "io/polygons.h"
+#include "io/values.h"
 #include "tools/cli.h"
 #include "tools/interrupt.h"
 #include "tools/progress.h"
@@ -33,6 +34,7 @@ void write_outputs(const tools::RemeshArguments& a, const fpo::RemeshResult& res
     io::draw_mesh(result.mesh, picture).save(a.picture);
   }
   if (!a.log.empty()) io::write_file(a.log, log);
+  if (!a.sizing_out.empty()) io::write_values(a.sizing_out, {result.sizing.data(), result.sizing.size()});
 }
 
 void warn_if_not_homeomorphic(const geom::TriMesh& input, const geom::TriMesh& output) {
@@ -69,6 +71,7 @@ int remesh(tools::CommandLine& cli) {
   tools::RemeshArguments a = tools::parse_remesh_arguments(cli);
   const geom::TriMesh input = io::read_mesh(a.input);
   geom::require(input.area() > 0, a.input.string() + ": the surface has no area");
+  a.remesh.rho = tools::wanted_sizes(a, input);
 
   std::string log = "iteration,moved,delta,mean_delta,seconds\n";
   tools::Progress progress("optimizing", cli.quiet());

@@ -3,6 +3,7 @@
 #include "io/atomic_file.h"
 #include "io/mesh_io.h"
 #include "io/points.h"
+#include "io/values.h"
 
 namespace tools {
 namespace {
@@ -53,20 +54,31 @@ void parse(CommandLine& cli, RemeshArguments& a) {
               .value = "c|all",
               .help = "where the farthest point may lie: on type C corners as in the "
                       "paper, or on A and B too"},
-             a.remesh.corners, {{"c", geom::CornerTypes::c_only}, {"all", geom::CornerTypes::all}});
+             a.remesh.surface.corners, {{"c", geom::CornerTypes::c_only}, {"all", geom::CornerTypes::all}});
   cli.choice(
       {.name = "engine", .value = "search|triangulation", .help = "where neighbours come from; same result"},
-      a.remesh.engine, {{"search", fpo::Engine::search}, {"triangulation", fpo::Engine::triangulation}});
-  declare_later(cli, {.name = "sizing", .value = "KIND", .help = "wanted edge lengths"}, "uniform");
+      a.remesh.surface.engine,
+      {{"search", fpo::Engine::search}, {"triangulation", fpo::Engine::triangulation}});
+  cli.text({.name = "sizing",
+            .value = "uniform|FILE",
+            .help = "wanted edge lengths; FILE: a number per vertex of INPUT"},
+           a.sizing);
+  cli.number({.name = "gradation", .value = "G", .help = "the wanted length changes by at most G per length"},
+             a.remesh.limits.gradation, 0.001, 10);
+  cli.number({.name = "weight-scale", .value = "C", .help = "a sample's weight is (C wanted length)^2"},
+             a.remesh.surface.weight_factor, 0, 2);
+  cli.path({.name = "sizing-out", .value = "FILE", .help = "the wanted length at each vertex of INPUT"},
+           a.sizing_out);
   declare_later(cli, {.name = "features", .value = "KIND", .help = "creases and borders to keep"}, "none");
-  declare_later(cli, "gradation", "limit of the sizing's slope");
-  bool ser = false, local = false, global = true, angles = false;
-  cli.toggle({.name = "ser", .help = "shortest edge removal first (not yet)"}, ser);
+  bool local = false, global = false, angles = false;
+  cli.toggle({.name = "ser", .help = "shortest edge removal first"}, a.remesh.shortest_edge_removal);
   cli.toggle({.name = "optimize-angles", .help = "angle optimization afterwards (not yet)"}, angles);
-  cli.flag({.name = "local", .help = "look for farthest points nearby only (not yet)"}, local);
+  cli.flag({.name = "local", .help = "look for farthest points nearby only"}, local);
   cli.flag({.name = "global", .help = "look for them everywhere"}, global);
   a.input = cli.parse(1, 1).front();
-  geom::require(!ser && !local && !angles, "--ser, --local and --optimize-angles do not work yet");
+  geom::require(!angles, "--optimize-angles does not work yet");
+  geom::require(!(local && global), "--local and --global exclude each other");
+  a.remesh.optimize.scope = local ? fpo::Scope::two_ring : fpo::Scope::global;
   a.remesh.seed = cli.seed();
   a.remesh.keep_cells = !a.rpd.empty();
 }
@@ -77,7 +89,7 @@ void check_outputs(const RemeshArguments& a) {
   if (!a.points.empty())
     geom::require(io::point_format(a.points) != io::PointFormat::txt,
                   a.points.string() + ": use .xyz or .ply");
-  for (const std::filesystem::path& path : {a.output, a.points, a.rpd, a.log, a.picture})
+  for (const std::filesystem::path& path : {a.output, a.points, a.rpd, a.log, a.picture, a.sizing_out})
     if (!path.empty()) io::require_writable(path);
 }
 
@@ -88,6 +100,12 @@ RemeshArguments parse_remesh_arguments(CommandLine& cli) {
   parse(cli, a);
   check_outputs(a);
   return a;
+}
+
+fpo::VertexField wanted_sizes(const RemeshArguments& a, const geom::TriMesh& input) {
+  if (a.sizing == "uniform") return {};
+  const std::vector<double> values = io::read_positive_values(a.sizing, input.num_vertices());
+  return {values.begin(), values.end()};
 }
 
 }  // namespace tools

@@ -12,7 +12,7 @@ RemeshResult run(const geom::TriMesh& mesh, std::size_t n, Engine engine, std::u
   RemeshOptions options;
   options.num_samples = n;
   options.seed = seed;
-  options.engine = engine;
+  options.surface.engine = engine;
   options.optimize.max_iterations = 6;
   return remesh(mesh, options);
 }
