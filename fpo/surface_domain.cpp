@@ -68,31 +68,15 @@ Circle SurfaceDomain::largest_empty(Scope scope) {
   return {circles_.top().key, circles_.top().slot};
 }
 
-/// Among the circles on the cells of the removed sample's neighbours: two rings of the RRT around it. Each
-/// circle is kept with one of its cells only, so the cells of the second ring are looked through too.
+/// Among the circles on the cells of the removed sample's neighbours: two rings of the RRT around it.
 Circle SurfaceDomain::largest_in_two_ring() {
-  first_ring_ = last_change_->cells;
-  if (first_ring_.empty()) first_ring_.push_back(near_removed_);  // it was hidden
-  ring_ = first_ring_;
-  for (const SiteId y : first_ring_) {
-    neighbours(y, link_);
-    ring_.insert(ring_.end(), link_.begin(), link_.end());
-  }
-  std::ranges::sort(ring_);
-  ring_.erase(std::unique(ring_.begin(), ring_.end()), ring_.end());
-
-  nearby_circles_.clear();
-  const geom::FragmentStore& fragments = diagram_->fragments();
-  for (const SiteId y : ring_)
-    for (geom::FragmentId f = fragments.first_of_cell(y); f.valid(); f = fragments.next_in_cell(f))
-      diagram_->circles_at(f, nearby_circles_);
   CircleId best;
-  for (const CircleId c : nearby_circles_) {
-    const bool near = std::ranges::any_of(diagram_->circle(c).sites, [&](SiteId s) {
-      return std::ranges::find(first_ring_, s) != first_ring_.end();
-    });
-    if (near && (!best.valid() || larger(c, best))) best = c;
-  }
+  const auto look_around = [&](SiteId y) {
+    for (CircleId c = diagram_->first_circle(y); c.valid(); c = diagram_->next_circle(c, y))
+      if (!best.valid() || larger(c, best)) best = c;
+  };
+  for (const SiteId y : last_change_->cells) look_around(y);
+  if (last_change_->cells.empty() && near_removed_.valid()) look_around(near_removed_);
   return best.valid() ? Circle{diagram_->circle(best).radius2, best} : no_circle;
 }
 
@@ -136,7 +120,7 @@ double SurfaceDomain::normalized_spacing(SiteId x) {
 }
 
 void SurfaceDomain::neighbours(SiteId x, std::vector<SiteId>& out) {
-  diagram_->adjacent(x, out);
+  diagram_->link(x, out);
   if (!out.empty() || num_samples() == 1) return;
   const SiteId hider = source_->nearest(samples_[x].position, x, x).site;
   if (hider.valid()) out.push_back(hider);

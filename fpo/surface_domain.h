@@ -47,8 +47,7 @@ class SurfaceDomain final : public Domain {
   /// Distance over h. If the sizing is uniform, to the nearest sample in space; else to the nearest of
   /// neighbours(x), which power does not order by distance.
   double normalized_spacing(SiteId x) override;
-  /// The samples whose cells border on that of x (the RRT of section 4.1); of a hidden sample the one that
-  /// hides it.
+  /// The link of x in the RRT (section 4.1); of a sample without triangles the nearest one.
   void neighbours(SiteId x, std::vector<SiteId>& out) override;
   void check() const override;
 
@@ -90,9 +89,8 @@ class SurfaceDomain final : public Domain {
   std::unique_ptr<geom::RestrictedPower> diagram_;
   geom::IndexedHeap<CircleId, CircleOrder> circles_;
   const geom::RestrictedPower::Change* last_change_ = nullptr;
-  SiteId near_removed_;                           ///< a sample near the removed one if that was hidden
-  std::vector<SiteId> first_ring_, ring_, link_;  // workspaces
-  std::vector<CircleId> nearby_circles_;          // likewise
+  SiteId near_removed_;       ///< a sample near the removed one if that had no cell
+  std::vector<SiteId> link_;  // workspace
 };
 
 }  // namespace fpo

@@ -70,25 +70,13 @@ double RestrictedPower::commit(FragmentId f, FacetPolygon& polygon) {
   return max_radius2;
 }
 
-void RestrictedPower::adjacent(SiteId p, std::vector<SiteId>& out) const {
+void RestrictedPower::link(SiteId p, std::vector<SiteId>& out) const {
   out.clear();
-  for (FragmentId f = store_.first_of_cell(p); f.valid(); f = store_.next_in_cell(f))
-    for (const PolygonCorner& corner : store_.corners(f))
-      if (corner.edge.is_site()) out.push_back(corner.edge.site());
+  for (CircleId c = first_circle(p); c.valid(); c = next_circle(c, p))
+    for (const SiteId s : circles_[c].sites)
+      if (s.valid() && s != p) out.push_back(s);
   std::ranges::sort(out);
   out.erase(std::unique(out.begin(), out.end()), out.end());
-}
-
-void RestrictedPower::circles_at(FragmentId f, std::vector<CircleId>& out) const {
-  std::array<PolygonCorner, 3> buffer;
-  const std::span<const PolygonCorner> corners = store_.corners(f, buffer);
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    if (corners[k].circle.valid()) out.push_back(corners[k].circle);
-    const EdgeLabel before = corners[k == 0 ? corners.size() - 1 : k - 1].edge, after = corners[k].edge;
-    if (types_ == CornerTypes::c_only || before.is_site() || after.is_site()) continue;
-    const CircleId c = vertex_circle_[mesh_.facet(store_.facet(f))[static_cast<std::size_t>(after.edge())]];
-    if (c.valid()) out.push_back(c);
-  }
 }
 
 void RestrictedPower::forget(FragmentId f) {
@@ -147,6 +135,7 @@ CircleId RestrictedPower::create_circle(const FacetPolygon& polygon, std::size_t
   if (free_circles_.empty()) {
     c = circles_.next_id();
     circles_.emplace_back();
+    next_circles_.emplace_back();
   } else {
     c = free_circles_.back();
     free_circles_.pop_back();
@@ -161,13 +150,31 @@ CircleId RestrictedPower::create_circle(const FacetPolygon& polygon, std::size_t
   for (const EdgeLabel label : {polygon.edge_before(corner), polygon.corners[corner].edge})
     if (label.is_site()) circle.sites[n++] = label.site();
   if (n == 3 && circle.sites[2] < circle.sites[1]) std::swap(circle.sites[1], circle.sites[2]);
+  list_circle(c);
   change_.circles_created.push_back(c);
   return c;
 }
 
 /// The id is used again only after the next update has begun, so the owner of a heap can still compare it in
 /// this one.
-void RestrictedPower::erase_circle(CircleId c) { change_.circles_erased.push_back(c); }
+void RestrictedPower::erase_circle(CircleId c) {
+  for (const SiteId s : circles_[c].sites) {
+    if (!s.valid()) break;
+    CircleId* at = &first_circles_[s];  // lists of about six
+    while (*at != c) at = &next_circles_[*at][place_of(s, *at)];
+    *at = next_circle(c, s);
+  }
+  change_.circles_erased.push_back(c);
+}
+
+void RestrictedPower::list_circle(CircleId c) {
+  for (const SiteId s : circles_[c].sites) {
+    if (!s.valid()) break;
+    if (s.index() >= first_circles_.size()) first_circles_.resize(s.index() + 1);
+    next_circles_[c][place_of(s, c)] = first_circles_[s];
+    first_circles_[s] = c;
+  }
+}
 
 bool RestrictedPower::circle_before(CircleId a, CircleId b) const {
   const EmptyCircle &x = circles_[a], &y = circles_[b];
@@ -220,6 +227,14 @@ void RestrictedPower::check() const {
   for (const CircleId c : vertex_circle_) registered += c.valid();
   ensure(registered + free_circles_.size() + change_.circles_erased.size() == circles_.size(),
          "restricted power diagram: a circle is lost");
+  std::size_t listed = 0;
+  for (SiteId s(0); s.index() < first_circles_.size(); s = SiteId(s.value + 1))
+    for (CircleId c = first_circle(s); c.valid(); c = next_circle(c, s)) {
+      ensure(std::ranges::count(circles_[c].sites, s) == 1,
+             "restricted power diagram: a circle listed at a site that it does not touch");
+      listed += circles_[c].sites[0] == s;
+    }
+  ensure(listed == registered, "restricted power diagram: circles registered and listed differ");
 }
 
 }  // namespace geom

@@ -71,13 +71,14 @@ class RestrictedPower {
   /// An upper bound of the power of the locations in p's cell; -infinity if that has always been empty.
   double reach(SiteId p) const { return reach_[p]; }
 
-  /// The sites whose cells border on that of p inside a facet, ascending: the link of p in the dual, the
+  /// The circles that touch p, each once, in an order that depends on history: the corners of its cell.
+  CircleId first_circle(SiteId p) const {
+    return p.index() < first_circles_.size() ? first_circles_[p] : CircleId();
+  }
+  CircleId next_circle(CircleId c, SiteId p) const { return next_circles_[c][place_of(p, c)]; }
+  /// The sites that share a circle with p, ascending: with type C corners the link of p in the dual, the
   /// restricted regular triangulation.
-  void adjacent(SiteId p, std::vector<SiteId>& out) const;
-
-  /// Appends the circles at the corners of a fragment, those that are registered in it (each circle is in one
-  /// fragment of the up to three cells that meet there; that of a mesh vertex in each of its cell's).
-  void circles_at(FragmentId f, std::vector<CircleId>& out) const;
+  void link(SiteId p, std::vector<SiteId>& out) const;
 
   /// A fragment by labels alone, the cycle starting at its smallest label.
   struct Canonical {
@@ -133,6 +134,11 @@ class RestrictedPower {
   void register_corners(FragmentId f, FacetPolygon& polygon);
   CircleId create_circle(const FacetPolygon& polygon, std::size_t corner, std::int32_t place);
   void erase_circle(CircleId c);
+  void list_circle(CircleId c);
+  std::size_t place_of(SiteId p, CircleId c) const {  // among the circle's sites
+    const auto& sites = circles_[c].sites;
+    return sites[0] == p ? 0 : sites[1] == p ? 1 : 2;
+  }
   double bound_radius2(const FacetPolygon& polygon) const;
 
   const TriMesh& mesh_;
@@ -143,6 +149,8 @@ class RestrictedPower {
   Clipper clipper_;
   FragmentStore store_;
   Table<CircleId, EmptyCircle> circles_;
+  Table<SiteId, CircleId> first_circles_;                  ///< of each site's list
+  Table<CircleId, std::array<CircleId, 3>> next_circles_;  ///< in the list of each of a circle's sites
   std::vector<CircleId> free_circles_;
   Table<SiteId, double> reach_;
   Table<VertexId, FacetId> first_facet_;     ///< CornerTypes::all only: where a vertex's circle is registered
