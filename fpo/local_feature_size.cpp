@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -69,6 +70,7 @@ class VoronoiBalls {
 
   std::vector<CoverPoint> points_;  ///< by site
   double min_radius_, chord_per_radius_;
+  std::uint64_t seed_;
   std::vector<Corners> cells_;
   std::vector<Ball> balls_;  ///< by cell
 };
@@ -76,7 +78,8 @@ class VoronoiBalls {
 VoronoiBalls::VoronoiBalls(std::vector<CoverPoint> points, const LocalFeatureSizeOptions& options)
     : points_(std::move(points)),
       min_radius_(options.min_radius),
-      chord_per_radius_(2 * std::sin(options.min_angle * std::numbers::pi / 360)) {
+      chord_per_radius_(2 * std::sin(options.min_angle * std::numbers::pi / 360)),
+      seed_(options.seed) {
   const Regular3 triangulation = triangulate();
   cells_ = triangulation.cells();
   balls_.reserve(cells_.size());
@@ -89,7 +92,19 @@ VoronoiBalls::VoronoiBalls(std::vector<CoverPoint> points, const LocalFeatureSiz
   }
 }
 
-/// Points go in along a space-filling curve, so that each finds the one before it nearby.
+/// Rounds of random points, each several times as many as those before it together, lest the points be all on
+/// one side of the surface that is still missing; in a round along a space-filling curve, so that each finds
+/// the one before it nearby (Amenta, Choi, Rote, Incremental constructions con BRIO, 2003).
+std::vector<std::uint32_t> insertion_order(const std::vector<Vec3>& positions, const Box3& box,
+                                           std::uint64_t seed) {
+  geom::Rng rng(seed);
+  std::vector<int> round;
+  for (std::size_t i = 0; i < positions.size(); ++i) round.push_back(-std::countr_zero(rng.bits()) / 3);
+  std::vector<std::uint32_t> order = geom::hilbert_order(positions, box);
+  std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return round[i]; });
+  return order;
+}
+
 Regular3 VoronoiBalls::triangulate() const {
   std::vector<Vec3> positions;
   Box3 box;
@@ -99,7 +114,7 @@ Regular3 VoronoiBalls::triangulate() const {
   }
   Regular3 triangulation(box);
   SiteId previous;
-  for (const std::uint32_t i : geom::hilbert_order(positions, box)) {
+  for (const std::uint32_t i : insertion_order(positions, box, seed_)) {
     const SiteId id(static_cast<std::size_t>(i));
     triangulation.insert(id, {positions[i], 0.0}, previous);
     if (!triangulation.is_hidden(id)) previous = id;

@@ -19,8 +19,9 @@ namespace {
 
 constexpr double max_points = 20e6;  // ids and memory: about 1 KB a point in the triangulation
 const double row_height = std::sqrt(0.75);
-constexpr double margin = 0.4;  // of the lattice from the edges, which have points of their own; in spacings
-constexpr double jitter = 0.1;  // in spacings
+constexpr double margin = 0.4;   // of the lattice from the edges, which have points of their own; in spacings
+constexpr double stretch = 0.5;  // an edge is divided if longer than the spacing by more than this share
+constexpr double jitter = 0.1;   // in spacings
 
 Vec3 direction(const Vec3& v) {
   const double length = v.norm();
@@ -37,7 +38,7 @@ class Cover {
     if (spacing_ == 0) return std::move(points_);
     for (FacetId t(0); t.index() < mesh_.num_facets(); t = FacetId(t.value + 1)) {
       const double longest = add_edges(t);
-      if (longest > spacing_) add_lattice(t);
+      if (longest > (1 + stretch) * spacing_) add_lattice(t);
     }
     return std::move(points_);
   }
@@ -80,7 +81,7 @@ double Cover::add_edges(FacetId t) {
     const FacetId other = mesh_.across(t, e);
     if (other.valid() && other < t) continue;
     const Vec3 normal = direction(mesh_.normal(t) + (other.valid() ? mesh_.normal(other) : Vec3(0, 0, 0)));
-    const double pieces = std::ceil(length / spacing_);
+    const double pieces = std::ceil(length / spacing_ - stretch);
     for (double i = 1; i < pieces; ++i) {
       const double at = (i + rng_.uniform(-jitter, jitter)) / pieces;
       points_.push_back({a + at * (b - a), normal, spacing_});
