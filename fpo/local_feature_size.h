@@ -1,0 +1,46 @@
+#pragma once
+// Local feature size: how far a location of the surface is from the medial axis (sections 3.2 and 5, the
+// sizing function of [ABK98]). The medial axis is made of the poles of a dense set of surface points (Amenta
+// & Bern, Surface reconstruction by Voronoi filtering, 1999): of each point's Voronoi cell the vertex
+// farthest from the point, and the farthest one on the other side.
+//
+// Of a Voronoi vertex, the ball is the one about it through the four points to which it is dual. A pole
+// counts if its ball is larger than the points' gaps by a factor, and touches the surface at two points that
+// lie far apart, seen from the pole: this leaves out what sampling, noise and the blunt edges of a coarse
+// mesh make of the medial axis. A smaller ball counts, pole or not, if it touches two pieces of surface that
+// face away from each other or face each other: thin sheets and tubes.
+
+#include <cstdint>
+#include <vector>
+
+#include "geom/trimesh.h"
+
+namespace fpo {
+
+struct LocalFeatureSizeOptions {
+  double spacing = 0;  ///< of the surface points, see surface_cover.h; about 0.3 of the wanted edge length
+  double min_radius = 1.5;  ///< of a pole's ball, in units of the spacing (of the longest edge there, if 0)
+  double min_angle = 60;    ///< degrees, at the pole between the touching points farthest apart
+  std::uint64_t seed = 1;   ///< of the surface points
+};
+
+/// A location of the medial axis, inside or outside, and the radius of its ball.
+struct MedialPoint {
+  geom::Vec3 position;
+  double radius;
+};
+
+/// The poles that count; of several in the same cell of a grid of 1/8 of the spacing, one. Deterministic.
+/// Cost: a regular triangulation of the surface points, some 8 us a point. Throws InputError on options out
+/// of range.
+std::vector<MedialPoint> medial_points(const geom::TriMesh& mesh, const LocalFeatureSizeOptions& options);
+
+/// The distance from each vertex, named by a facet or not, to the nearest medial point: at most a few tenths
+/// of the spacing, and where surfaces bend a few percent, off the distance to the medial axis. 1-Lipschitz.
+/// Infinite everywhere if there is no medial axis (a flat square); 0 is not excluded. At creases it falls to
+/// 0 in a faithful drawing, to about the spacing here. Sheets and tubes thinner than the spacing may be seen
+/// in part only. Cost: that of medial_points, and a search in a tree for each vertex.
+geom::Table<geom::VertexId, double> local_feature_size(const geom::TriMesh& mesh,
+                                                       const LocalFeatureSizeOptions& options);
+
+}  // namespace fpo
