@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "fpo/local_feature_size.h"
 #include "geom/check.h"
 
 namespace fpo {
@@ -23,9 +24,20 @@ geom::TriMesh scaled(const geom::TriMesh& mesh, double factor) {
   return geom::TriMesh(std::move(vertices), mesh.facets());
 }
 
+VertexField local_feature_sizes(const geom::TriMesh& surface, double spacing) {
+  LocalFeatureSizeOptions options;
+  options.spacing = 0.3 * spacing;
+  VertexField lfs = local_feature_size(surface, options);
+  for (double& value : lfs) value = std::max(value, 1e-6 * spacing);  // 0 is not excluded
+  return lfs;
+}
+
 Sizing sizing_of(const geom::TriMesh& surface, const RemeshOptions& options) {
-  if (!options.rho.empty()) return fit_sizing(surface, options.rho, options.num_samples, options.limits);
-  return Sizing::uniform(hexagonal_spacing(surface.area(), options.num_samples));
+  const double spacing = hexagonal_spacing(surface.area(), options.num_samples);
+  if (options.sizing == SizingKind::uniform) return Sizing::uniform(spacing);
+  return fit_sizing(surface,
+                    options.sizing == SizingKind::given ? options.rho : local_feature_sizes(surface, spacing),
+                    options.num_samples, options.limits);
 }
 
 RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {
@@ -44,6 +56,11 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
     result.shortest_edges = remove_shortest_edges(domain, removal);
   }
   result.optimization = optimize(domain, optimization);
+  if (options.optimize_angles) {
+    AngleOptions angles;
+    angles.interrupted = optimization.interrupted;
+    result.angles = optimize_angles(domain, angles);
+  }
   result.hidden = domain.num_hidden();
   result.localization = domain.localize();
   result.mesh = extract(domain.diagram(), domain.num_samples());

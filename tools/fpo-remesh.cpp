@@ -71,7 +71,7 @@ int remesh(tools::CommandLine& cli) {
   tools::RemeshArguments a = tools::parse_remesh_arguments(cli);
   const geom::TriMesh input = io::read_mesh(a.input);
   geom::require(input.area() > 0, a.input.string() + ": the surface has no area");
-  a.remesh.rho = tools::wanted_sizes(a, input);
+  tools::read_sizing(a, input);
 
   std::string log = "iteration,moved,delta,mean_delta,seconds\n";
   tools::Progress progress("optimizing", cli.quiet());
@@ -97,6 +97,10 @@ int remesh(tools::CommandLine& cli) {
       "%s\n",
       result.samples.size(), o.last.iteration, o.moves, name_of(o.reason), o.last.delta, o.last.mean_delta,
       o.last.seconds, a.output.c_str());
+  if (a.remesh.optimize_angles)
+    std::printf("bad_triangles_before %zu\nbad_triangles_after %zu\nmended %zu of %zu, %zu reweighted\n",
+                result.angles.bad_before, result.angles.bad_after, result.angles.mended, result.angles.tried,
+                result.angles.reweighted);
   return o.reason == fpo::StopReason::interrupted ? tools::exit_interrupted : tools::exit_done;
 }
 
