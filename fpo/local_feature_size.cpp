@@ -32,8 +32,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double flat = 1e-10;
 /// Cosine between normals of surfaces that face each other or away from each other.
 constexpr double opposed = -0.5;
-/// Cells of the grid that thins the poles out, per spacing.
-constexpr double grid_cells = 8;
+/// Sides of the cells of the grids that thin the poles out.
+constexpr double cells_in_gap = 8, cells_in_radius = 32;
 
 /// A Voronoi vertex: the centre of the ball through the corners of a tetrahedron.
 struct Ball {
@@ -171,13 +171,15 @@ std::vector<MedialPoint> VoronoiBalls::medial() const {
 }
 
 /// Keeps one of the points in each cell of a grid, the one with the largest ball: a sphere would give one
-/// point thousands of times.
-std::vector<MedialPoint> thinned(const std::vector<MedialPoint>& points, double cell) {
-  using Key = std::array<double, 3>;
+/// point thousands of times. The grid is coarser for larger balls, which are empty of surface: all distances
+/// to such a point are at least as large.
+std::vector<MedialPoint> thinned(const std::vector<MedialPoint>& points, double finest) {
+  using Key = std::array<double, 4>;
   std::vector<std::pair<Key, std::size_t>> keyed;
   for (const MedialPoint& p : points) {
+    const double cell = std::max(finest, std::exp2(std::floor(std::log2(p.radius / cells_in_radius))));
     const Vec3 key = (p.position / cell).array().floor();
-    keyed.emplace_back(Key{key.x(), key.y(), key.z()}, keyed.size());
+    keyed.emplace_back(Key{cell, key.x(), key.y(), key.z()}, keyed.size());
   }
   std::ranges::sort(keyed, [&](const auto& a, const auto& b) {
     if (a.first != b.first) return a.first < b.first;
@@ -217,7 +219,7 @@ std::vector<MedialPoint> medial_points(const TriMesh& mesh, const LocalFeatureSi
     mean_gap += p.gap / static_cast<double>(points.size());
   }
   std::vector<MedialPoint> result =
-      thinned(VoronoiBalls(std::move(points), options).medial(), mean_gap / grid_cells);
+      thinned(VoronoiBalls(std::move(points), options).medial(), mean_gap / cells_in_gap);
   for (MedialPoint& m : result) {
     m.position /= scale;
     m.radius /= scale;

@@ -30,7 +30,7 @@ struct MedialPoint {
   double radius;
 };
 
-/// The poles that count; of several in the same cell of a grid of 1/8 of the spacing, one. Deterministic.
+/// The poles that count; of several within 1/8 of the spacing or 1/32 of the radius, one. Deterministic.
 /// Cost: a regular triangulation of the surface points, some 8 us a point. Throws InputError on options out
 /// of range.
 std::vector<MedialPoint> medial_points(const geom::TriMesh& mesh, const LocalFeatureSizeOptions& options);
