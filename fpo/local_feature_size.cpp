@@ -55,6 +55,8 @@ Ball circumscribed_ball(const std::array<Vec3, 4>& corner) {
   return {corner[0] + to_centre, to_centre.norm()};
 }
 
+double chord_per_radius(double degrees) { return 2 * std::sin(degrees * std::numbers::pi / 360); }
+
 /// The Voronoi diagram of the surface points, and which of its vertices belong to the medial axis.
 class VoronoiBalls {
  public:
@@ -69,17 +71,17 @@ class VoronoiBalls {
   std::vector<bool> poles() const;
 
   std::vector<CoverPoint> points_;  ///< by site
-  double min_radius_, chord_per_radius_;
-  std::uint64_t seed_;
+  LocalFeatureSizeOptions options_;
+  double chord_per_radius_, chord_per_radius_within_facets_;
   std::vector<Corners> cells_;
   std::vector<Ball> balls_;  ///< by cell
 };
 
 VoronoiBalls::VoronoiBalls(std::vector<CoverPoint> points, const LocalFeatureSizeOptions& options)
     : points_(std::move(points)),
-      min_radius_(options.min_radius),
-      chord_per_radius_(2 * std::sin(options.min_angle * std::numbers::pi / 360)),
-      seed_(options.seed) {
+      options_(options),
+      chord_per_radius_(chord_per_radius(options.min_angle)),
+      chord_per_radius_within_facets_(chord_per_radius(options.min_angle_within_facets)) {
   const Regular3 triangulation = triangulate();
   cells_ = triangulation.cells();
   balls_.reserve(cells_.size());
@@ -114,7 +116,7 @@ Regular3 VoronoiBalls::triangulate() const {
   }
   Regular3 triangulation(box);
   SiteId previous;
-  for (const std::uint32_t i : insertion_order(positions, box, seed_)) {
+  for (const std::uint32_t i : insertion_order(positions, box, options_.seed)) {
     const SiteId id(static_cast<std::size_t>(i));
     triangulation.insert(id, {positions[i], 0.0}, previous);
     if (!triangulation.is_hidden(id)) previous = id;
@@ -122,15 +124,21 @@ Regular3 VoronoiBalls::triangulate() const {
   return triangulation;
 }
 
-/// Corners far apart, seen from the centre; and unless the ball is large, on opposed pieces of surface.
+/// Two corners far apart, seen from the centre; and if the ball is small, on opposed pieces of surface.
 void VoronoiBalls::judge(const Corners& cell, Ball& ball) const {
-  double gap = 0;
-  for (const SiteId s : cell) gap = std::max(gap, points_[s.index()].gap);
-  ball.small = ball.radius < min_radius_ * gap;
+  const auto point = [&](std::size_t i) -> const CoverPoint& { return points_[cell[i].index()]; };
+  const double gap =
+      options_.spacing > 0
+          ? options_.spacing
+          : std::max({point(0).facet_edge, point(1).facet_edge, point(2).facet_edge, point(3).facet_edge});
+  ball.small = ball.radius < options_.min_radius * gap;
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const CoverPoint &p = points_[cell[i].index()], &q = points_[cell[j].index()];
-      if ((p.position - q.position).norm() < chord_per_radius_ * ball.radius) continue;
+      const CoverPoint &p = point(i), &q = point(j);
+      const bool within_facets = ball.radius < std::min(p.facet_edge, q.facet_edge);
+      const double chord =
+          ball.radius * (within_facets ? chord_per_radius_within_facets_ : chord_per_radius_);
+      if ((p.position - q.position).norm() < chord) continue;
       if (!ball.small || p.normal.dot(q.normal) < opposed) ball.counts = true;
     }
   }
@@ -207,19 +215,22 @@ double scale_to_unit(const std::vector<CoverPoint>& points) {
 std::vector<MedialPoint> medial_points(const TriMesh& mesh, const LocalFeatureSizeOptions& options) {
   geom::require(options.min_radius >= 0 && std::isfinite(options.min_radius),
                 "the least radius of a pole's ball must be a finite number, at least 0");
-  geom::require(options.min_angle >= 0 && options.min_angle < 180,
-                "the least angle at a pole must be at least 0 and less than 180 degrees");
+  for (const double angle : {options.min_angle, options.min_angle_within_facets})
+    geom::require(angle >= 0 && angle < 180, "the least angle at a pole must be in [0, 180) degrees");
   std::vector<CoverPoint> points = surface_cover(mesh, options.spacing, options.seed);
   if (points.size() < 4) return {};
   const double scale = scale_to_unit(points);
-  double mean_gap = 0;
+  LocalFeatureSizeOptions scaled = options;
+  scaled.spacing *= scale;
+  double mean_edge = 0;
   for (CoverPoint& p : points) {
     p.position *= scale;
-    p.gap *= scale;
-    mean_gap += p.gap / static_cast<double>(points.size());
+    p.facet_edge *= scale;
+    mean_edge += p.facet_edge / static_cast<double>(points.size());
   }
+  const double gap = scaled.spacing > 0 ? scaled.spacing : mean_edge;
   std::vector<MedialPoint> result =
-      thinned(VoronoiBalls(std::move(points), options).medial(), mean_gap / cells_in_gap);
+      thinned(VoronoiBalls(std::move(points), scaled).medial(), gap / cells_in_gap);
   for (MedialPoint& m : result) {
     m.position /= scale;
     m.radius /= scale;

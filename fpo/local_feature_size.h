@@ -21,7 +21,8 @@ struct LocalFeatureSizeOptions {
   double spacing = 0;  ///< of the surface points, see surface_cover.h; about 0.3 of the wanted edge length
   double min_radius = 1.5;  ///< of a pole's ball, in units of the spacing (of the longest edge there, if 0)
   double min_angle = 60;    ///< degrees, at the pole between the touching points farthest apart
-  std::uint64_t seed = 1;   ///< of the surface points
+  double min_angle_within_facets = 75;  ///< the same for balls smaller than the facets they touch
+  std::uint64_t seed = 1;               ///< of the surface points
 };
 
 /// A location of the medial axis, inside or outside, and the radius of its ball.
