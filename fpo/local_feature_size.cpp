@@ -32,6 +32,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double flat = 1e-10;
 /// Cosine between normals of surfaces that face each other or away from each other.
 constexpr double opposed = -0.5;
+/// Sine of the angle between a surface and a chord that leaves it: of a ball with the least angle of 60
+/// degrees 0.5, of one at a square crease 0.71, of one between plates 1, all less the sampling.
+constexpr double not_flat = 0.3, steep = 0.8;
 /// Sides of the cells of the grids that thin the poles out.
 constexpr double cells_in_gap = 8, cells_in_radius = 32;
 
@@ -67,6 +70,7 @@ class VoronoiBalls {
   using Corners = Regular3::Cell;
 
   Regular3 triangulate() const;
+  bool spans(const Ball& ball, const CoverPoint& p, const CoverPoint& q) const;
   void judge(const Corners& cell, Ball& ball) const;
   std::vector<bool> poles() const;
 
@@ -124,24 +128,28 @@ Regular3 VoronoiBalls::triangulate() const {
   return triangulation;
 }
 
-/// Two corners far apart, seen from the centre; and if the ball is small, on opposed pieces of surface.
+/// Whether the ball is one of the medial axis as far as two of its corners tell: far apart, seen from the
+/// centre, and the chord between them leaves the surface at both ends, as it cannot where the ball fills a
+/// hole between surface points. If the ball is small, on opposed pieces of surface as well.
+bool VoronoiBalls::spans(const Ball& ball, const CoverPoint& p, const CoverPoint& q) const {
+  const bool within_facets = ball.radius < std::min(p.facet_edge, q.facet_edge);
+  const Vec3 chord = q.position - p.position;
+  const double length = chord.norm();
+  if (length < ball.radius * (within_facets ? chord_per_radius_within_facets_ : chord_per_radius_))
+    return false;
+  const double steepness = std::min(std::abs(p.normal.dot(chord)), std::abs(q.normal.dot(chord))) / length;
+  if (ball.small) return steepness > steep || p.normal.dot(q.normal) < opposed;
+  return steepness > not_flat;
+}
+
 void VoronoiBalls::judge(const Corners& cell, Ball& ball) const {
-  const auto point = [&](std::size_t i) -> const CoverPoint& { return points_[cell[i].index()]; };
-  const double gap =
-      options_.spacing > 0
-          ? options_.spacing
-          : std::max({point(0).facet_edge, point(1).facet_edge, point(2).facet_edge, point(3).facet_edge});
+  double gap = options_.spacing;
+  if (gap == 0)
+    for (const SiteId s : cell) gap = std::max(gap, points_[s.index()].facet_edge);
   ball.small = ball.radius < options_.min_radius * gap;
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const CoverPoint &p = point(i), &q = point(j);
-      const bool within_facets = ball.radius < std::min(p.facet_edge, q.facet_edge);
-      const double chord =
-          ball.radius * (within_facets ? chord_per_radius_within_facets_ : chord_per_radius_);
-      if ((p.position - q.position).norm() < chord) continue;
-      if (!ball.small || p.normal.dot(q.normal) < opposed) ball.counts = true;
-    }
-  }
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      ball.counts |= spans(ball, points_[cell[i].index()], points_[cell[j].index()]);
 }
 
 /// By ball, whether it is a pole: of one of its corners the farthest Voronoi vertex, or the farthest of those
@@ -238,17 +246,19 @@ std::vector<MedialPoint> medial_points(const TriMesh& mesh, const LocalFeatureSi
   return result;
 }
 
-Table<VertexId, double> local_feature_size(const TriMesh& mesh, const LocalFeatureSizeOptions& options) {
+std::vector<double> local_feature_size(std::span<const Vec3> locations, std::span<const MedialPoint> medial) {
   geom::SiteTree tree;
-  SiteId next(0);
-  for (const MedialPoint& m : medial_points(mesh, options)) {
-    tree.insert(next, {m.position, 0.0});
-    next = SiteId(next.value + 1);
-  }
-  Table<VertexId, double> size;
-  size.reserve(mesh.num_vertices());
-  for (const Vec3& x : mesh.vertices()) size.push_back(std::sqrt(tree.nearest(x, SiteId()).radius2));
+  for (std::size_t i = 0; i < medial.size(); ++i) tree.insert(SiteId(i), {medial[i].position, 0.0});
+  std::vector<double> size;
+  size.reserve(locations.size());
+  for (const Vec3& x : locations) size.push_back(std::sqrt(tree.nearest(x, SiteId()).radius2));
   return size;
+}
+
+Table<VertexId, double> local_feature_size(const TriMesh& mesh, const LocalFeatureSizeOptions& options) {
+  const std::span vertices(mesh.vertices().data(), mesh.num_vertices());
+  const std::vector<double> size = local_feature_size(vertices, medial_points(mesh, options));
+  return Table<VertexId, double>(size.begin(), size.end());
 }
 
 }  // namespace fpo

@@ -6,11 +6,12 @@
 //
 // Of a Voronoi vertex, the ball is the one about it through the four points to which it is dual. A pole
 // counts if its ball is larger than the points' gaps by a factor, and touches the surface at two points that
-// lie far apart, seen from the pole: this leaves out what sampling, noise and the blunt edges of a coarse
-// mesh make of the medial axis. A smaller ball counts, pole or not, if it touches two pieces of surface that
-// face away from each other or face each other: thin sheets and tubes.
+// lie far apart, seen from the pole, with a chord that leaves the surface: this leaves out what sampling,
+// noise and the blunt edges of a coarse mesh make of the medial axis. A smaller ball counts, pole or not, if
+// it touches two pieces of surface that face each other or away from each other: thin sheets and tubes.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geom/trimesh.h"
@@ -36,11 +37,17 @@ struct MedialPoint {
 /// of range.
 std::vector<MedialPoint> medial_points(const geom::TriMesh& mesh, const LocalFeatureSizeOptions& options);
 
-/// The distance from each vertex, named by a facet or not, to the nearest medial point: at most a few tenths
-/// of the spacing, and where surfaces bend a few percent, off the distance to the medial axis. 1-Lipschitz.
-/// Infinite everywhere if there is no medial axis (a flat square); 0 is not excluded. At creases it falls to
-/// 0 in a faithful drawing, to about the spacing here. Sheets and tubes thinner than the spacing may be seen
-/// in part only. Cost: that of medial_points, and a search in a tree for each vertex.
+/// The distance from each location to the nearest medial point, +infinity if there are none: 1-Lipschitz.
+/// O(log n) each, more where many medial points are equally far.
+std::vector<double> local_feature_size(std::span<const geom::Vec3> locations,
+                                       std::span<const MedialPoint> medial);
+
+/// The local feature size at each vertex, named by a facet or not: about half a spacing, and where the
+/// surface bends a few percent, off the distance to the medial axis. Infinite everywhere if there is no
+/// medial axis (a flat square). Towards a crease it falls to about the spacing, not to 0: the caller clamps
+/// anyway. Sheets and tubes thinner than the spacing may be seen in part only. A coarse mesh of flat pieces
+/// has its vertices on creases: there, ask for locations in between as well. Cost: that of medial_points and
+/// the searches.
 geom::Table<geom::VertexId, double> local_feature_size(const geom::TriMesh& mesh,
                                                        const LocalFeatureSizeOptions& options);
 
