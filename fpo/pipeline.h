@@ -7,6 +7,7 @@
 #include "fpo/angles.h"
 #include "fpo/extract.h"
 #include "fpo/optimize.h"
+#include "fpo/quality.h"
 #include "fpo/shortest_edge.h"
 #include "fpo/sizing.h"
 #include "fpo/surface_domain.h"
@@ -14,7 +15,7 @@
 namespace fpo {
 
 /// What the wanted edge lengths are made of.
-enum class SizingKind { uniform, local_feature_size, given };
+enum class SizingKind { uniform, local_feature_size, curvature, given };
 
 struct RemeshOptions {
   std::size_t num_samples = 0;
@@ -33,6 +34,8 @@ struct RemeshResult {
   geom::TriMesh mesh;                  ///< vertex i is sample i
   std::vector<SurfaceSample> samples;  ///< position and facet of the input
   VertexField sizing;                  ///< the wanted edge length at each vertex of the input
+  VertexField wanted;                  ///< and at each vertex of the mesh
+  SizingFit fit;                       ///< of the mesh's edges to them
   ShortestEdgeResult shortest_edges;
   OptimizeResult optimization;
   AngleResult angles;

@@ -27,6 +27,8 @@ void set_sizing(RemeshArguments& a, const std::string& text) {
     a.remesh.sizing = fpo::SizingKind::uniform;
   } else if (text == "lfs") {
     a.remesh.sizing = fpo::SizingKind::local_feature_size;
+  } else if (text == "curvature") {
+    a.remesh.sizing = fpo::SizingKind::curvature;
   } else {
     a.remesh.sizing = fpo::SizingKind::given;
     a.sizing_file = text;
@@ -80,12 +82,14 @@ void parse(CommandLine& cli, RemeshArguments& a) {
       {.name = "engine", .value = "search|triangulation", .help = "where neighbours come from; same result"},
       a.remesh.surface.engine,
       {{"search", fpo::Engine::search}, {"triangulation", fpo::Engine::triangulation}});
-  cli.custom({.name = "sizing",
-              .value = "KIND",
-              .help = "wanted edge lengths: uniform, lfs (local feature size), or a file with a "
-                      "number per vertex of INPUT",
-              .standard = "uniform"},
-             [&](const std::string& text) { set_sizing(a, text); });
+  cli.custom(
+      {.name = "sizing",
+       .value = "KIND",
+       .help =
+           "wanted edge lengths: uniform, lfs (local feature size), curvature (its radius), or a file with a "
+           "number per vertex of INPUT",
+       .standard = "uniform"},
+      [&](const std::string& text) { set_sizing(a, text); });
   cli.number({.name = "gradation", .value = "G", .help = "the wanted length changes by at most G per length"},
              a.remesh.limits.gradation, 0.001, 10);
   double weight_scale = 0;
@@ -94,7 +98,13 @@ void parse(CommandLine& cli, RemeshArguments& a) {
               .help = "a sample's weight is (C wanted length)^2",
               .standard = "2/3 if local, .75 if global"},
              weight_scale, 0.01, 2);
-  cli.path({.name = "sizing-out", .value = "FILE", .help = "the wanted length at each vertex of INPUT"},
+  cli.number({.name = "min-size", .value = "R", .help = "least wanted length, in units of the even spacing"},
+             a.remesh.limits.smallest, 1e-6, 1);
+  cli.number({.name = "max-size", .value = "R", .help = "greatest wanted length, likewise"},
+             a.remesh.limits.largest, 1, 1e6);
+  cli.path({.name = "sizing-out",
+            .value = "FILE",
+            .help = "the wanted length at each vertex of INPUT; .ply: INPUT coloured by it"},
            a.sizing_out);
   declare_later(cli, {.name = "features", .value = "KIND", .help = "creases and borders to keep"}, "none");
   bool local = false, global = false;
