@@ -1,7 +1,8 @@
 // Local feature size of meshes: smallest, median and largest value in units of the mean edge length that a
 // remeshing with n samples would have, and the time. The surface points are 0.3 of that length apart.
-//   bench-local_feature_size [-o FOLDER] MESH n [MESH n ...]     -o: also draw there, from blue
-//   (1/4 of an edge length or less) over green (2) to red (16 or more)
+//   bench-local_feature_size [-o FOLDER] [MESH n ...]
+// Without meshes: those in the folder named by FPO_MODELS (default ../shared/models) that are there. -o: also
+// draw them there, from blue (1/4 of an edge length or less) over green (2) to red (16 or more).
 
 #include "fpo/local_feature_size.h"
 
@@ -76,4 +77,17 @@ int main(int argc, char** argv) {
   int first = 1;
   if (argc > 2 && std::string(argv[1]) == "-o") folder = argv[2], first = 3;
   for (int i = first; i + 1 < argc; i += 2) measure(argv[i], std::atof(argv[i + 1]), folder);
+  if (first < argc) return 0;
+  const char* models = std::getenv("FPO_MODELS");
+  for (const auto& [name, n] : {std::pair("eight", 1700),
+                                {"venus", 3000},
+                                {"homer", 7500},
+                                {"bunny", 6300},
+                                {"elephant", 11300},
+                                {"joint", 5000},
+                                {"mask", 6000}}) {
+    const auto path =
+        std::filesystem::path(models ? models : "../shared/models") / (std::string(name) + ".obj");
+    if (std::filesystem::exists(path)) measure(path.string(), n, folder);
+  }
 }
