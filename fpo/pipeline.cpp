@@ -6,24 +6,10 @@
 #include "fpo/curvature.h"
 #include "fpo/local_feature_size.h"
 #include "geom/check.h"
+#include "geom/scaling.h"
 
 namespace fpo {
 namespace {
-
-/// The power of two that brings the largest coordinate into [1/2, 1).
-double scale_to_unit(const geom::TriMesh& mesh) {
-  const double largest =
-      std::max(mesh.box().min().lpNorm<Eigen::Infinity>(), mesh.box().max().lpNorm<Eigen::Infinity>());
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  return std::ldexp(1.0, -exponent);
-}
-
-geom::TriMesh scaled(const geom::TriMesh& mesh, double factor) {
-  geom::Table<geom::VertexId, geom::Vec3> vertices = mesh.vertices();
-  for (geom::Vec3& v : vertices) v *= factor;
-  return geom::TriMesh(std::move(vertices), mesh.facets());
-}
 
 VertexField local_feature_sizes(const geom::TriMesh& surface, double spacing) {
   LocalFeatureSizeOptions options;
@@ -86,11 +72,12 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
 }  // namespace
 
 RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options) try {
-  geom::require(input.area() > 0 && options.num_samples > 0,
-                "the surface has no area or the samples no number");
-  const double factor = scale_to_unit(input);
-  RemeshResult result = remesh_in_unit_box(scaled(input, factor), options);
-  result.mesh = scaled(result.mesh, 1 / factor);
+  geom::require(options.num_samples > 0, "the number of samples must be at least 1");
+  const double factor = geom::factor_to_unit_box(input);
+  const geom::TriMesh surface = geom::scaled_to_unit_box(input, factor);
+  geom::require(surface.area() > 0, "the surface has no area");
+  RemeshResult result = remesh_in_unit_box(surface, options);
+  result.mesh = geom::scaled(result.mesh, 1 / factor);
   for (SurfaceSample& sample : result.samples) sample.position /= factor;
   for (double& h : result.sizing) h /= factor;
   for (double& h : result.wanted) h /= factor;

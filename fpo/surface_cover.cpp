@@ -7,6 +7,7 @@
 #include "fpo/surface_sample.h"
 #include "geom/check.h"
 #include "geom/rng.h"
+#include "geom/scaling.h"
 
 namespace fpo {
 
@@ -92,7 +93,7 @@ void Cover::add_edges(FacetId t) {
     const double longest = std::max(longest_edge(t), other.valid() ? longest_edge(other) : 0);
     for (double i = 1; i < pieces; ++i) {
       const double at = (i + rng_.uniform(-jitter, jitter)) / pieces;
-      points_.push_back({a + at * (b - a), normal, longest});
+      points_.push_back({geom::snapped(a + at * (b - a)), normal, longest});
     }
   }
 }
