@@ -5,15 +5,26 @@
 
 #include "fpo/curvature.h"
 #include "fpo/local_feature_size.h"
+#include "fpo/surface_cover.h"
 #include "geom/check.h"
 #include "geom/scaling.h"
 
 namespace fpo {
 namespace {
 
-VertexField local_feature_sizes(const geom::TriMesh& surface, double spacing) {
+/// Some ten surface points a sample. On needles, which have edges but no area, the estimate knows no bound:
+/// there the points lie farther apart.
+double cover_spacing(const geom::TriMesh& surface, std::size_t num_samples, double spacing) {
+  const double most = std::min(
+      20e6, 200 * static_cast<double>(num_samples) + 20 * static_cast<double>(surface.num_vertices()));
+  double result = 0.3 * spacing;
+  while (cover_size(surface, result) > most) result *= 2;
+  return result;
+}
+
+VertexField local_feature_sizes(const geom::TriMesh& surface, std::size_t num_samples, double spacing) {
   LocalFeatureSizeOptions options;
-  options.spacing = 0.3 * spacing;
+  options.spacing = cover_spacing(surface, num_samples, spacing);
   VertexField lfs = local_feature_size(surface, options);
   for (double& value : lfs) value = std::max(value, 1e-6 * spacing);  // 0 is not excluded
   return lfs;
@@ -22,7 +33,7 @@ VertexField local_feature_sizes(const geom::TriMesh& surface, double spacing) {
 VertexField wanted_sizes(const geom::TriMesh& surface, const RemeshOptions& options, double spacing) {
   switch (options.sizing) {
     case SizingKind::local_feature_size:
-      return local_feature_sizes(surface, spacing);
+      return local_feature_sizes(surface, options.num_samples, spacing);
     case SizingKind::curvature:
       return curvature_size(surface, {.min = 1e-6 * spacing});
     default:
