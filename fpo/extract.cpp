@@ -70,7 +70,11 @@ std::vector<CellPolygon> cell_polygons(const geom::RestrictedPower& diagram) {
   std::vector<CellPolygon> polygons;
   for_each_fragment(diagram, [&](SiteId i, FacetId t, std::span<const PolygonCorner> corners) {
     CellPolygon& polygon = polygons.emplace_back(CellPolygon{i, t, {}});
-    for (const PolygonCorner& corner : corners) polygon.corners.push_back(corner.point.position);
+    const auto first = std::ranges::min_element(corners, {}, &PolygonCorner::edge);
+    for (auto corner = first; corner != corners.end(); ++corner)
+      polygon.corners.push_back(corner->point.position);
+    for (auto corner = corners.begin(); corner != first; ++corner)
+      polygon.corners.push_back(corner->point.position);
   });
   std::ranges::sort(polygons, {}, [](const CellPolygon& p) { return std::tuple(p.site, p.facet); });
   return polygons;

@@ -26,7 +26,8 @@ struct CellPolygon {
   std::vector<geom::Vec3> corners;
 };
 
-/// All fragments, sorted by site and facet.
+/// All fragments, sorted by site and facet, each from its edge of smallest label on: a function of the
+/// diagram, whatever its history.
 std::vector<CellPolygon> cell_polygons(const geom::RestrictedPower& diagram);
 
 }  // namespace fpo

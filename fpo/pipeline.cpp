@@ -5,31 +5,28 @@
 
 #include "fpo/curvature.h"
 #include "fpo/local_feature_size.h"
+#include "fpo/surface_cover.h"
 #include "geom/check.h"
+#include "geom/scaling.h"
 
 namespace fpo {
 namespace {
 
 constexpr int futile_mending_rounds = 10;  // in a row, without fewer defects
 
-/// The power of two that brings the largest coordinate into [1/2, 1).
-double scale_to_unit(const geom::TriMesh& mesh) {
-  const double largest =
-      std::max(mesh.box().min().lpNorm<Eigen::Infinity>(), mesh.box().max().lpNorm<Eigen::Infinity>());
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  return std::ldexp(1.0, -exponent);
+/// Some ten surface points a sample. On needles, which have edges but no area, the estimate knows no bound:
+/// there the points lie farther apart.
+double cover_spacing(const geom::TriMesh& surface, std::size_t num_samples, double spacing) {
+  const double most = std::min(
+      20e6, 200 * static_cast<double>(num_samples) + 20 * static_cast<double>(surface.num_vertices()));
+  double result = 0.3 * spacing;
+  while (cover_size(surface, result) > most) result *= 2;
+  return result;
 }
 
-geom::TriMesh scaled(const geom::TriMesh& mesh, double factor) {
-  geom::Table<geom::VertexId, geom::Vec3> vertices = mesh.vertices();
-  for (geom::Vec3& v : vertices) v *= factor;
-  return geom::TriMesh(std::move(vertices), mesh.facets());
-}
-
-VertexField local_feature_sizes(const geom::TriMesh& surface, double spacing) {
+VertexField local_feature_sizes(const geom::TriMesh& surface, std::size_t num_samples, double spacing) {
   LocalFeatureSizeOptions options;
-  options.spacing = 0.3 * spacing;
+  options.spacing = cover_spacing(surface, num_samples, spacing);
   VertexField lfs = local_feature_size(surface, options);
   for (double& value : lfs) value = std::max(value, 1e-6 * spacing);  // 0 is not excluded
   return lfs;
@@ -38,7 +35,7 @@ VertexField local_feature_sizes(const geom::TriMesh& surface, double spacing) {
 VertexField wanted_sizes(const geom::TriMesh& surface, const RemeshOptions& options, double spacing) {
   switch (options.sizing) {
     case SizingKind::local_feature_size:
-      return local_feature_sizes(surface, spacing);
+      return local_feature_sizes(surface, options.num_samples, spacing);
     case SizingKind::curvature:
       return curvature_size(surface, {.min = 1e-6 * spacing});
     default:
@@ -110,11 +107,12 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
 }  // namespace
 
 RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options) try {
-  geom::require(input.area() > 0 && options.num_samples > 0,
-                "the surface has no area or the samples no number");
-  const double factor = scale_to_unit(input);
-  RemeshResult result = remesh_in_unit_box(scaled(input, factor), options);
-  result.mesh = scaled(result.mesh, 1 / factor);
+  geom::require(options.num_samples > 0, "the number of samples must be at least 1");
+  const double factor = geom::factor_to_unit_box(input);
+  const geom::TriMesh surface = geom::scaled_to_unit_box(input, factor);
+  geom::require(surface.area() > 0, "the surface has no area");
+  RemeshResult result = remesh_in_unit_box(surface, options);
+  result.mesh = geom::scaled(result.mesh, 1 / factor);
   for (SurfaceSample& sample : result.samples) sample.position /= factor;
   for (double& h : result.sizing) h /= factor;
   for (double& h : result.wanted) h /= factor;

@@ -7,12 +7,14 @@
 
 #include "geom/check.h"
 #include "geom/rng.h"
+#include "geom/scaling.h"
 #include "geom/site_tree.h"
 #include "geom/triangulation_source.h"
 
 namespace fpo {
 namespace {
 
+constexpr double weight_unit = geom::coordinate_unit * geom::coordinate_unit;
 constexpr Circle no_circle{-std::numeric_limits<double>::infinity(), CircleId()};
 
 std::unique_ptr<geom::NeighbourSource> make_source(Engine engine, const geom::Box3& box) {
@@ -58,7 +60,7 @@ SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,
 double SurfaceDomain::weight_at(SiteId x) const {
   if (sizing_.is_uniform() && weight_share_[x] == 1) return 0;
   const double radius = options_.weight_factor * sizing_.at(samples_[x]);
-  return (weight_share_[x] - (sizing_.is_uniform() ? 1 : 0)) * radius * radius;
+  return geom::snapped((weight_share_[x] - (sizing_.is_uniform() ? 1 : 0)) * radius * radius, weight_unit);
 }
 
 double SurfaceDomain::separation(SiteId x) { return source_->nearest(samples_[x].position, x, x).radius2; }
