@@ -111,7 +111,7 @@ void Cover::add_lattice(FacetId t) {
       const double py = y + spacing_ * rng_.uniform(-jitter, jitter);
       const double v = py / height, u = (px - v * lean) / base;
       if (u < least_u || v < least_v || 1 - u - v < least_w) continue;
-      points_.push_back({location_in_facet(mesh_, t, u, v), normal / doubled_area, spacing_});
+      points_.push_back({location_in_facet(mesh_, t, u, v).position, normal / doubled_area, spacing_});
     }
   }
 }
