@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "fpo/curve_feature_size.h"
 #include "fpo/image_sizing.h"
 #include "fpo/plane_quality.h"
 #include "fpo/shortest_edge.h"
@@ -9,24 +10,47 @@
 #include "io/extension.h"
 #include "io/pgm.h"
 #include "io/points.h"
+#include "io/polylines.h"
 #include "tools/interrupt.h"
 #include "tools/plane_arguments.h"
 #include "tools/progress.h"
 
 namespace {
 
-std::unique_ptr<fpo::PlaneSizing> make_sizing(const tools::PlaneArguments& a, const geom::FlatTorus& torus) {
-  if (auto named = fpo::named_sizing(a.sizing, torus)) return named;
-  geom::require(io::lower_extension(a.sizing) == ".pgm",
-                "--sizing: '" + a.sizing + "' is neither a .pgm image nor the name of a field (see --help)");
+/// What is wrong with the content of a file is said with its name.
+template <class Make>
+auto about_file(const std::string& name, Make&& make) {
+  try {
+    return make();
+  } catch (const geom::InputError& error) {
+    throw geom::InputError(name + ": " + error.what());
+  }
+}
+
+std::unique_ptr<fpo::PlaneSizing> image_sizing(const tools::PlaneArguments& a, const geom::FlatTorus& torus) {
   io::GrayImage image = io::read_pgm(a.sizing);
   for (float& value : image.value) value = 1 - value;
-  try {
+  return about_file(a.sizing, [&] {
     return fpo::image_sizing({image.width, image.height, std::move(image.value)}, torus, a.num_samples,
                              {.gradation = a.gradation});
-  } catch (const geom::InputError& error) {
-    throw geom::InputError(a.sizing + ": " + error.what());
-  }
+  });
+}
+
+std::unique_ptr<fpo::PlaneSizing> curve_sizing(const tools::PlaneArguments& a, const geom::FlatTorus& torus) {
+  const std::vector<fpo::Polyline> curves = io::read_polylines(a.sizing);
+  return about_file(a.sizing, [&] {
+    const auto points = fpo::curve_feature_size(curves, torus, torus.period().minCoeff() / 1024);
+    return fpo::feature_sizing(points, torus, a.num_samples, {.gradation = a.gradation});
+  });
+}
+
+std::unique_ptr<fpo::PlaneSizing> make_sizing(const tools::PlaneArguments& a, const geom::FlatTorus& torus) {
+  if (auto named = fpo::named_sizing(a.sizing, torus)) return named;
+  const std::string extension = io::lower_extension(a.sizing);
+  geom::require(extension == ".pgm" || extension == ".txt",
+                "--sizing: '" + a.sizing +
+                    "' is neither a .pgm image, a .txt file of curves, nor the name of a field (see --help)");
+  return extension == ".pgm" ? image_sizing(a, torus) : curve_sizing(a, torus);
 }
 
 /// Algorithm 1, after shortest edge removal if asked for; the log gets a line an iteration.

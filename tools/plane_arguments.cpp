@@ -48,13 +48,16 @@ void declare_domain(CommandLine& cli, PlaneArguments& a) {
   cli.group("Domain");
   cli.custom({.name = "period", .value = "WxH", .help = "width and height of the torus", .standard = "1x1"},
              [&a](const std::string& text) { a.period = parse_period(text); });
-  cli.text({.name = "sizing",
-            .value = "KIND",
-            .help = "IMAGE.pgm (dark is dense), or one of " + all_sizing_names()},
-           a.sizing);
+  cli.text(
+      {.name = "sizing",
+       .value = "KIND",
+       .help = "IMAGE.pgm (dark is dense), CURVES.txt (lines x y, a blank line between curves: their local "
+               "feature size), or one of " +
+               all_sizing_names()},
+      a.sizing);
   cli.number({.name = "gradation",
               .value = "G",
-              .help = "of images: edge lengths grow by at most G times the distance"},
+              .help = "of images and curves: edge lengths grow by at most G times the distance"},
              a.gradation, 0.01, 1);
   cli.choice({.name = "start", .value = "stratified|random", .help = "initial samples"}, a.start,
              {{"stratified", fpo::PlaneStart::stratified}, {"random", fpo::PlaneStart::random}});
