@@ -51,16 +51,22 @@ class PlaneDomain final : public Domain {
   Circle largest_empty(Scope scope) override;
   void insert_at(SiteId x, const Circle& c) override;
   void put_back(SiteId x) override;
+  /// Puts the removed sample somewhere, its weight to be `weight_share` (in (0, 1]) of what the sizing gives,
+  /// there and wherever it goes (angle optimization, section 5).
+  void insert_at(SiteId x, const geom::Vec2& position, double weight_share);
   double normalized_spacing(SiteId x) override;
   void neighbours(SiteId x, std::vector<SiteId>& out) override { triangulation_.link(x, out); }
   void expect(SiteId x) override;
   void check() const override;
 
   const geom::Regular2& triangulation() const { return triangulation_; }
+  /// What the last removal or insertion did.
+  const geom::Regular2::Change& last_change() const { return last_change_; }
   const geom::FlatTorus& torus() const { return triangulation_.torus(); }
   /// The wanted edge length at a location, and at a sample as fixed when it was inserted.
   double edge_length(const geom::Vec2& x) const { return scale_ * sizing_.rho(x); }
   double edge_length(SiteId x) const;
+  double weight_share(SiteId x) const { return weight_share_.empty() ? 1 : weight_share_[x]; }
   std::size_t num_hidden() const;
   /// In the order of the input.
   std::vector<PlaneSample> samples() const;
@@ -79,6 +85,7 @@ class PlaneDomain final : public Domain {
   double scale_;          ///< s of h = s rho
   double weight_factor_;  ///< c of w = (c h)^2; 0 if uniform
   geom::Table<SiteId, std::uint32_t> input_index_;
+  geom::Table<SiteId, double> weight_share_;  ///< empty: all 1
   geom::Regular2 triangulation_;
   CircleQueue circles_;
   geom::Regular2::Change last_change_;
