@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <span>
 #include <utility>
+
+#include "fpo/optimize.h"
 
 namespace fpo {
 
@@ -15,9 +18,10 @@ using geom::Vec2;
 
 namespace {
 
-constexpr int passes = 4;          // of resampling in an attempt
-constexpr int most_rings = 2;      // around the corners of a bad triangle that may be resampled
+constexpr int passes = 8;          // of resampling in an attempt
+constexpr int most_rings = 3;      // around the corners of a bad triangle that may be resampled
 constexpr double rounding = 1e-9;  // badness is a running sum
+constexpr double margin = 0.05;    // degrees more than wanted, so that what creeps up to the bound passes it
 
 /// The smallest angle of a triangle, in degrees, and the corner that has it.
 struct SmallestAngle {
@@ -64,7 +68,11 @@ class BadTriangles {
     return all;
   }
 
+  /// Less than at the start if negative.
+  std::ptrdiff_t more_hidden() const { return more_hidden_; }
+
   void remove(SiteId x) {
+    more_hidden_ -= domain_.triangulation().is_hidden(x);
     domain_.remove(x);
     follow();
   }
@@ -75,13 +83,15 @@ class BadTriangles {
 
  private:
   void follow() {
-    for (const CellId t : domain_.last_change().destroyed) forget(t);
-    for (const CellId t : domain_.last_change().created) add(t);
+    const Regular2::Change& change = domain_.last_change();
+    more_hidden_ += std::ssize(change.hidden) - std::ssize(change.exposed);
+    for (const CellId t : change.destroyed) forget(t);
+    for (const CellId t : change.created) add(t);
   }
   void add(CellId t) {
-    const double missing =
-        smallest_ - smallest_angle(domain_.triangulation(), domain_.triangulation().corners(t)).degrees;
-    if (!(missing > 0)) return;
+    const double angle = smallest_angle(domain_.triangulation(), domain_.triangulation().corners(t)).degrees;
+    if (angle >= smallest_) return;
+    const double missing = smallest_ + margin - angle;
     if (t.index() >= badness_of_.size()) badness_of_.resize(t.index() + 1, 0.0);
     badness_of_[t] = missing * missing;
     badness_ += badness_of_[t];
@@ -98,6 +108,7 @@ class BadTriangles {
   geom::Table<CellId, double> badness_of_;  ///< 0: good, or no triangle
   double badness_ = 0;
   std::size_t number_ = 0;
+  std::ptrdiff_t more_hidden_ = 0;
 };
 
 /// A sample as it was, to go back to.
@@ -121,35 +132,84 @@ void resample(PlaneDomain& domain, BadTriangles& bad, SiteId x) {
   bad.insert(x, c.radius2 > d ? domain.triangulation().center(CellId(c.id.value)) : home, share);
 }
 
-/// Lowers the weights of samples[1] and [2] and resamples all in turn until things are better: true. Else
-/// puts everything back.
-bool attempt(PlaneDomain& domain, BadTriangles& bad, std::span<const SiteId> samples, double weight_share) {
-  const double before = bad.badness();
-  const std::size_t hidden = domain.num_hidden();
+/// The spacing of the sample nearest to another among these and their neighbours.
+double least_spacing(PlaneDomain& domain, std::span<const SiteId> samples) {
+  double least = std::numeric_limits<double>::infinity();
+  std::vector<SiteId> link;
+  for (const SiteId x : samples) {
+    least = std::min(least, domain.normalized_spacing(x));
+    domain.neighbours(x, link);
+    for (const SiteId y : link) least = std::min(least, domain.normalized_spacing(y));
+  }
+  return least;
+}
+
+/// What attempts keep to.
+struct Limits {
+  const std::vector<double>& weight_shares;
+  double spacing;  ///< none of the samples around comes nearer to another, unless it has been before
+};
+
+/// One way to better a triangle: the weights of samples[1] and [2] are lowered, then all are resampled in
+/// turn, `steps` moves altogether.
+struct Attempt {
+  double weight_share = 1;
+  std::size_t steps = 0;
+  double badness = std::numeric_limits<double>::infinity();  ///< that it leads to
+};
+
+std::vector<Backup> backups_of(const PlaneDomain& domain, std::span<const SiteId> samples) {
   std::vector<Backup> backups;
   for (const SiteId x : samples)
     backups.push_back({x, domain.triangulation().point(x).position, domain.weight_share(x)});
-  for (std::size_t i = 1; i < 3 && weight_share < 1; ++i)
-    put(bad, {samples[i], backups[i].position, weight_share * backups[i].weight_share});
-  for (int pass = 0; pass < passes; ++pass) {
-    for (const SiteId x : samples) {
-      resample(domain, bad, x);
-      if (bad.badness() < before - rounding && domain.num_hidden() <= hidden) return true;
-    }
+  return backups;
+}
+
+/// Carries an attempt out, and calls after_step(number of moves).
+template <class AfterStep>
+void carry_out(PlaneDomain& domain, BadTriangles& bad, std::span<const SiteId> samples, const Attempt& plan,
+               AfterStep&& after_step) {
+  for (std::size_t i = 1; i < 3 && plan.weight_share < 1; ++i) {
+    const Backup now = backups_of(domain, samples.subspan(i, 1))[0];
+    put(bad, {now.id, now.position, plan.weight_share * now.weight_share});
   }
-  for (const Backup& x : backups) put(bad, x);
-  return false;
+  for (std::size_t step = 0; step < plan.steps; ++step) {
+    resample(domain, bad, samples[step % samples.size()]);
+    after_step(step + 1);
+  }
+}
+
+/// The best that resampling these samples can do; each way is tried and undone.
+Attempt best_attempt(PlaneDomain& domain, BadTriangles& bad, std::span<const SiteId> samples,
+                     const Limits& limits) {
+  const double spacing = std::min(limits.spacing, least_spacing(domain, samples));
+  const std::ptrdiff_t hidden = bad.more_hidden();
+  const std::vector<Backup> backups = backups_of(domain, samples);
+  Attempt best;
+  best.badness = bad.badness() - rounding;
+  for (const double share : limits.weight_shares) {
+    const Attempt plan{share, passes * samples.size()};
+    carry_out(domain, bad, samples, plan, [&](std::size_t step) {
+      if (bad.badness() < best.badness && bad.more_hidden() <= hidden &&
+          least_spacing(domain, samples) >= spacing)
+        best = {share, step, bad.badness()};
+    });
+    for (const Backup& x : backups) put(bad, x);
+  }
+  return best;
 }
 
 /// Tries to better a triangle: the paper's way, then so that the samples around follow.
-bool mend(PlaneDomain& domain, BadTriangles& bad, const Regular2::Triangle& corners,
-          const std::vector<double>& weight_shares) {
+bool mend(PlaneDomain& domain, BadTriangles& bad, const Regular2::Triangle& corners, const Limits& limits) {
   const std::size_t worst = smallest_angle(domain.triangulation(), corners).corner;
   std::vector<SiteId> samples, link;
   for (std::size_t i = 0; i < 3; ++i) samples.push_back(corners[(worst + i) % 3]);
   for (int ring = 0;; ++ring) {
-    for (const double share : weight_shares)
-      if (attempt(domain, bad, samples, share)) return true;
+    const Attempt best = best_attempt(domain, bad, samples, limits);
+    if (best.steps > 0) {
+      carry_out(domain, bad, samples, best, [](std::size_t) {});
+      return true;
+    }
     if (ring == most_rings) return false;
     for (std::size_t i = 0, inner = samples.size(); i < inner; ++i) {
       domain.neighbours(samples[i], link);
@@ -166,9 +226,9 @@ void restore_weights(PlaneDomain& domain, BadTriangles& bad) {
                      domain.weight_share(SiteId(i))};
     if (now.weight_share == 1) continue;
     const double before = bad.badness();
-    const std::size_t hidden = domain.num_hidden();
+    const std::ptrdiff_t hidden = bad.more_hidden();
     put(bad, {now.id, now.position, 1});
-    if (bad.badness() > before + rounding || domain.num_hidden() > hidden) put(bad, now);
+    if (bad.badness() > before + rounding || bad.more_hidden() > hidden) put(bad, now);
   }
 }
 
@@ -181,15 +241,21 @@ PlaneAngleResult optimize_angles(PlaneDomain& domain, const PlaneAngleOptions& o
   const auto interrupted = [&] {
     return options.interrupted && options.interrupted->load(std::memory_order_relaxed);
   };
-  for (int round = 0; round < options.max_rounds && !interrupted(); ++round) {
+  const auto one_round = [&](const Limits& limits) {
     const std::size_t mended_before = result.mended;
     for (const auto& [t, corners] : bad.worst_first()) {
-      if (interrupted()) break;
+      if (interrupted()) return false;
       if (!bad.contains(t, corners)) continue;
       ++result.tried;
-      result.mended += mend(domain, bad, corners, options.weight_shares);
+      result.mended += mend(domain, bad, corners, limits);
     }
-    if (result.mended == mended_before) break;
+    return result.mended > mended_before;
+  };
+  const std::vector<double> spacings =
+      domain.is_uniform() ? std::vector{measure(domain).delta} : options.least_spacings;
+  for (const double spacing : spacings) {
+    int round = 0;
+    while (round < options.max_rounds && one_round({options.weight_shares, spacing})) ++round;
   }
   restore_weights(domain, bad);
   result.bad_after = bad.number();

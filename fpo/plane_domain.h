@@ -19,14 +19,14 @@ inline constexpr std::size_t least_plane_samples = 32;
 // Which c? A sample that leaves a hole among neighbours at p_j is put where |x - p_j|^2 - w_j is the same for
 // all. Wanted are distances |x - p_j| = r (h(x) + h_j) / 2, with h growing by g: at x = 0 that is
 // r^2 (h^2 + h g.p_j + ...), while w_j = c^2 (h^2 + 2 h g.p_j + ...). The linear terms agree if 2 c^2 = r^2,
-// and r is about 0.94 when FPO has converged, so c = 2/3 keeps the grading as it is. Measured: the slope of
-// log spacing against log rho stays within 0.98 .. 1.00 for hundreds of local iterations with c = 2/3; it
-// falls to .92 with c = .62 and rises to 1.07 with c = .70. The global variant takes samples from dense
-// places to fill the random set's voids in sparse ones (its slope is .75 after one iteration with c = .66); a
-// larger c, .75, prevents that and then slowly over-grades.
+// and r is about 0.95 when FPO has converged, so c = .68 keeps the grading as it is. Measured (bench-plane
+// adaptive): the slope of log spacing against log rho stays within .98 .. 1.02 for hundreds of local
+// iterations with c = .68; it falls to .93 with c = .64 and rises to 1.07 with c = .70. The global variant
+// takes samples from dense places to fill the random set's voids in sparse ones (its slope is .75 after one
+// iteration with c = .66); a larger c, .75, prevents that and then slowly over-grades.
 struct PlaneOptions {
   double weight_factor =
-      2.0 / 3;  ///< c of w = (c h)^2, the weight of a sample where edges of length h are wanted
+      0.68;  ///< c of w = (c h)^2, the weight of a sample where edges of length h are wanted
 };
 
 /// A sample as the user sees it.
@@ -67,6 +67,7 @@ class PlaneDomain final : public Domain {
   double edge_length(const geom::Vec2& x) const { return scale_ * sizing_.rho(x); }
   double edge_length(SiteId x) const;
   double weight_share(SiteId x) const { return weight_share_.empty() ? 1 : weight_share_[x]; }
+  bool is_uniform() const { return weight_factor_ == 0; }
   std::size_t num_hidden() const;
   /// In the order of the input.
   std::vector<PlaneSample> samples() const;
