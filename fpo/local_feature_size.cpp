@@ -32,8 +32,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double flat = 1e-10;
 /// Cosine between normals of surfaces that face each other or away from each other.
 constexpr double opposed = -0.5;
-/// Cells of the grid that thins the poles out, per spacing.
-constexpr double grid_cells = 8;
+/// Sine of the angle between a surface and a chord that leaves it: of a ball with the least angle of 60
+/// degrees 0.5, of one at a square crease 0.71, of one between plates 1, all less the sampling.
+constexpr double not_flat = 0.3, steep = 0.8;
+/// Sides of the cells of the grids that thin the poles out.
+constexpr double cells_in_gap = 8, cells_in_radius = 32;
 
 /// A Voronoi vertex: the centre of the ball through the corners of a tetrahedron.
 struct Ball {
@@ -55,6 +58,8 @@ Ball circumscribed_ball(const std::array<Vec3, 4>& corner) {
   return {corner[0] + to_centre, to_centre.norm()};
 }
 
+double chord_per_radius(double degrees) { return 2 * std::sin(degrees * std::numbers::pi / 360); }
+
 /// The Voronoi diagram of the surface points, and which of its vertices belong to the medial axis.
 class VoronoiBalls {
  public:
@@ -65,21 +70,22 @@ class VoronoiBalls {
   using Corners = Regular3::Cell;
 
   Regular3 triangulate() const;
+  bool spans(const Ball& ball, const CoverPoint& p, const CoverPoint& q) const;
   void judge(const Corners& cell, Ball& ball) const;
   std::vector<bool> poles() const;
 
   std::vector<CoverPoint> points_;  ///< by site
-  double min_radius_, chord_per_radius_;
-  std::uint64_t seed_;
+  LocalFeatureSizeOptions options_;
+  double chord_per_radius_, chord_per_radius_within_facets_;
   std::vector<Corners> cells_;
   std::vector<Ball> balls_;  ///< by cell
 };
 
 VoronoiBalls::VoronoiBalls(std::vector<CoverPoint> points, const LocalFeatureSizeOptions& options)
     : points_(std::move(points)),
-      min_radius_(options.min_radius),
-      chord_per_radius_(2 * std::sin(options.min_angle * std::numbers::pi / 360)),
-      seed_(options.seed) {
+      options_(options),
+      chord_per_radius_(chord_per_radius(options.min_angle)),
+      chord_per_radius_within_facets_(chord_per_radius(options.min_angle_within_facets)) {
   const Regular3 triangulation = triangulate();
   cells_ = triangulation.cells();
   balls_.reserve(cells_.size());
@@ -114,7 +120,7 @@ Regular3 VoronoiBalls::triangulate() const {
   }
   Regular3 triangulation(box);
   SiteId previous;
-  for (const std::uint32_t i : insertion_order(positions, box, seed_)) {
+  for (const std::uint32_t i : insertion_order(positions, box, options_.seed)) {
     const SiteId id(static_cast<std::size_t>(i));
     triangulation.insert(id, {positions[i], 0.0}, previous);
     if (!triangulation.is_hidden(id)) previous = id;
@@ -122,18 +128,28 @@ Regular3 VoronoiBalls::triangulate() const {
   return triangulation;
 }
 
-/// Corners far apart, seen from the centre; and unless the ball is large, on opposed pieces of surface.
+/// Whether the ball is one of the medial axis as far as two of its corners tell: far apart, seen from the
+/// centre, and the chord between them leaves the surface at both ends, as it cannot where the ball fills a
+/// hole between surface points. If the ball is small, on opposed pieces of surface as well.
+bool VoronoiBalls::spans(const Ball& ball, const CoverPoint& p, const CoverPoint& q) const {
+  const bool within_facets = ball.radius < std::min(p.facet_edge, q.facet_edge);
+  const Vec3 chord = q.position - p.position;
+  const double length = chord.norm();
+  if (length < ball.radius * (within_facets ? chord_per_radius_within_facets_ : chord_per_radius_))
+    return false;
+  const double steepness = std::min(std::abs(p.normal.dot(chord)), std::abs(q.normal.dot(chord))) / length;
+  if (ball.small) return steepness > steep || p.normal.dot(q.normal) < opposed;
+  return steepness > not_flat;
+}
+
 void VoronoiBalls::judge(const Corners& cell, Ball& ball) const {
-  double gap = 0;
-  for (const SiteId s : cell) gap = std::max(gap, points_[s.index()].gap);
-  ball.small = ball.radius < min_radius_ * gap;
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const CoverPoint &p = points_[cell[i].index()], &q = points_[cell[j].index()];
-      if ((p.position - q.position).norm() < chord_per_radius_ * ball.radius) continue;
-      if (!ball.small || p.normal.dot(q.normal) < opposed) ball.counts = true;
-    }
-  }
+  double gap = options_.spacing;
+  if (gap == 0)
+    for (const SiteId s : cell) gap = std::max(gap, points_[s.index()].facet_edge);
+  ball.small = ball.radius < options_.min_radius * gap;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      ball.counts |= spans(ball, points_[cell[i].index()], points_[cell[j].index()]);
 }
 
 /// By ball, whether it is a pole: of one of its corners the farthest Voronoi vertex, or the farthest of those
@@ -171,13 +187,15 @@ std::vector<MedialPoint> VoronoiBalls::medial() const {
 }
 
 /// Keeps one of the points in each cell of a grid, the one with the largest ball: a sphere would give one
-/// point thousands of times.
-std::vector<MedialPoint> thinned(const std::vector<MedialPoint>& points, double cell) {
-  using Key = std::array<double, 3>;
+/// point thousands of times. The grid is coarser for larger balls, which are empty of surface: all distances
+/// to such a point are at least as large.
+std::vector<MedialPoint> thinned(const std::vector<MedialPoint>& points, double finest) {
+  using Key = std::array<double, 4>;
   std::vector<std::pair<Key, std::size_t>> keyed;
   for (const MedialPoint& p : points) {
+    const double cell = std::max(finest, std::exp2(std::floor(std::log2(p.radius / cells_in_radius))));
     const Vec3 key = (p.position / cell).array().floor();
-    keyed.emplace_back(Key{key.x(), key.y(), key.z()}, keyed.size());
+    keyed.emplace_back(Key{cell, key.x(), key.y(), key.z()}, keyed.size());
   }
   std::ranges::sort(keyed, [&](const auto& a, const auto& b) {
     if (a.first != b.first) return a.first < b.first;
@@ -205,19 +223,22 @@ double scale_to_unit(const std::vector<CoverPoint>& points) {
 std::vector<MedialPoint> medial_points(const TriMesh& mesh, const LocalFeatureSizeOptions& options) {
   geom::require(options.min_radius >= 0 && std::isfinite(options.min_radius),
                 "the least radius of a pole's ball must be a finite number, at least 0");
-  geom::require(options.min_angle >= 0 && options.min_angle < 180,
-                "the least angle at a pole must be at least 0 and less than 180 degrees");
+  for (const double angle : {options.min_angle, options.min_angle_within_facets})
+    geom::require(angle >= 0 && angle < 180, "the least angle at a pole must be in [0, 180) degrees");
   std::vector<CoverPoint> points = surface_cover(mesh, options.spacing, options.seed);
   if (points.size() < 4) return {};
   const double scale = scale_to_unit(points);
-  double mean_gap = 0;
+  LocalFeatureSizeOptions scaled = options;
+  scaled.spacing *= scale;
+  double mean_edge = 0;
   for (CoverPoint& p : points) {
     p.position *= scale;
-    p.gap *= scale;
-    mean_gap += p.gap / static_cast<double>(points.size());
+    p.facet_edge *= scale;
+    mean_edge += p.facet_edge / static_cast<double>(points.size());
   }
+  const double gap = scaled.spacing > 0 ? scaled.spacing : mean_edge;
   std::vector<MedialPoint> result =
-      thinned(VoronoiBalls(std::move(points), options).medial(), mean_gap / grid_cells);
+      thinned(VoronoiBalls(std::move(points), scaled).medial(), gap / cells_in_gap);
   for (MedialPoint& m : result) {
     m.position /= scale;
     m.radius /= scale;
@@ -225,17 +246,19 @@ std::vector<MedialPoint> medial_points(const TriMesh& mesh, const LocalFeatureSi
   return result;
 }
 
-Table<VertexId, double> local_feature_size(const TriMesh& mesh, const LocalFeatureSizeOptions& options) {
+std::vector<double> local_feature_size(std::span<const Vec3> locations, std::span<const MedialPoint> medial) {
   geom::SiteTree tree;
-  SiteId next(0);
-  for (const MedialPoint& m : medial_points(mesh, options)) {
-    tree.insert(next, {m.position, 0.0});
-    next = SiteId(next.value + 1);
-  }
-  Table<VertexId, double> size;
-  size.reserve(mesh.num_vertices());
-  for (const Vec3& x : mesh.vertices()) size.push_back(std::sqrt(tree.nearest(x, SiteId()).radius2));
+  for (std::size_t i = 0; i < medial.size(); ++i) tree.insert(SiteId(i), {medial[i].position, 0.0});
+  std::vector<double> size;
+  size.reserve(locations.size());
+  for (const Vec3& x : locations) size.push_back(std::sqrt(tree.nearest(x, SiteId()).radius2));
   return size;
+}
+
+Table<VertexId, double> local_feature_size(const TriMesh& mesh, const LocalFeatureSizeOptions& options) {
+  const std::span vertices(mesh.vertices().data(), mesh.num_vertices());
+  const std::vector<double> size = local_feature_size(vertices, medial_points(mesh, options));
+  return Table<VertexId, double>(size.begin(), size.end());
 }
 
 }  // namespace fpo

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <string>
 
+#include "fpo/curvature.h"
+#include "fpo/local_feature_size.h"
 #include "geom/check.h"
 
 namespace fpo {
@@ -23,9 +25,29 @@ geom::TriMesh scaled(const geom::TriMesh& mesh, double factor) {
   return geom::TriMesh(std::move(vertices), mesh.facets());
 }
 
+VertexField local_feature_sizes(const geom::TriMesh& surface, double spacing) {
+  LocalFeatureSizeOptions options;
+  options.spacing = 0.3 * spacing;
+  VertexField lfs = local_feature_size(surface, options);
+  for (double& value : lfs) value = std::max(value, 1e-6 * spacing);  // 0 is not excluded
+  return lfs;
+}
+
+VertexField wanted_sizes(const geom::TriMesh& surface, const RemeshOptions& options, double spacing) {
+  switch (options.sizing) {
+    case SizingKind::local_feature_size:
+      return local_feature_sizes(surface, spacing);
+    case SizingKind::curvature:
+      return curvature_size(surface, {.min = 1e-6 * spacing});
+    default:
+      return options.rho;
+  }
+}
+
 Sizing sizing_of(const geom::TriMesh& surface, const RemeshOptions& options) {
-  if (!options.rho.empty()) return fit_sizing(surface, options.rho, options.num_samples, options.limits);
-  return Sizing::uniform(hexagonal_spacing(surface.area(), options.num_samples));
+  const double spacing = hexagonal_spacing(surface.area(), options.num_samples);
+  if (options.sizing == SizingKind::uniform) return Sizing::uniform(spacing);
+  return fit_sizing(surface, wanted_sizes(surface, options, spacing), options.num_samples, options.limits);
 }
 
 RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {
@@ -44,12 +66,19 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
     result.shortest_edges = remove_shortest_edges(domain, removal);
   }
   result.optimization = optimize(domain, optimization);
+  if (options.optimize_angles) {
+    AngleOptions angles;
+    angles.interrupted = optimization.interrupted;
+    result.angles = optimize_angles(domain, angles);
+  }
   result.hidden = domain.num_hidden();
   result.localization = domain.localize();
   result.mesh = extract(domain.diagram(), domain.num_samples());
   for (std::size_t i = 0; i < domain.num_samples(); ++i) result.samples.push_back(domain.sample(SiteId(i)));
   for (std::size_t v = 0; v < surface.num_vertices(); ++v)
     result.sizing.push_back(sizing.at(geom::VertexId(v)));
+  for (const SurfaceSample& sample : result.samples) result.wanted.push_back(sizing.at(sample));
+  result.fit = sizing_fit(result.mesh, result.wanted);
   if (options.keep_cells) result.cells = cell_polygons(domain.diagram());
   return result;
 }
@@ -64,6 +93,7 @@ RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options) tr
   result.mesh = scaled(result.mesh, 1 / factor);
   for (SurfaceSample& sample : result.samples) sample.position /= factor;
   for (double& h : result.sizing) h /= factor;
+  for (double& h : result.wanted) h /= factor;
   for (CellPolygon& cell : result.cells)
     for (geom::Vec3& corner : cell.corners) corner /= factor;
   return result;

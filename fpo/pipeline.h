@@ -4,22 +4,29 @@
 #include <cstdint>
 #include <vector>
 
+#include "fpo/angles.h"
 #include "fpo/extract.h"
 #include "fpo/optimize.h"
+#include "fpo/quality.h"
 #include "fpo/shortest_edge.h"
 #include "fpo/sizing.h"
 #include "fpo/surface_domain.h"
 
 namespace fpo {
 
+/// What the wanted edge lengths are made of.
+enum class SizingKind { uniform, local_feature_size, curvature, given };
+
 struct RemeshOptions {
   std::size_t num_samples = 0;
   std::uint64_t seed = 1;  ///< of the initial samples, which are then moved in turn
-  VertexField rho;         ///< wanted edge lengths up to a factor, per vertex of the input; empty: uniform
-  SizingLimits limits;     ///< of what is made of rho
+  SizingKind sizing = SizingKind::uniform;
+  VertexField rho;         ///< if given: wanted edge lengths up to a factor, per vertex of the input
+  SizingLimits limits;     ///< unless uniform
   SurfaceOptions surface;  ///< its seed is overruled
   bool shortest_edge_removal = false;  ///< before the optimization (section 4.3)
   OptimizeOptions optimize;            ///< its seed and order are overruled
+  bool optimize_angles = true;         ///< afterwards (section 5)
   bool keep_cells = false;             ///< fill RemeshResult::cells
 };
 
@@ -27,8 +34,11 @@ struct RemeshResult {
   geom::TriMesh mesh;                  ///< vertex i is sample i
   std::vector<SurfaceSample> samples;  ///< position and facet of the input
   VertexField sizing;                  ///< the wanted edge length at each vertex of the input
+  VertexField wanted;                  ///< and at each vertex of the mesh
+  SizingFit fit;                       ///< of the mesh's edges to them
   ShortestEdgeResult shortest_edges;
   OptimizeResult optimization;
+  AngleResult angles;
   Localization localization;
   std::size_t hidden = 0;          ///< samples without a cell, hence without a triangle
   std::vector<CellPolygon> cells;  ///< the restricted power diagram

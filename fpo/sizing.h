@@ -51,7 +51,7 @@ double num_samples(const geom::TriMesh& mesh, const Sizing& sizing);
 
 /// Bounds of h. Lengths in units of the spacing that n samples would have if they were spread evenly.
 struct SizingLimits {
-  double gradation = 0.3;  ///< |h(u) - h(v)| <= gradation * |uv| along each mesh edge
+  double gradation = 0.12;  ///< |h(u) - h(v)| <= gradation * |uv| along each mesh edge
   double smallest = 0.1, largest = 10;
 };
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "fpo/initial_samples.h"
+#include "fpo/surface_sample.h"
 #include "geom/check.h"
 #include "geom/rng.h"
 
@@ -37,15 +37,17 @@ class Cover {
     add_vertices();
     if (spacing_ == 0) return std::move(points_);
     for (FacetId t(0); t.index() < mesh_.num_facets(); t = FacetId(t.value + 1)) {
-      const double longest = add_edges(t);
-      if (longest > (1 + stretch) * spacing_) add_lattice(t);
+      if (longest_edge(t) <= (1 + stretch) * spacing_) continue;
+      add_edges(t);
+      add_lattice(t);
     }
     return std::move(points_);
   }
 
  private:
   void add_vertices();
-  double add_edges(FacetId t);
+  double longest_edge(FacetId t) const;
+  void add_edges(FacetId t);
   void add_lattice(FacetId t);
 
   const TriMesh& mesh_;
@@ -67,27 +69,32 @@ void Cover::add_vertices() {
   }
   for (VertexId v(0); v.index() < mesh_.num_vertices(); v = VertexId(v.value + 1)) {
     if (longest[v] < 0) continue;
-    points_.push_back({mesh_.position(v), direction(normal[v]), spacing_ > 0 ? spacing_ : longest[v]});
+    points_.push_back({mesh_.position(v), direction(normal[v]), longest[v]});
   }
 }
 
-/// Points on the edges of a facet that no earlier facet has seen. Returns the length of the longest edge.
-double Cover::add_edges(FacetId t) {
+double Cover::longest_edge(FacetId t) const {
   double longest = 0;
+  for (int e = 0; e < 3; ++e)
+    longest = std::max(longest, (mesh_.corner(t, (e + 1) % 3) - mesh_.corner(t, e)).norm());
+  return longest;
+}
+
+/// Points on the edges of a facet that no earlier facet has seen.
+void Cover::add_edges(FacetId t) {
   for (int e = 0; e < 3; ++e) {
-    const Vec3 &a = mesh_.corner(t, e), &b = mesh_.corner(t, (e + 1) % 3);
-    const double length = (b - a).norm();
-    longest = std::max(longest, length);
     const FacetId other = mesh_.across(t, e);
     if (other.valid() && other < t) continue;
+    const Vec3 &a = mesh_.corner(t, e), &b = mesh_.corner(t, (e + 1) % 3);
+    const double pieces = std::ceil((b - a).norm() / spacing_ - stretch);
+    if (pieces <= 1) continue;
     const Vec3 normal = direction(mesh_.normal(t) + (other.valid() ? mesh_.normal(other) : Vec3(0, 0, 0)));
-    const double pieces = std::ceil(length / spacing_ - stretch);
+    const double longest = std::max(longest_edge(t), other.valid() ? longest_edge(other) : 0);
     for (double i = 1; i < pieces; ++i) {
       const double at = (i + rng_.uniform(-jitter, jitter)) / pieces;
-      points_.push_back({a + at * (b - a), normal, spacing_});
+      points_.push_back({a + at * (b - a), normal, longest});
     }
   }
-  return longest;
 }
 
 /// Rows along the first edge, from a random start.
@@ -111,7 +118,7 @@ void Cover::add_lattice(FacetId t) {
       const double py = y + spacing_ * rng_.uniform(-jitter, jitter);
       const double v = py / height, u = (px - v * lean) / base;
       if (u < least_u || v < least_v || 1 - u - v < least_w) continue;
-      points_.push_back({location_in_facet(mesh_, t, u, v).position, normal / doubled_area, spacing_});
+      points_.push_back({location_in_facet(mesh_, t, u, v).position, normal / doubled_area, longest_edge(t)});
     }
   }
 }

@@ -14,7 +14,7 @@ namespace fpo {
 struct CoverPoint {
   geom::Vec3 position;
   geom::Vec3 normal;  ///< unit, of the facets around weighted by area; 0 if they have no area or cancel out
-  double gap;         ///< about how far it is to the next points at most
+  double facet_edge;  ///< longest edge of the facets around
 };
 
 /// All vertices that a facet names, and where edges are longer than `spacing` points on edges and facets,

@@ -31,9 +31,10 @@ SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,
                              std::span<const SurfaceSample> samples, const SurfaceOptions& options)
     : mesh_(mesh),
       sizing_(sizing),
-      weight_factor_(sizing.is_uniform() ? 0 : options.weight_factor),
+      weight_factor_(options.weight_factor),
       samples_(samples.begin(), samples.end()),
       weight_share_(samples.size(), 1.0),
+      unweighted_(sizing.is_uniform()),
       source_(make_source(options.engine, mesh.box())),
       diagram_(std::make_unique<geom::RestrictedPower>(mesh, *source_, options.corners)),
       circles_(CircleOrder{diagram_.get()}) {
@@ -44,10 +45,11 @@ SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,
   for (const SiteId x : order) insert(x, SiteId());
 }
 
+/// A uniform diagram is that of equal weights, whatever these are: 0. A smaller weight is negative then.
 double SurfaceDomain::weight_at(SiteId x) const {
-  if (weight_factor_ == 0) return 0;
+  if (sizing_.is_uniform() && weight_share_[x] == 1) return 0;
   const double radius = weight_factor_ * sizing_.at(samples_[x]);
-  return weight_share_[x] * radius * radius;
+  return (weight_share_[x] - (sizing_.is_uniform() ? 1 : 0)) * radius * radius;
 }
 
 double SurfaceDomain::separation(SiteId x) { return source_->nearest(samples_[x].position, x, x).radius2; }
@@ -92,6 +94,14 @@ void SurfaceDomain::insert_at(SiteId x, const Circle& c) {
   insert(x, circle.sites[0]);
 }
 
+void SurfaceDomain::insert_at(SiteId x, const SurfaceSample& place, double weight_share) {
+  geom::ensure(weight_share >= 0 && weight_share <= 1, "the share of a weight must be in [0, 1]");
+  samples_[x] = place;
+  weight_share_[x] = weight_share;
+  unweighted_ &= weight_share == 1;
+  put_back(x);
+}
+
 void SurfaceDomain::put_back(SiteId x) {
   const std::vector<SiteId>& heirs = last_change_->cells;
   insert(x, heirs.empty() ? SiteId() : heirs.front());
@@ -111,9 +121,11 @@ void SurfaceDomain::apply(const geom::RestrictedPower::Change& change) {
 
 double SurfaceDomain::normalized_spacing(SiteId x) {
   const double h = sizing_.at(samples_[x]);
-  if (sizing_.is_uniform()) return std::sqrt(separation(x)) / h;
+  const geom::NeighbourSource::Nearest nearest = source_->nearest(samples_[x].position, x, x);
+  if (!nearest.site.valid()) return std::numeric_limits<double>::infinity();
+  double least2 = (samples_[nearest.site].position - samples_[x].position).squaredNorm();
+  if (unweighted_) return std::sqrt(least2) / h;
   neighbours(x, link_);
-  double least2 = std::numeric_limits<double>::infinity();
   for (const SiteId y : link_)
     least2 = std::min(least2, (samples_[y].position - samples_[x].position).squaredNorm());
   return std::sqrt(least2) / h;
@@ -124,14 +136,6 @@ void SurfaceDomain::neighbours(SiteId x, std::vector<SiteId>& out) {
   if (!out.empty() || num_samples() == 1) return;
   const SiteId hider = source_->nearest(samples_[x].position, x, x).site;
   if (hider.valid()) out.push_back(hider);
-}
-
-void SurfaceDomain::set_weight_share(SiteId x, double share) {
-  geom::ensure(share >= 0 && share <= 1, "the share of a weight must be in [0, 1]");
-  if (share == weight_share_[x]) return;
-  remove(x);
-  weight_share_[x] = share;
-  put_back(x);
 }
 
 std::size_t SurfaceDomain::num_hidden() const {

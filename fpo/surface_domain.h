@@ -3,8 +3,8 @@
 // and the heap of empty circles.
 //
 // A sample where the sizing wants edges of length h has weight (c h)^2 (section 3.2 with k chosen so that the
-// weight is a squared length), or 0 if the sizing is uniform. The weight is that of the sample's own place:
-// it changes as the sample moves.
+// weight is a squared length), or 0 if the sizing is uniform: equal weights do nothing. The weight is that of
+// the sample's own place: it changes as the sample moves.
 
 #include <memory>
 #include <span>
@@ -20,8 +20,13 @@ namespace fpo {
 /// Where neighbours come from: the regular triangulation (the paper's way) or a spatial search. Same results.
 enum class Engine { search, triangulation };
 
+/// The factor c with which, by measurement, edge lengths follow h best: their logarithms against those of h
+/// have slope 1 +- .05 (bench-adaptive). Local moves keep the density of the initial samples if c is 2/3;
+/// global ones carry samples to where they find room, which a larger c must balance.
+inline double best_weight_factor(Scope scope) { return scope == Scope::global ? 0.75 : 2.0 / 3; }
+
 struct SurfaceOptions {
-  double weight_factor = 0.75;  ///< c; without effect if the sizing is uniform
+  double weight_factor = best_weight_factor(Scope::two_ring);  ///< c
   Engine engine = Engine::search;
   geom::CornerTypes corners = geom::CornerTypes::c_only;
   std::uint64_t seed =
@@ -44,16 +49,16 @@ class SurfaceDomain final : public Domain {
   Circle largest_empty(Scope scope) override;
   void insert_at(SiteId x, const Circle& c) override;
   void put_back(SiteId x) override;
-  /// Distance over h. If the sizing is uniform, to the nearest sample in space; else to the nearest of
-  /// neighbours(x), which power does not order by distance.
+  /// Distance over h to the nearest sample in space; with weights to the nearest of those that are first in
+  /// power or in neighbours(x).
   double normalized_spacing(SiteId x) override;
   /// The link of x in the RRT (section 4.1); of a sample without triangles the nearest one.
   void neighbours(SiteId x, std::vector<SiteId>& out) override;
   void check() const override;
 
-  /// The weight of x is to be `share` (in [0, 1]) of what the sizing gives, now and wherever it goes (angle
-  /// optimization, section 5). Removes and inserts x if that changes its weight.
-  void set_weight_share(SiteId x, double share);
+  /// Puts the removed sample at a place, its weight to be `weight_share` (in [0, 1]) of what the sizing
+  /// gives, there and wherever it goes (angle optimization, section 5).
+  void insert_at(SiteId x, const SurfaceSample& place, double weight_share);
   double weight_share(SiteId x) const { return weight_share_[x]; }
   /// Samples with an empty cell.
   std::size_t num_hidden() const;
@@ -82,9 +87,10 @@ class SurfaceDomain final : public Domain {
 
   const geom::TriMesh& mesh_;
   Sizing sizing_;
-  double weight_factor_;  ///< 0 if the sizing is uniform
+  double weight_factor_;
   geom::Table<SiteId, SurfaceSample> samples_;
   geom::Table<SiteId, double> weight_share_;
+  bool unweighted_;  ///< all weights are and have always been 0
   std::unique_ptr<geom::NeighbourSource> source_;
   std::unique_ptr<geom::RestrictedPower> diagram_;
   geom::IndexedHeap<CircleId, CircleOrder> circles_;

@@ -57,7 +57,7 @@ class RestrictedPower {
   /// Takes these fragments away from their owner p and divides them among the other sites, those in
   /// `excluded` left out, as if only there p did not exist. From then on the diagram is no power diagram: no
   /// insertion or removal may follow. `search` must hold all sites. Does nothing if no other site borders the
-  /// fragments.
+  /// fragments, or if the shares do not fit together because of what was abandoned before.
   const Change& abandon(SiteId p, std::span<const FragmentId> fragments, std::span<const SiteId> excluded,
                         const NeighbourSource& search);
 
@@ -123,9 +123,15 @@ class RestrictedPower {
   Pending& add_pending();
   void find_fragments_of_heirs(FragmentId vacated);
   bool yields_everywhere(std::size_t i, std::span<const PolygonCorner> corners) const;
+  struct Seam {
+    std::size_t in_old, in_share;  ///< the edges labelled p
+    bool fits;                     ///< and the edges next to them continue each other
+  };
+  Seam seam_of(FragmentId old, const FacetPolygon& share, SiteId p) const;
   void join(FragmentId old, const FacetPolygon& share, SiteId p);
   void gather_known_heirs(std::span<const FragmentId> vacated);
-  void divide_all(SiteId p, const NeighbourSource& source);
+  void plan_division(SiteId p, const NeighbourSource& source);
+  void carry_out_division(SiteId p);
   void add_heir(SiteId k);
   bool add_missing_heirs(SiteId p, const NeighbourSource& source);
 
@@ -166,6 +172,7 @@ class RestrictedPower {
   std::vector<RivalLink> rival_links_;
   std::vector<Pending> pending_;
   std::size_t num_pending_ = 0;
+  bool misfit_ = false;
   std::vector<char> beaten_;
   FacetPolygon polygon_;
   Table<FacetId, std::int32_t> facet_mark_;  ///< index into touched_facets_ or -1

@@ -15,8 +15,8 @@ std::vector<double> read_positive_values(const std::filesystem::path& path, std:
   std::vector<double> values;
   while (cursor.next_line()) {
     const std::string_view word = cursor.word();
-    const double value = cursor.coordinate(word);
-    if (!(value > 0)) cursor.fail(in_quotes(word) + " is not positive");
+    const double value = parse_real(word).value_or(-1);
+    if (!(value > 0) || coordinate_fault(value)) cursor.fail(in_quotes(word) + " is not a positive number");
     if (!cursor.word().empty()) cursor.fail("more than one number");
     if (values.size() == count) cursor.fail("more than " + std::to_string(count) + " numbers");
     values.push_back(value);

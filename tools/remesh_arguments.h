@@ -10,14 +10,14 @@ namespace tools {
 
 struct RemeshArguments {
   std::filesystem::path input, output, points, rpd, log, picture, sizing_out;
-  std::string sizing = "uniform";  ///< or a file
+  std::filesystem::path sizing_file;  ///< if the sizing is given
   fpo::RemeshOptions remesh;
 };
 
 /// Reads it, and refuses output names that cannot be written before any work starts. Throws geom::InputError.
 RemeshArguments parse_remesh_arguments(CommandLine& cli);
 
-/// --sizing for a mesh: the rho of fpo::RemeshOptions. Throws geom::InputError.
-fpo::VertexField wanted_sizes(const RemeshArguments& a, const geom::TriMesh& input);
+/// Reads a.remesh.rho if it is given by a file. Throws geom::InputError.
+void read_sizing(RemeshArguments& a, const geom::TriMesh& input);
 
 }  // namespace tools
