@@ -1,5 +1,7 @@
 #include "tools/bounded_plane.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "fpo/pipeline.h"
@@ -13,7 +15,11 @@
 namespace tools {
 namespace {
 
-constexpr int cells_if_adaptive = 64;  // along the longer side: h is linear on each half
+/// Along the longer side, if adaptive: h is linear on each half of a cell. About four samples a cell, for
+/// many facets cost time.
+int cells_for(std::size_t num_samples) {
+  return static_cast<int>(std::clamp(std::sqrt(static_cast<double>(num_samples)) / 2, 8.0, 128.0));
+}
 
 fpo::RemeshOptions remesh_options(const PlaneArguments& a, std::uint64_t seed, const fpo::PlaneSizing& sizing,
                                   const geom::TriMesh& rectangle) {
@@ -23,7 +29,7 @@ fpo::RemeshOptions remesh_options(const PlaneArguments& a, std::uint64_t seed, c
   if (!sizing.is_uniform()) {
     options.sizing = fpo::SizingKind::given;
     options.rho = fpo::rho_at_vertices(rectangle, sizing);
-    options.limits = {.gradation = 1e3, .smallest = 1e-3, .largest = 1e3};  // the sizing has its own
+    options.limits = {.gradation = 10, .smallest = 1e-3, .largest = 1e3};  // the sizing has its own
   }
   options.optimize = a.optimize;
   options.optimize.scope = a.scope.value_or(sizing.is_uniform() ? fpo::Scope::global : fpo::Scope::two_ring);
@@ -52,7 +58,7 @@ int run_bounded_plane(PlaneArguments& a, std::uint64_t seed, bool quiet) {
   const geom::FlatTorus torus(a.period);
   const auto sizing = make_plane_sizing(a, torus);
   const geom::TriMesh rectangle =
-      fpo::rectangle_mesh(torus.period(), sizing->is_uniform() ? 1 : cells_if_adaptive);
+      fpo::rectangle_mesh(torus.period(), sizing->is_uniform() ? 1 : cells_for(a.num_samples));
   RunLog log(quiet);
   log.attach(a.optimize, a.num_samples);
   const fpo::RemeshResult result = fpo::remesh(rectangle, remesh_options(a, seed, *sizing, rectangle));
