@@ -9,14 +9,24 @@
 namespace fpo {
 namespace {
 
-/// Mean and variance of a stream of numbers (Welford).
-struct Moments {
-  std::size_t count = 0;
-  double mean = 0, squares = 0;
-  void add(double x) {
-    const double from_old = x - mean;
-    mean += from_old / static_cast<double>(++count);
-    squares += from_old * (x - mean);
+/// The sums that a straight line through (x, y) needs.
+struct Line {
+  double count = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+  void add(double at, double value) {
+    count += 1;
+    x += at;
+    y += value;
+    xx += at * at;
+    xy += at * value;
+    yy += value * value;
+  }
+  double mean() const { return y / count; }
+  /// Of the values around the line of least squares.
+  double variance() const {
+    if (count < 3) return std::numeric_limits<double>::quiet_NaN();
+    const double sxx = xx - x * x / count, sxy = xy - x * y / count, syy = yy - y * y / count;
+    const bool sloped = sxx > 1e-12 * xx;
+    return std::max(0.0, syy - (sloped ? sxy * sxy / sxx : 0)) / (count - (sloped ? 2 : 1));
   }
 };
 
@@ -25,23 +35,21 @@ struct Moments {
 RadialCurve radial_curve(const PowerSpectrum& s, double width) {
   const double reach = std::min(s.half_x * s.step.x(), s.half_y * s.step.y());
   const auto last_ring = static_cast<std::size_t>(std::max(0.0, std::floor(reach / width + 1e-9)));
-  std::vector<Moments> rings(last_ring + 1);
+  std::vector<Line> rings(last_ring + 1);
   for (int j = 0; j <= s.half_y; ++j) {
     for (int i = j == 0 ? 1 : -s.half_x; i <= s.half_x; ++i) {
       const double f = std::hypot(i * s.step.x(), j * s.step.y());
       const auto ring = static_cast<std::size_t>(std::lround(f / width));
-      if (ring >= 1 && ring <= last_ring) rings[ring].add(s.at(i, j));
+      if (ring >= 1 && ring <= last_ring) rings[ring].add(f - static_cast<double>(ring) * width, s.at(i, j));
     }
   }
   RadialCurve curve;
   for (std::size_t k = 1; k <= last_ring; ++k) {
-    const Moments& ring = rings[k];
+    const Line& ring = rings[k];
     if (ring.count == 0) continue;
     curve.frequency.push_back(static_cast<double>(k) * width);
-    curve.mean.push_back(ring.mean);
-    const double variance = ring.count > 1 ? ring.squares / static_cast<double>(ring.count - 1)
-                                           : std::numeric_limits<double>::quiet_NaN();
-    curve.anisotropy.push_back(s.smoothing * variance / (ring.mean * ring.mean));
+    curve.mean.push_back(ring.mean());
+    curve.anisotropy.push_back(s.smoothing * ring.variance() / (ring.mean() * ring.mean()));
   }
   return curve;
 }

@@ -36,7 +36,8 @@ struct RadialCurve {
   std::vector<double> frequency;  ///< the middle of the ring
   std::vector<double> mean;       ///< of P over the ring
   /// Variance over the ring / mean^2, times `smoothing`: 1 for one isotropic set, 1 / M for the mean spectrum
-  /// of M of them, more where power depends on the direction. NaN in a ring of fewer than two frequencies.
+  /// of M of them, more where power depends on the direction. The variance is that around a line in |f|, so
+  /// that a steep spectrum does not count as anisotropic. NaN in a ring of fewer than three frequencies.
   std::vector<double> anisotropy;
 };
 

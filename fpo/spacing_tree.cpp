@@ -16,6 +16,7 @@ SpacingTree::SpacingTree(std::vector<SpectrumPoint> points)
   geom::require(!points_.empty() && points_.size() < 100'000'000, "no points, or too many for a spectrum");
   std::iota(order_.begin(), order_.end(), 0u);
   build(0, static_cast<std::uint32_t>(order_.size()));
+  for (const std::uint32_t i : order_) places_.push_back({points_[i].position, points_[i].spacing});
 }
 
 void SpacingTree::build(std::uint32_t first, std::uint32_t last) {

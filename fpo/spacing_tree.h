@@ -16,8 +16,8 @@ class SpacingTree {
 
   const std::vector<SpectrumPoint>& points() const { return points_; }  ///< in the order given
 
-  /// Calls f(index) for each point p with |p - x| < radius (r_x + r_p) / 2, and perhaps for others not much
-  /// farther away, in an order that depends on the points alone.
+  /// Calls f(index) for each point p with |p - x| < radius (r_x + r_p) / 2, in an order that depends on the
+  /// points alone.
   template <class F>
   void each_near(const SpectrumPoint& x, double radius, F&& f) const;
 
@@ -38,11 +38,17 @@ class SpacingTree {
     std::uint32_t first = 0, last = 0;  ///< into order_
     std::uint32_t second_child = 0;     ///< 0: leaf
   };
+  /// What each_near() looks at, in the order of the leaves.
+  struct Place {
+    geom::Vec3 position;
+    double spacing;
+  };
   void build(std::uint32_t first, std::uint32_t last);
   void search(std::size_t node, const SpectrumPoint& x, std::size_t count, std::vector<Neighbour>& out) const;
 
   std::vector<SpectrumPoint> points_;
   std::vector<std::uint32_t> order_;
+  std::vector<Place> places_;
   std::vector<Node> nodes_;
 };
 
@@ -56,7 +62,11 @@ void SpacingTree::each_near(const SpectrumPoint& x, double radius, F&& f) const 
     const double reach = radius * (x.spacing + node.max_spacing) / 2;
     if (node.box.squaredExteriorDistance(x.position) > reach * reach * (1 + 1e-12)) continue;
     if (node.second_child == 0) {
-      for (std::uint32_t i = node.first; i < node.last; ++i) f(order_[i]);
+      for (std::uint32_t i = node.first; i < node.last; ++i) {
+        const Place& p = places_[i];
+        const double limit = radius * (x.spacing + p.spacing) / 2;
+        if ((p.position - x.position).squaredNorm() < limit * limit) f(order_[i]);
+      }
     } else {
       open.push_back(node.second_child);
       open.push_back(at + 1);

@@ -20,96 +20,110 @@ constexpr double hexagonal_density = 2 / std::numbers::sqrt3;
 /// Each set is divided among at most so many histograms.
 constexpr std::size_t parts = 8;
 
-/// The sums over differentials of part of a set.
+/// Sums over differentials: between samples, and what is to be subtracted from that.
 struct Sums {
-  DifferentialHistogram pairs, background;
+  DifferentialHistogram pairs, expected;
   double squares = 0;  ///< of W over the pairs
   explicit Sums(const SpectrumOptions& o)
-      : pairs(o.radius, o.max_frequency), background(o.radius, std::min(o.max_frequency, background_none)) {}
+      : pairs(o.radius, o.max_frequency), expected(o.radius, std::min(o.max_frequency, background_none)) {}
   void merge(const Sums& other) {
     pairs.merge(other.pairs);
-    background.merge(other.background);
+    expected.merge(other.expected);
     squares += other.squares;
   }
 };
 
-SpacingTree tree_of_targets(const SpectrumSet& set) {
-  std::vector<SpectrumPoint> targets = set.samples;
-  targets.insert(targets.end(), set.copies.begin(), set.copies.end());
-  return SpacingTree(std::move(targets));
+std::vector<SpectrumMass> with_mass(const std::vector<SpectrumPoint>& points) {
+  std::vector<SpectrumMass> all;
+  for (const SpectrumPoint& p : points) all.push_back({p, 1});
+  return all;
 }
 
-SpacingTree tree_of_background(const SpectrumSet& set) {
-  std::vector<SpectrumPoint> places;
-  for (const BackgroundPoint& b : set.background) places.push_back(b.at);
-  return SpacingTree(std::move(places));
-}
+/// Places to look at.
+class Scene {
+ public:
+  explicit Scene(std::vector<SpectrumMass> places) : tree_(points_of(places)), places_(std::move(places)) {}
 
-/// Adds what is seen from samples [first, last).
-void add_pairs(const SpectrumSet& set, const SpacingTree& targets, double radius,
-               std::pair<std::size_t, std::size_t> range, Sums& sums) {
-  for (std::size_t i = range.first; i < range.second; ++i) {
-    const SpectrumPoint& a = set.samples[i];
+  /// Calls f(j, differential, mass_j W) for each place within the radius of a.
+  template <class F>
+  void look(const SpectrumPoint& a, double radius, F&& f) const {
     const TangentFrame frame(a.normal);
-    targets.each_near(a, radius, [&](std::uint32_t j) {
-      if (j == i) return;
-      const SpectrumPoint& b = targets.points()[j];
-      // Samples at one place (bad, but possible) differ by nothing.
-      const bool same_place = (a.position - b.position).squaredNorm() == 0;
-      const auto d = same_place ? Vec2(0, 0) : differential(a, frame, b);
-      if (!d || !(d->squaredNorm() < radius * radius)) return;
-      const double w = spectrum_window(d->norm(), radius);
-      sums.pairs.add(*d, w);
-      sums.squares += w * w;
+    tree_.each_near(a, radius, [&](std::uint32_t j) {
+      const auto d = differential(a, frame, places_[j].at);
+      if (!d) return;
+      const double r2 = d->squaredNorm();
+      if (r2 < radius * radius) f(j, *d, places_[j].mass * spectrum_window(std::sqrt(r2), radius));
     });
   }
+
+ private:
+  static std::vector<SpectrumPoint> points_of(const std::vector<SpectrumMass>& places) {
+    std::vector<SpectrumPoint> points;
+    for (const SpectrumMass& p : places) points.push_back(p.at);
+    return points;
+  }
+  SpacingTree tree_;
+  std::vector<SpectrumMass> places_;
+};
+
+/// Calls work(i, sums of i's part) for i in [0, count), and adds what the parts got to `total`.
+template <class Work>
+void share(std::size_t count, const SpectrumOptions& o, Sums& total, const Work& work) {
+  const std::size_t grain = (count + parts - 1) / parts;
+  std::vector<Sums> part((count + grain - 1) / grain, Sums(o));
+  geom::parallel_ranges(count, grain, o.threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) work(i, part[first / grain]);
+  });
+  for (const Sums& sums : part) total.merge(sums);
 }
 
-void add_background(const SpectrumSet& set, const SpacingTree& places, double radius,
-                    std::pair<std::size_t, std::size_t> range, Sums& sums) {
-  for (std::size_t i = range.first; i < range.second; ++i) {
-    const SpectrumPoint& a = set.samples[i];
-    const TangentFrame frame(a.normal);
-    places.each_near(a, radius, [&](std::uint32_t j) {
-      const auto d = differential(a, frame, places.points()[j]);
-      if (!d || !(d->squaredNorm() < radius * radius)) return;
-      sums.background.add(*d, set.background[j].mass * spectrum_window(d->norm(), radius));
-    });
-  }
+/// What is seen from samples and from viewpoints.
+void add_domain(const SpectrumSet& set, const Scene& samples, const SpectrumOptions& o, Sums& total) {
+  const Scene background(set.background);
+  share(set.samples.size(), o, total, [&](std::size_t i, Sums& sums) {
+    background.look(set.samples[i], o.radius,
+                    [&](std::uint32_t, const Vec2& d, double w) { sums.expected.add(d, w); });
+  });
+  share(set.viewpoints.size(), o, total, [&](std::size_t i, Sums& sums) {
+    const double mass = set.viewpoints[i].mass;
+    samples.look(set.viewpoints[i].at, o.radius,
+                 [&](std::uint32_t, const Vec2& d, double w) { sums.expected.add(d, mass * w); });
+    background.look(set.viewpoints[i].at, o.radius,
+                    [&](std::uint32_t, const Vec2& d, double w) { sums.expected.add(d, -mass * w); });
+  });
 }
 
 /// The plane seen from n samples. The window is smooth, so that a grid as coarse as this integrates it as
 /// well as rounding allows.
-void add_uniform_background(double n, double radius, Sums& sums) {
+void add_uniform_plane(double n, double radius, Sums& sums) {
   const double cell = 1.0 / 8;
   const int half = static_cast<int>(radius / cell) + 1;
   for (int i = -half; i <= half; ++i) {
     for (int j = -half; j <= half; ++j) {
       const Vec2 d(i * cell, j * cell);
       if (d.norm() < radius)
-        sums.background.add(d, n * hexagonal_density * cell * cell * spectrum_window(d.norm(), radius));
+        sums.expected.add(d, n * hexagonal_density * cell * cell * spectrum_window(d.norm(), radius));
     }
   }
 }
 
 Sums sums_of(const SpectrumSet& set, const SpectrumOptions& o) {
-  const std::size_t n = set.samples.size();
-  const SpacingTree targets = tree_of_targets(set);
-  const std::size_t grain = (n + parts - 1) / parts, ranges = (n + grain - 1) / grain;
-  std::vector<Sums> part(ranges, Sums(o));
-  geom::parallel_ranges(n, grain, o.threads, [&](std::size_t first, std::size_t last) {
-    add_pairs(set, targets, o.radius, {first, last}, part[first / grain]);
-  });
-  if (set.background.empty()) {
-    add_uniform_background(static_cast<double>(n), o.radius, part[0]);
-  } else {
-    const SpacingTree places = tree_of_background(set);
-    geom::parallel_ranges(n, grain, o.threads, [&](std::size_t first, std::size_t last) {
-      add_background(set, places, o.radius, {first, last}, part[first / grain]);
+  std::vector<SpectrumMass> seen = with_mass(set.samples), copies = with_mass(set.copies);
+  seen.insert(seen.end(), copies.begin(), copies.end());
+  const Scene samples(std::move(seen));
+  Sums total(o);
+  share(set.samples.size(), o, total, [&](std::size_t i, Sums& sums) {
+    samples.look(set.samples[i], o.radius, [&](std::uint32_t j, const Vec2& d, double w) {
+      if (j == i) return;
+      sums.pairs.add(d, w);
+      sums.squares += w * w;
     });
-  }
-  for (std::size_t k = 1; k < part.size(); ++k) part[0].merge(part[k]);
-  return std::move(part[0]);
+  });
+  if (set.background.empty())
+    add_uniform_plane(static_cast<double>(set.samples.size()), o.radius, total);
+  else
+    add_domain(set, samples, o, total);
+  return total;
 }
 
 /// The share of the background that counts at |f|: 1, then down to 0.
@@ -137,7 +151,7 @@ PowerSpectrum differential_spectrum(const SpectrumSet& set, const SpectrumOption
   const int half = static_cast<int>(o.max_frequency / step + 1e-9);
   const int low_half = static_cast<int>(std::min(o.max_frequency, background_none) / step + 1e-9);
   const std::vector<double> pairs = sums.pairs.transform(step, half, o.threads);
-  const std::vector<double> background = sums.background.transform(step, low_half, o.threads);
+  const std::vector<double> expected = sums.expected.transform(step, low_half, o.threads);
   const auto n = static_cast<double>(set.samples.size());
   PowerSpectrum spectrum({step, step}, half, half);
   for (std::size_t k = 0; k < pairs.size(); ++k) spectrum.power[k] = 1 + pairs[k] / n;
@@ -145,7 +159,7 @@ PowerSpectrum differential_spectrum(const SpectrumSet& set, const SpectrumOption
     for (int i = -low_half; i <= low_half; ++i)
       spectrum.at(i, j) -=
           background_share(step * std::hypot(i, j)) / n *
-          background[static_cast<std::size_t>((j + low_half) * (2 * low_half + 1) + i + low_half)];
+          expected[static_cast<std::size_t>((j + low_half) * (2 * low_half + 1) + i + low_half)];
   spectrum.smoothing = std::max(1.0, n * n / std::max(sums.squares, 1.0));
   return spectrum;
 }

@@ -26,6 +26,7 @@ std::optional<Vec2> differential(const SpectrumPoint& a, const TangentFrame& fra
                                  const SpectrumPoint& b) {
   if (a.normal.dot(b.normal) < 0) return std::nullopt;
   const Vec3 d = b.position - a.position;
+  if (d.squaredNorm() == 0) return Vec2(0, 0);
   const Vec2 tangential(frame_of_a.first.dot(d), frame_of_a.second.dot(d));
   const double size = tangential.norm();
   if (size == 0) return std::nullopt;

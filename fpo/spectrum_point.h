@@ -15,6 +15,13 @@ struct SpectrumPoint {
   double spacing = 1;  ///< r: of a hexagonal arrangement with the local density, sqrt(2 / (sqrt(3) density))
 };
 
+/// A place and how many samples it stands for: 1 for a sample, the number of samples to expect there for a
+/// piece of the domain.
+struct SpectrumMass {
+  SpectrumPoint at;
+  double mass = 1;
+};
+
 /// Two directions that span the tangent plane: `first` is the tangential part of the x axis (near places
 /// where that is normal to the surface, of the y axis), `second` is a left turn from it. In the plane z = 0:
 /// x and y.

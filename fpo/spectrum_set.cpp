@@ -100,20 +100,20 @@ double interpolated_spacing(const SpectrumPoint& x, const SpacingTree& tree,
 }
 
 /// Gives each piece its spacing and the number of samples to expect there, n in all.
-std::vector<BackgroundPoint> background_of(const std::vector<SurfacePiece>& pieces, double n, bool uniform,
-                                           const SpacingTree& tree) {
-  std::vector<BackgroundPoint> background;
+std::vector<SpectrumMass> background_of(const std::vector<SurfacePiece>& pieces, double n, bool uniform,
+                                        const SpacingTree& tree) {
+  std::vector<SpectrumMass> background;
   std::vector<SpacingTree::Neighbour> near;
   double total = 0;
   for (const SurfacePiece& piece : pieces) {
-    BackgroundPoint b{.at = piece.at, .mass = 0};
+    SpectrumMass b{.at = piece.at, .mass = 0};
     b.at.spacing = uniform ? tree.points().front().spacing : interpolated_spacing(b.at, tree, near);
     if (!std::isfinite(b.at.spacing)) continue;  // faces away from every sample
     b.mass = piece.area / (b.at.spacing * b.at.spacing);
     total += b.mass;
     background.push_back(b);
   }
-  for (BackgroundPoint& b : background) b.mass *= n / total;
+  for (SpectrumMass& b : background) b.mass *= n / total;
   return background;
 }
 
@@ -172,11 +172,15 @@ SpectrumSet plane_set(std::span<const geom::WeightedPoint2> samples, const Plane
   set.copies = copies(margin);
   const bool uniform = rule == SpacingRule::uniform;
   if (uniform && region.periodic) return set;
-  set.background = background_of(pieces_of_rectangle(region.size, background_points_per_sample * n), n,
-                                 uniform, tree_with(set.samples, set.copies));
+  const SpacingTree near = tree_with(set.samples, set.copies);
+  const auto pieces = [&](double density) {
+    return background_of(pieces_of_rectangle(region.size, density * n), n, uniform, near);
+  };
+  set.viewpoints = pieces(viewpoint_density);
+  set.background = pieces(background_density);
   if (region.periodic) {
     const auto more = copies_within(set.background, region.size, margin,
-                                    [](BackgroundPoint& b) -> Vec3& { return b.at.position; });
+                                    [](SpectrumMass& b) -> Vec3& { return b.at.position; });
     set.background.insert(set.background.end(), more.begin(), more.end());
   }
   return set;
@@ -191,8 +195,12 @@ SpectrumSet surface_set(std::span<const geom::WeightedPoint3> samples, const Spe
   if (rule == SpacingRule::local) spacings_from_density(set.samples, SpacingTree(set.samples));
   fill_area(set.samples, surface.area());
   const auto n = static_cast<double>(samples.size());
-  set.background = background_of(surface.pieces(background_points_per_sample * n), n,
-                                 rule == SpacingRule::uniform, SpacingTree(set.samples));
+  const SpacingTree near(set.samples);
+  const auto pieces = [&](double density) {
+    return background_of(surface.pieces(density * n), n, rule == SpacingRule::uniform, near);
+  };
+  set.viewpoints = pieces(viewpoint_density);
+  set.background = pieces(background_density);
   return set;
 }
 
