@@ -18,7 +18,7 @@ using geom::Vec2;
 
 namespace {
 
-constexpr int passes = 8;          // of resampling in an attempt
+constexpr int passes = 16;         // of resampling in an attempt
 constexpr int most_rings = 3;      // around the corners of a bad triangle that may be resampled
 constexpr double rounding = 1e-9;  // badness is a running sum
 constexpr double margin = 0.05;    // degrees more than wanted, so that what creeps up to the bound passes it
