@@ -12,6 +12,8 @@
 namespace fpo {
 namespace {
 
+constexpr int futile_mending_rounds = 10;  // in a row, without fewer defects
+
 /// Some ten surface points a sample. On needles, which have edges but no area, the estimate knows no bound:
 /// there the points lie farther apart.
 double cover_spacing(const geom::TriMesh& surface, std::size_t num_samples, double spacing) {
@@ -47,6 +49,31 @@ Sizing sizing_of(const geom::TriMesh& surface, const RemeshOptions& options) {
   return fit_sizing(surface, wanted_sizes(surface, options, spacing), options.num_samples, options.limits);
 }
 
+AngleOptions angle_options(const RemeshOptions& options) {
+  AngleOptions angles;
+  angles.interrupted = options.optimize.interrupted;
+  return angles;
+}
+
+/// The remesh, after some rounds of refinement where it is no surface: the one with the fewest defects.
+Dual mended_dual(SurfaceDomain& domain, const RemeshOptions& options, std::size_t& brought) {
+  const auto interrupted = [&] { return options.optimize.interrupted && *options.optimize.interrupted; };
+  Dual best = dual_of(domain, options.keep_cells);
+  std::vector<Defect> defects = best.defects;
+  for (int futile = 0; futile < futile_mending_rounds && options.mend && !defects.empty() && !interrupted();
+       ++futile) {
+    const std::size_t moved = refine_at(domain, defects);
+    if (moved == 0) break;
+    brought += moved;
+    Dual next = dual_of(domain, options.keep_cells);
+    defects = next.defects;
+    if (next.defects.size() >= best.defects.size()) continue;
+    best = std::move(next);
+    futile = 0;
+  }
+  return best;
+}
+
 RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {
   RemeshResult result;
   const Sizing sizing = sizing_of(surface, options);
@@ -63,20 +90,17 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
     result.shortest_edges = remove_shortest_edges(domain, removal);
   }
   result.optimization = optimize(domain, optimization);
-  if (options.optimize_angles) {
-    AngleOptions angles;
-    angles.interrupted = optimization.interrupted;
-    result.angles = optimize_angles(domain, angles);
-  }
+  if (options.optimize_angles) result.angles = optimize_angles(domain, angle_options(options));
   result.hidden = domain.num_hidden();
-  result.localization = domain.localize();
-  result.mesh = extract(domain.diagram(), domain.num_samples());
-  for (std::size_t i = 0; i < domain.num_samples(); ++i) result.samples.push_back(domain.sample(SiteId(i)));
+  Dual dual = mended_dual(domain, options, result.brought);
+  result.localization = dual.localization;
+  result.mesh = std::move(dual.mesh);
+  result.samples = std::move(dual.samples);
+  result.cells = std::move(dual.cells);
   for (std::size_t v = 0; v < surface.num_vertices(); ++v)
     result.sizing.push_back(sizing.at(geom::VertexId(v)));
   for (const SurfaceSample& sample : result.samples) result.wanted.push_back(sizing.at(sample));
   result.fit = sizing_fit(result.mesh, result.wanted);
-  if (options.keep_cells) result.cells = cell_polygons(domain.diagram());
   return result;
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fpo/angles.h"
-#include "fpo/extract.h"
+#include "fpo/dual.h"
 #include "fpo/optimize.h"
 #include "fpo/quality.h"
 #include "fpo/shortest_edge.h"
@@ -26,6 +26,7 @@ struct RemeshOptions {
   SurfaceOptions surface;  ///< its seed is overruled
   bool shortest_edge_removal = false;  ///< before the optimization (section 4.3)
   OptimizeOptions optimize;            ///< its seed and order are overruled
+  bool mend = true;                    ///< bring samples to where the remesh is no surface
   bool optimize_angles = true;         ///< afterwards (section 5)
   bool keep_cells = false;             ///< fill RemeshResult::cells
 };
@@ -39,6 +40,7 @@ struct RemeshResult {
   ShortestEdgeResult shortest_edges;
   OptimizeResult optimization;
   AngleResult angles;
+  std::size_t brought = 0;  ///< samples that mending has moved
   Localization localization;
   std::size_t hidden = 0;          ///< samples without a cell, hence without a triangle
   std::vector<CellPolygon> cells;  ///< the restricted power diagram

@@ -31,12 +31,21 @@ SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, std::span<const SurfaceS
 
 SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,
                              std::span<const SurfaceSample> samples, const SurfaceOptions& options)
+    : SurfaceDomain(mesh, sizing, samples, geom::Table<SiteId, double>(samples.size(), 1.0), options) {}
+
+SurfaceDomain SurfaceDomain::rebuilt() const {
+  return SurfaceDomain(mesh_, sizing_, std::span(samples_.data(), samples_.size()), weight_share_, options_);
+}
+
+SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,
+                             std::span<const SurfaceSample> samples,
+                             geom::Table<SiteId, double> weight_shares, const SurfaceOptions& options)
     : mesh_(mesh),
       sizing_(sizing),
-      weight_factor_(options.weight_factor),
+      options_(options),
       samples_(samples.begin(), samples.end()),
-      weight_share_(samples.size(), 1.0),
-      unweighted_(sizing.is_uniform()),
+      weight_share_(std::move(weight_shares)),
+      unweighted_(sizing.is_uniform() && std::ranges::count(weight_share_, 1.0) == std::ssize(weight_share_)),
       source_(make_source(options.engine, mesh.box())),
       diagram_(std::make_unique<geom::RestrictedPower>(mesh, *source_, options.corners)),
       circles_(CircleOrder{diagram_.get()}) {
@@ -50,7 +59,7 @@ SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,
 /// A uniform diagram is that of equal weights, whatever these are: 0. A smaller weight is negative then.
 double SurfaceDomain::weight_at(SiteId x) const {
   if (sizing_.is_uniform() && weight_share_[x] == 1) return 0;
-  const double radius = weight_factor_ * sizing_.at(samples_[x]);
+  const double radius = options_.weight_factor * sizing_.at(samples_[x]);
   return geom::snapped((weight_share_[x] - (sizing_.is_uniform() ? 1 : 0)) * radius * radius, weight_unit);
 }
 

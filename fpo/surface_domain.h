@@ -65,6 +65,8 @@ class SurfaceDomain final : public Domain {
 
   const SurfaceSample& sample(SiteId x) const { return samples_[x]; }
   const geom::RestrictedPower& diagram() const { return *diagram_; }
+  /// Another domain with the same samples, weights and diagram.
+  SurfaceDomain rebuilt() const;
   /// Gives orphans away (localize.h) for the extraction. Ends the optimization: no move may follow.
   Localization localize();
   const geom::TriMesh& mesh() const { return mesh_; }
@@ -79,6 +81,8 @@ class SurfaceDomain final : public Domain {
     bool operator()(CircleId a, CircleId b) const { return diagram->circle_before(a, b); }
   };
 
+  SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing, std::span<const SurfaceSample> samples,
+                geom::Table<SiteId, double> weight_shares, const SurfaceOptions& options);
   void insert(SiteId x, SiteId hint);
   double weight_at(SiteId x) const;
   Circle largest_in_two_ring();
@@ -87,7 +91,7 @@ class SurfaceDomain final : public Domain {
 
   const geom::TriMesh& mesh_;
   Sizing sizing_;
-  double weight_factor_;
+  SurfaceOptions options_;
   geom::Table<SiteId, SurfaceSample> samples_;
   geom::Table<SiteId, double> weight_share_;
   bool unweighted_;  ///< all weights are and have always been 0

@@ -130,6 +130,7 @@ int remesh(tools::CommandLine& cli) {
       result.samples.size(), o.last.iteration, o.moves, name_of(o.reason), o.last.delta, o.last.mean_delta,
       o.last.seconds, a.output.c_str());
   if (a.remesh.sizing != fpo::SizingKind::uniform) print_sizing(result);
+  if (result.brought > 0) std::printf("samples_moved_to_mend %zu\n", result.brought);
   if (a.remesh.optimize_angles)
     std::printf("bad_triangles_before %zu\nbad_triangles_after %zu\nmended %zu of %zu, %zu reweighted\n",
                 result.angles.bad_before, result.angles.bad_after, result.angles.mended, result.angles.tried,
