@@ -23,6 +23,7 @@ namespace fs = std::filesystem;
 using fixtures::ProgramResult;
 
 constexpr double time_limit = 10;
+constexpr std::uint64_t most_faults = 20;  // more tell nothing new
 
 /// What is wrong, in words.
 struct Fault {
@@ -159,7 +160,8 @@ int fuzz_tools(tools::CommandLine& cli) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   std::uint64_t trials = 0, refused = 0, faults = 0;
-  for (; trials < count && elapsed() < seconds && !tools::interrupt_flag(); ++trials) {
+  for (; trials < count && faults < most_faults && elapsed() < seconds && !tools::interrupt_flag();
+       ++trials) {
     const std::uint64_t seed = cli.seed() + trials;
     Trial trial(seed);
     try {
