@@ -30,8 +30,8 @@ using geom::VertexId;
 namespace {
 
 constexpr double relative_gap = 1e-3, absolute_gap = 1e-6;  // the latter in diagonals
-constexpr std::size_t max_cells = 4'000'000;
-constexpr std::size_t grain = 128;        // facets or cells a thread takes at a time
+constexpr std::size_t max_cells = 1'000'000;                // besides two a facet
+constexpr std::size_t grain = 128;                          // facets or cells a thread takes at a time
 constexpr std::size_t batch_size = 2048;  // cells divided before the largest distance is looked at again
 
 // The quadrature's triangles have no edge longer than a square of this share of the surface.
@@ -326,7 +326,7 @@ OneSided::Range OneSided::maximum(double attained, double diagonal) const {
               std::numeric_limits<double>::infinity()};
     evaluate(cell, found, at);
   });
-  while (num_cells < max_cells) {
+  while (num_cells < max_cells + 2 * from_.num_facets()) {
     const std::vector<Cell> batch = worst(heap, limit());
     if (batch.empty()) break;
     gather(batch.size(), 16, [&](std::size_t k, Found& found, double at) { divide(batch[k], found, at); });

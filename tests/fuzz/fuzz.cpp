@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using fixtures::ProgramResult;
 
-constexpr double time_limit = 10;
+constexpr std::uint64_t most_faults = 20;  // more tell nothing new
 
 /// What is wrong, in words.
 struct Fault {
@@ -47,7 +47,10 @@ std::map<std::string, std::string> files_in(const fs::path& folder) {
 /// One seed: a mutant, the options that the seed draws, and what must hold.
 class Trial {
  public:
-  explicit Trial(std::uint64_t seed) : mutant_(fuzz::mutant(seed)), rng_(~seed) { draw_options(); }
+  Trial(std::uint64_t seed, double time_limit)
+      : time_limit_(time_limit), mutant_(fuzz::mutant(seed)), rng_(~seed) {
+    draw_options();
+  }
 
   /// Throws Fault.
   void run() {
@@ -104,7 +107,7 @@ class Trial {
   }
 
   ProgramResult execute(const std::string& program, const std::vector<std::string>& arguments) {
-    const ProgramResult result = fixtures::run_program(program, arguments, folder_.path(), time_limit);
+    const ProgramResult result = fixtures::run_program(program, arguments, folder_.path(), time_limit_);
     expect(!result.timed_out, program + " takes too long");
     expect(result.code == 0 || result.code == 2,
            program + " ended with code " + std::to_string(result.code) + ": " + last_lines(result.err));
@@ -134,6 +137,7 @@ class Trial {
       if (name != "log.csv") expect(before.at(name) == bytes, "the engines disagree about " + name);
   }
 
+  double time_limit_;
   fixtures::ScratchFolder folder_;
   fuzz::Mutant mutant_;
   geom::Rng rng_;
@@ -144,11 +148,13 @@ class Trial {
 };
 
 int fuzz_tools(tools::CommandLine& cli) {
-  double seconds = 60;
+  double seconds = 60, time_limit = 10;
   std::uint64_t count = UINT64_MAX;
   fs::path keep = fs::temp_directory_path();
   cli.describe("", "Runs fpo-remesh and fpo-quality on spoilt surfaces. --seed is the first one's seed.");
   cli.number({.name = "seconds", .value = "T", .help = "for so long"}, seconds, 0, 1e9);
+  cli.number({.name = "time-limit", .value = "T", .help = "seconds for one run of a tool"}, time_limit, 0,
+             1e9);
   cli.integer({.name = "count", .value = "N", .help = "so many at most", .standard = "any number"}, count, 1,
               UINT64_MAX);
   cli.path({.name = "keep", .value = "FOLDER", .help = "where files that show a fault are kept"}, keep);
@@ -159,9 +165,10 @@ int fuzz_tools(tools::CommandLine& cli) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   std::uint64_t trials = 0, refused = 0, faults = 0;
-  for (; trials < count && elapsed() < seconds && !tools::interrupt_flag(); ++trials) {
+  for (; trials < count && faults < most_faults && elapsed() < seconds && !tools::interrupt_flag();
+       ++trials) {
     const std::uint64_t seed = cli.seed() + trials;
-    Trial trial(seed);
+    Trial trial(seed, time_limit);
     try {
       trial.run();
     } catch (const Fault& fault) {
