@@ -3,7 +3,7 @@ BUILD ?= build
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 MAKEFLAGS += --no-print-directory
 
-.PHONY: all demo test check check-sanitize fuzz bench clean help
+.PHONY: all demo test check cgal-check check-sanitize fuzz bench clean help
 all:
 	@.ci/setup
 	@cmake -S . -B $(BUILD)
@@ -25,6 +25,13 @@ test:
 check: test
 	.ci/check-sources
 
+# Needs libcgal-dev, which nothing else does.
+cgal-check:
+	@.ci/setup cgal
+	@cmake -S . -B $(BUILD)-cgal -DFPO_WITH_CGAL=ON
+	@cmake --build $(BUILD)-cgal -j $(JOBS) --target cgal-tests
+	$(BUILD)-cgal/cgal-tests
+
 check-sanitize:
 	@.ci/setup tests
 	@cmake -S . -B $(BUILD)-sanitize -DFPO_SANITIZE=ON -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g"
@@ -45,12 +52,13 @@ bench: all
 	@for program in $(BUILD)/bench-*; do if [ -x $$program ]; then echo "== $$program"; $$program || exit 1; fi; done
 
 clean:
-	rm -rf $(BUILD) $(BUILD)-sanitize
+	rm -rf $(BUILD) $(BUILD)-sanitize $(BUILD)-cgal
 
 help:
 	@echo "make demo            build, remesh a double torus with 2000 samples, print its quality"
 	@echo "make test            build and run every test"
 	@echo "make check           test, then check format and layering of the sources"
+	@echo "make cgal-check      predicates, triangulations and diagrams against CGAL (installs libcgal-dev)"
 	@echo "make check-sanitize  the tests under AddressSanitizer and UndefinedBehaviorSanitizer"
 	@echo "make fuzz            the tools under the same on spoilt surfaces, FUZZ_SECONDS=60 from FUZZ_SEED=1"
 	@echo "make bench           build and run the benchmarks"
