@@ -201,6 +201,9 @@ SpectrumSet surface_set(std::span<const geom::WeightedPoint3> samples, const Spe
   };
   set.viewpoints = pieces(viewpoint_density);
   set.background = pieces(background_density);
+  if (getenv("DBG"))
+    fprintf(stderr, "pieces %zu %zu of %zu\n", set.viewpoints.size(), set.background.size(),
+            set.samples.size());
   return set;
 }
 

@@ -175,7 +175,7 @@ std::vector<SurfacePiece> SpectrumSurface::pieces(double count) const {
   for (std::size_t f = 0; f < mesh_.num_facets(); ++f)
     bisect(FacetId(f), {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}, largest, all);
   if (static_cast<double>(all.size()) <= 2 * count) return all;
-  return joined(all, mesh_.box().min(), std::sqrt(largest));
+  return joined(all, mesh_.box().min(), std::sqrt(area_ / count));
 }
 
 }  // namespace fpo
