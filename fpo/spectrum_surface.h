@@ -2,6 +2,7 @@
 // A surface as differential domain analysis needs it: smooth normals, and pieces of equal area.
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "fpo/spectrum_point.h"
@@ -33,7 +34,7 @@ class SpectrumSurface {
 
  private:
   geom::Vec3 normal(geom::FacetId t, const geom::Vec3& barycentric) const;
-  void bisect(geom::FacetId t, const std::array<geom::Vec3, 3>& barycentric, double largest,
+  void bisect(geom::FacetId t, const std::array<geom::Vec3, 3>& barycentric, const Limit& limit,
               std::vector<SurfacePiece>& out) const;
 
   geom::TriMesh mesh_;
