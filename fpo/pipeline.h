@@ -4,33 +4,53 @@
 #include <cstdint>
 #include <vector>
 
-#include "fpo/extract.h"
+#include "fpo/angles.h"
+#include "fpo/dual.h"
 #include "fpo/optimize.h"
+#include "fpo/quality.h"
+#include "fpo/shortest_edge.h"
+#include "fpo/sizing.h"
 #include "fpo/surface_domain.h"
 
 namespace fpo {
 
+/// What the wanted edge lengths are made of.
+enum class SizingKind { uniform, local_feature_size, curvature, given };
+
 struct RemeshOptions {
   std::size_t num_samples = 0;
   std::uint64_t seed = 1;  ///< of the initial samples, which are then moved in turn
-  Engine engine = Engine::search;
-  geom::CornerTypes corners = geom::CornerTypes::c_only;
-  OptimizeOptions optimize;  ///< its seed and order are overruled
-  bool keep_cells = false;   ///< fill RemeshResult::cells
+  SizingKind sizing = SizingKind::uniform;
+  VertexField rho;         ///< if given: wanted edge lengths up to a factor, per vertex of the input
+  SizingLimits limits;     ///< unless uniform
+  SurfaceOptions surface;  ///< its seed is overruled
+  bool shortest_edge_removal = false;  ///< before the optimization (section 4.3)
+  OptimizeOptions optimize;            ///< its seed and order are overruled
+  bool mend = true;                    ///< bring samples to where the remesh is no surface
+  bool optimize_angles = true;         ///< afterwards (section 5)
+  bool keep_cells = false;             ///< fill RemeshResult::cells
 };
 
 struct RemeshResult {
   geom::TriMesh mesh;                  ///< vertex i is sample i
   std::vector<SurfaceSample> samples;  ///< position and facet of the input
+  VertexField sizing;                  ///< the wanted edge length at each vertex of the input
+  VertexField wanted;                  ///< and at each vertex of the mesh
+  SizingFit fit;                       ///< of the mesh's edges to them
+  ShortestEdgeResult shortest_edges;
   OptimizeResult optimization;
+  AngleResult angles;
+  std::size_t brought = 0;  ///< samples that mending has moved
   Localization localization;
+  std::size_t hidden = 0;          ///< samples without a cell, hence without a triangle
   std::vector<CellPolygon> cells;  ///< the restricted power diagram
 };
 
 /// Remeshes with exactly num_samples vertices. Deterministic. If interrupted, the result is that of the moves
-/// done. Computes on a copy of the input scaled by a power of two (so that no product in a predicate over- or
-/// underflows) and scales back, which is exact. Throws geom::InputError on an unusable input or number of
-/// samples, geom::Bug with seed and move number.
+/// done. Computes on a copy of the input that is scaled by a power of two and snapped to multiples of 2^-160
+/// of its size, so that no product in a predicate over- or underflows (geom/scaling.h), and scales back,
+/// which is exact. Throws geom::InputError on an unusable input (no area, or a largest coordinate beyond
+/// 2^-900 to 2^900) or number of samples, geom::Bug with seed and move number.
 RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options);
 
 }  // namespace fpo

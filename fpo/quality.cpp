@@ -111,4 +111,27 @@ Quality quality(const TriMesh& mesh, double area) {
   return result;
 }
 
+SizingFit sizing_fit(const TriMesh& mesh, const geom::Table<VertexId, double>& h) {
+  std::vector<std::pair<VertexId, VertexId>> edges;
+  for (const TriMesh::Facet& f : mesh.facets())
+    for (std::size_t e = 0; e < 3; ++e) edges.push_back(std::minmax(f[e], f[(e + 1) % 3]));
+  std::ranges::sort(edges);
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+
+  // Sums over edges of x = log h, y = log length, r = length / h and their products.
+  double sx = 0, sy = 0, sxx = 0, sxy = 0, sr = 0, srr = 0;
+  for (const auto& [a, b] : edges) {
+    const double length = (mesh.position(a) - mesh.position(b)).norm(), wanted = std::sqrt(h[a] * h[b]);
+    const double x = std::log(wanted), y = std::log(length), r = length / wanted;
+    sx += x, sy += y, sxx += x * x, sxy += x * y, sr += r, srr += r * r;
+  }
+  const auto n = static_cast<double>(edges.size());
+  SizingFit fit;
+  const double variance = sxx - sx * sx / n;
+  if (variance > 1e-9 * n) fit.slope = (sxy - sx * sy / n) / variance;
+  fit.mean = sr / n;
+  fit.cv = std::sqrt(std::max(srr / n - fit.mean * fit.mean, 0.0)) / fit.mean;
+  return fit;
+}
+
 }  // namespace fpo

@@ -21,4 +21,15 @@ struct Quality {
 /// sampled. O(F log F). Throws geom::InputError if the mesh has no facet.
 Quality quality(const geom::TriMesh& mesh, double area);
 
+/// How well edge lengths follow the wanted length h at each vertex (an edge is compared with the geometric
+/// mean of its ends).
+struct SizingFit {
+  double slope = 0;  ///< of log length against log h, least squares: 1 is ideal; 0 if h is constant
+  double mean = 0;   ///< of length / h
+  double cv = 0;     ///< its standard deviation / its mean
+};
+
+/// O(F log F).
+SizingFit sizing_fit(const geom::TriMesh& mesh, const geom::Table<geom::VertexId, double>& h);
+
 }  // namespace fpo

@@ -14,7 +14,7 @@ namespace {
 // paper stops at the first sample that stays; in real numbers it still creeps towards the centre of its hole,
 // and early on a sample may stay by chance while shorter edges elsewhere are yet to go.
 constexpr std::size_t home_neighbours = 3;
-constexpr int patience = 32;
+constexpr int patience = 128;
 
 std::size_t num_common(const std::vector<SiteId>& a, const std::vector<SiteId>& b) {
   return static_cast<std::size_t>(std::count_if(

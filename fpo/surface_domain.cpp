@@ -1,17 +1,21 @@
 #include "fpo/surface_domain.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include "geom/check.h"
 #include "geom/rng.h"
+#include "geom/scaling.h"
 #include "geom/site_tree.h"
 #include "geom/triangulation_source.h"
 
 namespace fpo {
 namespace {
+
+constexpr double weight_unit = geom::coordinate_unit * geom::coordinate_unit;
+constexpr Circle no_circle{-std::numeric_limits<double>::infinity(), CircleId()};
 
 std::unique_ptr<geom::NeighbourSource> make_source(Engine engine, const geom::Box3& box) {
   if (engine == Engine::search) return std::make_unique<geom::SiteTree>();
@@ -20,17 +24,30 @@ std::unique_ptr<geom::NeighbourSource> make_source(Engine engine, const geom::Bo
 
 }  // namespace
 
-double hexagonal_spacing(double area, std::size_t n) {
-  return std::sqrt(2 * area / (std::numbers::sqrt3 * static_cast<double>(n)));
-}
-
 SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, std::span<const SurfaceSample> samples,
                              const SurfaceOptions& options)
+    : SurfaceDomain(mesh, Sizing::uniform(hexagonal_spacing(mesh.area(), samples.size())), samples, options) {
+}
+
+SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,
+                             std::span<const SurfaceSample> samples, const SurfaceOptions& options)
+    : SurfaceDomain(mesh, sizing, samples, geom::Table<SiteId, double>(samples.size(), 1.0), options) {}
+
+SurfaceDomain SurfaceDomain::rebuilt() const {
+  return SurfaceDomain(mesh_, sizing_, std::span(samples_.data(), samples_.size()), weight_share_, options_);
+}
+
+SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,
+                             std::span<const SurfaceSample> samples,
+                             geom::Table<SiteId, double> weight_shares, const SurfaceOptions& options)
     : mesh_(mesh),
+      sizing_(sizing),
+      options_(options),
       samples_(samples.begin(), samples.end()),
-      hexagonal_spacing_(hexagonal_spacing(mesh.area(), samples.size())),
-      neighbours_(make_source(options.engine, mesh.box())),
-      diagram_(std::make_unique<geom::RestrictedPower>(mesh, *neighbours_, options.corners)),
+      weight_share_(std::move(weight_shares)),
+      unweighted_(sizing.is_uniform() && std::ranges::count(weight_share_, 1.0) == std::ssize(weight_share_)),
+      source_(make_source(options.engine, mesh.box())),
+      diagram_(std::make_unique<geom::RestrictedPower>(mesh, *source_, options.corners)),
       circles_(CircleOrder{diagram_.get()}) {
   geom::require(!samples.empty(), "there must be at least one sample");
   std::vector<SiteId> order;
@@ -39,21 +56,47 @@ SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, std::span<const SurfaceS
   for (const SiteId x : order) insert(x, SiteId());
 }
 
-double SurfaceDomain::separation(SiteId x) {
-  return neighbours_->nearest(samples_[x].position, x, x).radius2;
+/// A uniform diagram is that of equal weights, whatever these are: 0. A smaller weight is negative then.
+double SurfaceDomain::weight_at(SiteId x) const {
+  if (sizing_.is_uniform() && weight_share_[x] == 1) return 0;
+  const double radius = options_.weight_factor * sizing_.at(samples_[x]);
+  return geom::snapped((weight_share_[x] - (sizing_.is_uniform() ? 1 : 0)) * radius * radius, weight_unit);
 }
+
+double SurfaceDomain::separation(SiteId x) { return source_->nearest(samples_[x].position, x, x).radius2; }
 
 // One move, forward only: the neighbour source, then the diagram, then the heap.
 
 void SurfaceDomain::remove(SiteId x) {
-  neighbours_->remove(x);
+  near_removed_ = SiteId();
+  if (!diagram_->fragments().first_of_cell(x).valid())
+    near_removed_ = source_->nearest(samples_[x].position, x, x).site;
+  source_->remove(x);
   apply(diagram_->after_remove(x));
 }
 
 Circle SurfaceDomain::largest_empty(Scope scope) {
-  geom::ensure(scope == Scope::global, "the local scope on surfaces does not exist yet");
-  if (circles_.empty()) return {-std::numeric_limits<double>::infinity(), CircleId()};
+  if (scope == Scope::two_ring) return largest_in_two_ring();
+  if (circles_.empty()) return no_circle;
   return {circles_.top().key, circles_.top().slot};
+}
+
+/// Among the circles on the cells of the removed sample's neighbours: two rings of the RRT around it.
+Circle SurfaceDomain::largest_in_two_ring() {
+  CircleId best;
+  const auto look_around = [&](SiteId y) {
+    for (CircleId c = diagram_->first_circle(y); c.valid(); c = diagram_->next_circle(c, y))
+      if (!best.valid() || larger(c, best)) best = c;
+  };
+  for (const SiteId y : last_change_->cells) look_around(y);
+  if (last_change_->cells.empty() && near_removed_.valid()) look_around(near_removed_);
+  return best.valid() ? Circle{diagram_->circle(best).radius2, best} : no_circle;
+}
+
+/// The heap's order.
+bool SurfaceDomain::larger(CircleId a, CircleId b) const {
+  const double ra = diagram_->circle(a).radius2, rb = diagram_->circle(b).radius2;
+  return ra > rb || (ra == rb && diagram_->circle_before(a, b));
 }
 
 void SurfaceDomain::insert_at(SiteId x, const Circle& c) {
@@ -62,14 +105,22 @@ void SurfaceDomain::insert_at(SiteId x, const Circle& c) {
   insert(x, circle.sites[0]);
 }
 
+void SurfaceDomain::insert_at(SiteId x, const SurfaceSample& place, double weight_share) {
+  geom::ensure(weight_share >= 0 && weight_share <= 1, "the share of a weight must be in [0, 1]");
+  samples_[x] = place;
+  weight_share_[x] = weight_share;
+  unweighted_ &= weight_share == 1;
+  put_back(x);
+}
+
 void SurfaceDomain::put_back(SiteId x) {
   const std::vector<SiteId>& heirs = last_change_->cells;
   insert(x, heirs.empty() ? SiteId() : heirs.front());
 }
 
 void SurfaceDomain::insert(SiteId x, SiteId hint) {
-  const geom::WeightedPoint3 point{samples_[x].position, 0};
-  neighbours_->insert(x, point, hint);
+  const geom::WeightedPoint3 point{samples_[x].position, weight_at(x)};
+  source_->insert(x, point, hint);
   apply(diagram_->after_insert(x, point));
 }
 
@@ -79,7 +130,31 @@ void SurfaceDomain::apply(const geom::RestrictedPower::Change& change) {
   last_change_ = &change;
 }
 
-double SurfaceDomain::normalized_spacing(SiteId x) { return std::sqrt(separation(x)) / hexagonal_spacing_; }
+double SurfaceDomain::normalized_spacing(SiteId x) {
+  const double h = sizing_.at(samples_[x]);
+  const geom::NeighbourSource::Nearest nearest = source_->nearest(samples_[x].position, x, x);
+  if (!nearest.site.valid()) return std::numeric_limits<double>::infinity();
+  double least2 = (samples_[nearest.site].position - samples_[x].position).squaredNorm();
+  if (unweighted_) return std::sqrt(least2) / h;
+  neighbours(x, link_);
+  for (const SiteId y : link_)
+    least2 = std::min(least2, (samples_[y].position - samples_[x].position).squaredNorm());
+  return std::sqrt(least2) / h;
+}
+
+void SurfaceDomain::neighbours(SiteId x, std::vector<SiteId>& out) {
+  diagram_->link(x, out);
+  if (!out.empty() || num_samples() == 1) return;
+  const SiteId hider = source_->nearest(samples_[x].position, x, x).site;
+  if (hider.valid()) out.push_back(hider);
+}
+
+std::size_t SurfaceDomain::num_hidden() const {
+  std::size_t hidden = 0;
+  for (std::size_t i = 0; i < num_samples(); ++i)
+    hidden += !diagram_->fragments().first_of_cell(SiteId(i)).valid();
+  return hidden;
+}
 
 Localization SurfaceDomain::localize() {
   return fpo::localize(*diagram_, std::span<const SurfaceSample>(samples_.data(), samples_.size()));

@@ -1,6 +1,10 @@
 #pragma once
 // Farthest point optimization on a surface (paper, section 4): the samples, their restricted power diagram,
 // and the heap of empty circles.
+//
+// A sample where the sizing wants edges of length h has weight (c h)^2 (section 3.2 with k chosen so that the
+// weight is a squared length), or 0 if the sizing is uniform: equal weights do nothing. The weight is that of
+// the sample's own place: it changes as the sample moves.
 
 #include <memory>
 #include <span>
@@ -16,7 +20,13 @@ namespace fpo {
 /// Where neighbours come from: the regular triangulation (the paper's way) or a spatial search. Same results.
 enum class Engine { search, triangulation };
 
+/// The factor c with which, by measurement, edge lengths follow h best: their logarithms against those of h
+/// have slope 1 +- .05 (bench-adaptive). Local moves keep the density of the initial samples if c is 2/3;
+/// global ones carry samples to where they find room, which a larger c must balance.
+inline double best_weight_factor(Scope scope) { return scope == Scope::global ? 0.75 : 2.0 / 3; }
+
 struct SurfaceOptions {
+  double weight_factor = best_weight_factor(Scope::two_ring);  ///< c
   Engine engine = Engine::search;
   geom::CornerTypes corners = geom::CornerTypes::c_only;
   std::uint64_t seed =
@@ -27,6 +37,9 @@ class SurfaceDomain final : public Domain {
  public:
   /// Keeps a reference to the mesh. Builds the diagram of the samples by inserting them in random order: O(F
   /// + n log n) expected. Throws InputError if there is no sample or no facet.
+  SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing, std::span<const SurfaceSample> samples,
+                const SurfaceOptions& options = {});
+  /// With uniform sizing.
   SurfaceDomain(const geom::TriMesh& mesh, std::span<const SurfaceSample> samples,
                 const SurfaceOptions& options = {});
 
@@ -36,17 +49,31 @@ class SurfaceDomain final : public Domain {
   Circle largest_empty(Scope scope) override;
   void insert_at(SiteId x, const Circle& c) override;
   void put_back(SiteId x) override;
+  /// Distance over h to the nearest sample in space; with weights to the nearest of those that are first in
+  /// power or in neighbours(x).
   double normalized_spacing(SiteId x) override;
+  /// The link of x in the RRT (section 4.1); of a sample without triangles the nearest one.
+  void neighbours(SiteId x, std::vector<SiteId>& out) override;
   void check() const override;
+
+  /// Puts the removed sample at a place, its weight to be `weight_share` (in [0, 1]) of what the sizing
+  /// gives, there and wherever it goes (angle optimization, section 5).
+  void insert_at(SiteId x, const SurfaceSample& place, double weight_share);
+  double weight_share(SiteId x) const { return weight_share_[x]; }
+  /// Samples with an empty cell.
+  std::size_t num_hidden() const;
 
   const SurfaceSample& sample(SiteId x) const { return samples_[x]; }
   const geom::RestrictedPower& diagram() const { return *diagram_; }
+  /// Another domain with the same samples, weights and diagram.
+  SurfaceDomain rebuilt() const;
   /// Gives orphans away (localize.h) for the extraction. Ends the optimization: no move may follow.
   Localization localize();
   const geom::TriMesh& mesh() const { return mesh_; }
   /// What the last removal or insertion changed.
   const geom::RestrictedPower::Change& last_change() const { return *last_change_; }
-  const geom::NeighbourSource& neighbours() const { return *neighbours_; }
+  const geom::NeighbourSource& source() const { return *source_; }
+  const Sizing& sizing() const { return sizing_; }
 
  private:
   struct CircleOrder {
@@ -54,19 +81,26 @@ class SurfaceDomain final : public Domain {
     bool operator()(CircleId a, CircleId b) const { return diagram->circle_before(a, b); }
   };
 
+  SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing, std::span<const SurfaceSample> samples,
+                geom::Table<SiteId, double> weight_shares, const SurfaceOptions& options);
   void insert(SiteId x, SiteId hint);
+  double weight_at(SiteId x) const;
+  Circle largest_in_two_ring();
+  bool larger(CircleId a, CircleId b) const;
   void apply(const geom::RestrictedPower::Change& change);
 
   const geom::TriMesh& mesh_;
+  Sizing sizing_;
+  SurfaceOptions options_;
   geom::Table<SiteId, SurfaceSample> samples_;
-  double hexagonal_spacing_;  ///< d_max of section 2.1
-  std::unique_ptr<geom::NeighbourSource> neighbours_;
+  geom::Table<SiteId, double> weight_share_;
+  bool unweighted_;  ///< all weights are and have always been 0
+  std::unique_ptr<geom::NeighbourSource> source_;
   std::unique_ptr<geom::RestrictedPower> diagram_;
   geom::IndexedHeap<CircleId, CircleOrder> circles_;
   const geom::RestrictedPower::Change* last_change_ = nullptr;
+  SiteId near_removed_;       ///< a sample near the removed one if that had no cell
+  std::vector<SiteId> link_;  // workspace
 };
-
-/// d_max of section 2.1: the spacing of n samples in hexagonal arrangement on the given area.
-double hexagonal_spacing(double area, std::size_t n);
 
 }  // namespace fpo

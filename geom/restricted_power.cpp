@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "geom/check.h"
+#include "geom/scaling.h"
 
 namespace geom {
 namespace {
@@ -70,6 +71,15 @@ double RestrictedPower::commit(FragmentId f, FacetPolygon& polygon) {
   return max_radius2;
 }
 
+void RestrictedPower::link(SiteId p, std::vector<SiteId>& out) const {
+  out.clear();
+  for (CircleId c = first_circle(p); c.valid(); c = next_circle(c, p))
+    for (const SiteId s : circles_[c].sites)
+      if (s.valid() && s != p) out.push_back(s);
+  std::ranges::sort(out);
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+}
+
 void RestrictedPower::forget(FragmentId f) {
   for (const PolygonCorner& corner : store_.corners(f))
     if (corner.circle.valid()) erase_circle(corner.circle);
@@ -126,12 +136,13 @@ CircleId RestrictedPower::create_circle(const FacetPolygon& polygon, std::size_t
   if (free_circles_.empty()) {
     c = circles_.next_id();
     circles_.emplace_back();
+    next_circles_.emplace_back();
   } else {
     c = free_circles_.back();
     free_circles_.pop_back();
   }
   EmptyCircle& circle = circles_[c];
-  circle.center = polygon.corners[corner].point.position;
+  circle.center = snapped(polygon.corners[corner].point.position);  // a site may come there
   circle.radius2 = power(circle.center, sites_[polygon.owner]);
   circle.facet = polygon.facet;
   circle.place = place;
@@ -140,13 +151,31 @@ CircleId RestrictedPower::create_circle(const FacetPolygon& polygon, std::size_t
   for (const EdgeLabel label : {polygon.edge_before(corner), polygon.corners[corner].edge})
     if (label.is_site()) circle.sites[n++] = label.site();
   if (n == 3 && circle.sites[2] < circle.sites[1]) std::swap(circle.sites[1], circle.sites[2]);
+  list_circle(c);
   change_.circles_created.push_back(c);
   return c;
 }
 
 /// The id is used again only after the next update has begun, so the owner of a heap can still compare it in
 /// this one.
-void RestrictedPower::erase_circle(CircleId c) { change_.circles_erased.push_back(c); }
+void RestrictedPower::erase_circle(CircleId c) {
+  for (const SiteId s : circles_[c].sites) {
+    if (!s.valid()) break;
+    CircleId* at = &first_circles_[s];  // lists of about six
+    while (*at != c) at = &next_circles_[*at][place_of(s, *at)];
+    *at = next_circle(c, s);
+  }
+  change_.circles_erased.push_back(c);
+}
+
+void RestrictedPower::list_circle(CircleId c) {
+  for (const SiteId s : circles_[c].sites) {
+    if (!s.valid()) break;
+    if (s.index() >= first_circles_.size()) first_circles_.resize(s.index() + 1);
+    next_circles_[c][place_of(s, c)] = first_circles_[s];
+    first_circles_[s] = c;
+  }
+}
 
 bool RestrictedPower::circle_before(CircleId a, CircleId b) const {
   const EmptyCircle &x = circles_[a], &y = circles_[b];
@@ -199,6 +228,14 @@ void RestrictedPower::check() const {
   for (const CircleId c : vertex_circle_) registered += c.valid();
   ensure(registered + free_circles_.size() + change_.circles_erased.size() == circles_.size(),
          "restricted power diagram: a circle is lost");
+  std::size_t listed = 0;
+  for (SiteId s(0); s.index() < first_circles_.size(); s = SiteId(s.value + 1))
+    for (CircleId c = first_circle(s); c.valid(); c = next_circle(c, s)) {
+      ensure(std::ranges::count(circles_[c].sites, s) == 1,
+             "restricted power diagram: a circle listed at a site that it does not touch");
+      listed += circles_[c].sites[0] == s;
+    }
+  ensure(listed == registered, "restricted power diagram: circles registered and listed differ");
 }
 
 }  // namespace geom

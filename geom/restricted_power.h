@@ -57,7 +57,7 @@ class RestrictedPower {
   /// Takes these fragments away from their owner p and divides them among the other sites, those in
   /// `excluded` left out, as if only there p did not exist. From then on the diagram is no power diagram: no
   /// insertion or removal may follow. `search` must hold all sites. Does nothing if no other site borders the
-  /// fragments.
+  /// fragments, or if the shares do not fit together because of what was abandoned before.
   const Change& abandon(SiteId p, std::span<const FragmentId> fragments, std::span<const SiteId> excluded,
                         const NeighbourSource& search);
 
@@ -70,6 +70,15 @@ class RestrictedPower {
   const TriMesh& mesh() const { return mesh_; }
   /// An upper bound of the power of the locations in p's cell; -infinity if that has always been empty.
   double reach(SiteId p) const { return reach_[p]; }
+
+  /// The circles that touch p, each once, in an order that depends on history: the corners of its cell.
+  CircleId first_circle(SiteId p) const {
+    return p.index() < first_circles_.size() ? first_circles_[p] : CircleId();
+  }
+  CircleId next_circle(CircleId c, SiteId p) const { return next_circles_[c][place_of(p, c)]; }
+  /// The sites that share a circle with p, ascending: with type C corners the link of p in the dual, the
+  /// restricted regular triangulation.
+  void link(SiteId p, std::vector<SiteId>& out) const;
 
   /// A fragment by labels alone, the cycle starting at its smallest label.
   struct Canonical {
@@ -114,9 +123,15 @@ class RestrictedPower {
   Pending& add_pending();
   void find_fragments_of_heirs(FragmentId vacated);
   bool yields_everywhere(std::size_t i, std::span<const PolygonCorner> corners) const;
+  struct Seam {
+    std::size_t in_old, in_share;  ///< the edges labelled p
+    bool fits;                     ///< and the edges next to them continue each other
+  };
+  Seam seam_of(FragmentId old, const FacetPolygon& share, SiteId p) const;
   void join(FragmentId old, const FacetPolygon& share, SiteId p);
   void gather_known_heirs(std::span<const FragmentId> vacated);
-  void divide_all(SiteId p, const NeighbourSource& source);
+  void plan_division(SiteId p, const NeighbourSource& source);
+  void carry_out_division(SiteId p);
   void add_heir(SiteId k);
   bool add_missing_heirs(SiteId p, const NeighbourSource& source);
 
@@ -125,6 +140,11 @@ class RestrictedPower {
   void register_corners(FragmentId f, FacetPolygon& polygon);
   CircleId create_circle(const FacetPolygon& polygon, std::size_t corner, std::int32_t place);
   void erase_circle(CircleId c);
+  void list_circle(CircleId c);
+  std::size_t place_of(SiteId p, CircleId c) const {  // among the circle's sites
+    const auto& sites = circles_[c].sites;
+    return sites[0] == p ? 0 : sites[1] == p ? 1 : 2;
+  }
   double bound_radius2(const FacetPolygon& polygon) const;
 
   const TriMesh& mesh_;
@@ -135,6 +155,8 @@ class RestrictedPower {
   Clipper clipper_;
   FragmentStore store_;
   Table<CircleId, EmptyCircle> circles_;
+  Table<SiteId, CircleId> first_circles_;                  ///< of each site's list
+  Table<CircleId, std::array<CircleId, 3>> next_circles_;  ///< in the list of each of a circle's sites
   std::vector<CircleId> free_circles_;
   Table<SiteId, double> reach_;
   Table<VertexId, FacetId> first_facet_;     ///< CornerTypes::all only: where a vertex's circle is registered
@@ -150,6 +172,7 @@ class RestrictedPower {
   std::vector<RivalLink> rival_links_;
   std::vector<Pending> pending_;
   std::size_t num_pending_ = 0;
+  bool misfit_ = false;
   std::vector<char> beaten_;
   FacetPolygon polygon_;
   Table<FacetId, std::int32_t> facet_mark_;  ///< index into touched_facets_ or -1

@@ -145,7 +145,9 @@ const RestrictedPower::Change& RestrictedPower::after_remove(SiteId p) {
     const SiteId nearest = neighbours_.nearest(sites_[p].position, p, SiteId()).site;
     if (nearest.valid()) add_heir(nearest);
   }
-  divide_all(p, neighbours_);
+  plan_division(p, neighbours_);
+  ensure(!misfit_, "restricted power diagram: a share does not fit its neighbour");
+  carry_out_division(p);
   if (heirs_.empty()) {  // nobody is left
     for (CircleId& c : vertex_circle_) {
       if (c.valid()) erase_circle(c);
@@ -164,20 +166,28 @@ const RestrictedPower::Change& RestrictedPower::abandon(SiteId p, std::span<cons
   heir_stamp_[p] = stamp_;  // those who are known already are never added
   for (const SiteId s : excluded) heir_stamp_[s] = stamp_;
   gather_known_heirs(vacated_);
-  if (!heirs_.empty()) divide_all(p, search);
+  if (heirs_.empty()) return change_;
+  plan_division(p, search);
+  if (!misfit_) carry_out_division(p);
   return change_;
 }
 
-/// Divides what p has to leave among the heirs and those that the source knows besides, and replaces it.
-void RestrictedPower::divide_all(SiteId p, const NeighbourSource& source) {
+/// Divides what p has to leave among the heirs and those that the source knows besides. A misfit is a share
+/// that does not lie along the fragment that it should join.
+void RestrictedPower::plan_division(SiteId p, const NeighbourSource& source) {
   num_pending_ = 0;
-  if (!heirs_.empty()) {
-    do {
-      num_pending_ = 0;
-      prepare_bisectors();
-      for (const FragmentId f : vacated_) divide(f, p);
-    } while (add_missing_heirs(p, source));
-  }
+  misfit_ = false;
+  if (heirs_.empty()) return;
+  do {
+    num_pending_ = 0;
+    prepare_bisectors();
+    for (const FragmentId f : vacated_) divide(f, p);
+  } while (add_missing_heirs(p, source));
+  for (std::size_t i = 0; i < num_pending_; ++i)
+    if (pending_[i].joins.valid()) misfit_ |= !seam_of(pending_[i].joins, pending_[i].share, p).fits;
+}
+
+void RestrictedPower::carry_out_division(SiteId p) {
   for (const FragmentId f : vacated_) forget(f);
   for (std::size_t i = 0; i < num_pending_; ++i) {
     const auto& [joins, share] = pending_[i];
@@ -245,8 +255,7 @@ void RestrictedPower::divide(FragmentId vacated, SiteId p) {
       if (share.corners.empty()) break;
       if (h != i) clipper_.clip(share, heirs_[h], bisector_of_heirs(i, h));
     }
-    ensure(!borders || !share.corners.empty(),
-           "restricted power diagram: a cell next to a vacancy gets nothing of it");
+    misfit_ |= borders && share.corners.empty();
     if (share.corners.empty() || (!borders && !clipper_.beats_at(share, 0, p, beyond))) --num_pending_;
   }
 }
@@ -287,8 +296,7 @@ void RestrictedPower::find_fragments_of_heirs(FragmentId vacated) {
 //   corners where
 //    . \   share  / .              they met p, so these corners vanish.
 //      . \__x1__/ .
-/// Puts the union of an old fragment and a share of p's into polygon_.
-void RestrictedPower::join(FragmentId old, const FacetPolygon& share, SiteId p) {
+RestrictedPower::Seam RestrictedPower::seam_of(FragmentId old, const FacetPolygon& share, SiteId p) const {
   const EdgeLabel border = EdgeLabel::bisector(p);
   const std::span<const PolygonCorner> corners = store_.corners(old);
   const auto position = [&](std::span<const PolygonCorner> of) {
@@ -296,9 +304,16 @@ void RestrictedPower::join(FragmentId old, const FacetPolygon& share, SiteId p) 
   };
   const std::size_t n = corners.size(), q = position(corners), m = share.corners.size(),
                     g = position(share.corners);
-  ensure(q < n && g < m && corners[(q + n - 1) % n].edge == share.corners[(g + 1) % m].edge &&
-             corners[(q + 1) % n].edge == share.corners[(g + m - 1) % m].edge,
-         "restricted power diagram: a share does not fit its neighbour");
+  return {q, g,
+          q < n && g < m && corners[(q + n - 1) % n].edge == share.corners[(g + 1) % m].edge &&
+              corners[(q + 1) % n].edge == share.corners[(g + m - 1) % m].edge};
+}
+
+/// Puts the union of an old fragment and a share of p's into polygon_.
+void RestrictedPower::join(FragmentId old, const FacetPolygon& share, SiteId p) {
+  const auto [q, g, fits] = seam_of(old, share, p);
+  const std::span<const PolygonCorner> corners = store_.corners(old);
+  const std::size_t n = corners.size(), m = share.corners.size();
   polygon_.facet = share.facet;
   polygon_.owner = share.owner;
   polygon_.corners.clear();

@@ -1,13 +1,20 @@
 // fpo-remesh: remesh a surface with blue-noise samples by farthest point optimization.
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <map>
 
 #include "fpo/pipeline.h"
 #include "io/atomic_file.h"
+#include "io/coloured_ply.h"
+#include "io/extension.h"
+#include "io/input_file.h"
 #include "io/mesh_io.h"
 #include "io/mesh_picture.h"
 #include "io/points.h"
 #include "io/polygons.h"
+#include "io/values.h"
 #include "tools/cli.h"
 #include "tools/interrupt.h"
 #include "tools/progress.h"
@@ -15,7 +22,16 @@
 
 namespace {
 
-void write_outputs(const tools::RemeshArguments& a, const fpo::RemeshResult& result, const std::string& log) {
+void write_sizing(const std::filesystem::path& path, const geom::TriMesh& input, const fpo::VertexField& h) {
+  const std::span<const double> values(h.data(), h.size());
+  if (io::lower_extension(path) == ".ply")
+    io::write_coloured_ply(path, input, values);
+  else
+    io::write_values(path, values);
+}
+
+void write_outputs(const tools::RemeshArguments& a, const geom::TriMesh& input,
+                   const fpo::RemeshResult& result, const std::string& log) {
   io::write_mesh(a.output, result.mesh);
   if (!a.points.empty()) {
     std::vector<geom::WeightedPoint3> points;
@@ -33,6 +49,18 @@ void write_outputs(const tools::RemeshArguments& a, const fpo::RemeshResult& res
     io::draw_mesh(result.mesh, picture).save(a.picture);
   }
   if (!a.log.empty()) io::write_file(a.log, log);
+  if (!a.sizing_out.empty()) write_sizing(a.sizing_out, input, result.sizing);
+}
+
+/// Smallest, median and largest wanted length, and how many samples want which.
+void print_sizing(const fpo::RemeshResult& result) {
+  std::vector<double> h(result.sizing.begin(), result.sizing.end());
+  std::ranges::sort(h);
+  std::printf("h_min %.6g\nh_median %.6g\nh_max %.6g\nsize_slope %.4f\nsize_cv %.4f\nhidden %zu\n", h.front(),
+              h[h.size() / 2], h.back(), result.fit.slope, result.fit.cv, result.hidden);
+  std::map<int, std::size_t> decades;
+  for (const double value : result.wanted) ++decades[static_cast<int>(std::floor(std::log10(value)))];
+  for (const auto& [exponent, samples] : decades) std::printf("samples_with_h_1e%d %zu\n", exponent, samples);
 }
 
 void warn_if_not_homeomorphic(const geom::TriMesh& input, const geom::TriMesh& output) {
@@ -65,10 +93,17 @@ const char* name_of(fpo::StopReason reason) {
   return "unknown";
 }
 
+/// Complaints name the input.
+fpo::RemeshResult remesh_named(const geom::TriMesh& input, const tools::RemeshArguments& a) try {
+  return fpo::remesh(input, a.remesh);
+} catch (const geom::InputError& error) {
+  throw geom::InputError(io::display_name(a.input) + ": " + error.what());
+}
+
 int remesh(tools::CommandLine& cli) {
   tools::RemeshArguments a = tools::parse_remesh_arguments(cli);
   const geom::TriMesh input = io::read_mesh(a.input);
-  geom::require(input.area() > 0, a.input.string() + ": the surface has no area");
+  tools::read_sizing(a, input);
 
   std::string log = "iteration,moved,delta,mean_delta,seconds\n";
   tools::Progress progress("optimizing", cli.quiet());
@@ -83,10 +118,10 @@ int remesh(tools::CommandLine& cli) {
                   r.seconds);
     log += line;
   };
-  const fpo::RemeshResult result = fpo::remesh(input, a.remesh);
+  const fpo::RemeshResult result = remesh_named(input, a);
   progress.erase();
 
-  write_outputs(a, result, log);
+  write_outputs(a, input, result, log);
   warn_if_not_homeomorphic(input, result.mesh);
   const fpo::OptimizeResult& o = result.optimization;
   std::printf(
@@ -94,6 +129,12 @@ int remesh(tools::CommandLine& cli) {
       "%s\n",
       result.samples.size(), o.last.iteration, o.moves, name_of(o.reason), o.last.delta, o.last.mean_delta,
       o.last.seconds, a.output.c_str());
+  if (a.remesh.sizing != fpo::SizingKind::uniform) print_sizing(result);
+  if (result.brought > 0) std::printf("samples_moved_to_mend %zu\n", result.brought);
+  if (a.remesh.optimize_angles)
+    std::printf("bad_triangles_before %zu\nbad_triangles_after %zu\nmended %zu of %zu, %zu reweighted\n",
+                result.angles.bad_before, result.angles.bad_after, result.angles.mended, result.angles.tried,
+                result.angles.reweighted);
   return o.reason == fpo::StopReason::interrupted ? tools::exit_interrupted : tools::exit_done;
 }
 

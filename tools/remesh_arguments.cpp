@@ -3,6 +3,7 @@
 #include "io/atomic_file.h"
 #include "io/mesh_io.h"
 #include "io/points.h"
+#include "io/values.h"
 
 namespace tools {
 namespace {
@@ -19,6 +20,29 @@ void declare_later(CommandLine& cli, Option option, std::string today) {
 void declare_later(CommandLine& cli, const std::string& name, const std::string& help) {
   cli.custom({.name = name, .value = "FILE", .help = help + " (not yet)"},
              [](const std::string&) { throw geom::InputError("does not work yet"); });
+}
+
+void set_sizing(RemeshArguments& a, const std::string& text) {
+  if (text == "uniform") {
+    a.remesh.sizing = fpo::SizingKind::uniform;
+  } else if (text == "lfs") {
+    a.remesh.sizing = fpo::SizingKind::local_feature_size;
+  } else if (text == "curvature") {
+    a.remesh.sizing = fpo::SizingKind::curvature;
+  } else {
+    a.remesh.sizing = fpo::SizingKind::given;
+    a.sizing_file = text;
+  }
+}
+
+/// Unless the user says otherwise: with uniform sizing the whole surface is searched for farthest points,
+/// which gives the best angles; else the neighbourhood, for samples that travel far change the density.
+void choose_scope(RemeshArguments& a, bool local, bool global, double weight_scale) {
+  geom::require(!(local && global), "--local and --global exclude each other");
+  const bool uniform = a.remesh.sizing == fpo::SizingKind::uniform;
+  a.remesh.optimize.scope = local || (!uniform && !global) ? fpo::Scope::two_ring : fpo::Scope::global;
+  a.remesh.surface.weight_factor =
+      weight_scale > 0 ? weight_scale : fpo::best_weight_factor(a.remesh.optimize.scope);
 }
 
 void parse(CommandLine& cli, RemeshArguments& a) {
@@ -45,28 +69,60 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   declare_later(cli, "report", "a report in one file");
 
   cli.group("Optimization");
-  cli.integer({.name = "iterations", .value = "MAX", .help = "at most so many"},
-              a.remesh.optimize.max_iterations, 0, 1'000'000);
+  int iterations = -1;
+  cli.integer({.name = "iterations",
+               .value = "MAX",
+               .help = "at most so many",
+               .standard = "100; 30 unless the sizing is uniform"},
+              iterations, 0, 1'000'000);
   cli.number({.name = "target-delta", .value = "D", .help = "stop when delta exceeds it"},
              a.remesh.optimize.target_delta, 0, 2);
   cli.choice({.name = "corners",
               .value = "c|all",
               .help = "where the farthest point may lie: on type C corners as in the "
                       "paper, or on A and B too"},
-             a.remesh.corners, {{"c", geom::CornerTypes::c_only}, {"all", geom::CornerTypes::all}});
+             a.remesh.surface.corners, {{"c", geom::CornerTypes::c_only}, {"all", geom::CornerTypes::all}});
   cli.choice(
       {.name = "engine", .value = "search|triangulation", .help = "where neighbours come from; same result"},
-      a.remesh.engine, {{"search", fpo::Engine::search}, {"triangulation", fpo::Engine::triangulation}});
-  declare_later(cli, {.name = "sizing", .value = "KIND", .help = "wanted edge lengths"}, "uniform");
+      a.remesh.surface.engine,
+      {{"search", fpo::Engine::search}, {"triangulation", fpo::Engine::triangulation}});
+  cli.custom(
+      {.name = "sizing",
+       .value = "KIND",
+       .help =
+           "wanted edge lengths: uniform, lfs (local feature size), curvature (its radius), or a file with a "
+           "number per vertex of INPUT",
+       .standard = "uniform"},
+      [&](const std::string& text) { set_sizing(a, text); });
+  cli.number({.name = "gradation", .value = "G", .help = "the wanted length changes by at most G per length"},
+             a.remesh.limits.gradation, 0.001, 10);
+  double weight_scale = 0;
+  cli.number({.name = "weight-scale",
+              .value = "C",
+              .help = "a sample's weight is (C wanted length)^2",
+              .standard = "2/3 if local, .75 if global"},
+             weight_scale, 0.01, 2);
+  cli.number({.name = "min-size", .value = "R", .help = "least wanted length, in units of the even spacing"},
+             a.remesh.limits.smallest, 1e-6, 1);
+  cli.number({.name = "max-size", .value = "R", .help = "greatest wanted length, likewise"},
+             a.remesh.limits.largest, 1, 1e6);
+  cli.path({.name = "sizing-out",
+            .value = "FILE",
+            .help = "the wanted length at each vertex of INPUT; .ply: INPUT coloured by it"},
+           a.sizing_out);
   declare_later(cli, {.name = "features", .value = "KIND", .help = "creases and borders to keep"}, "none");
-  declare_later(cli, "gradation", "limit of the sizing's slope");
-  bool ser = false, local = false, global = true, angles = false;
-  cli.toggle({.name = "ser", .help = "shortest edge removal first (not yet)"}, ser);
-  cli.toggle({.name = "optimize-angles", .help = "angle optimization afterwards (not yet)"}, angles);
-  cli.flag({.name = "local", .help = "look for farthest points nearby only (not yet)"}, local);
+  bool local = false, global = false;
+  cli.toggle({.name = "ser", .help = "shortest edge removal first"}, a.remesh.shortest_edge_removal);
+  cli.toggle({.name = "optimize-angles", .help = "angle optimization afterwards"}, a.remesh.optimize_angles);
+  cli.toggle({.name = "mend", .help = "bring samples to where the remesh is no surface"}, a.remesh.mend);
+  cli.flag({.name = "local", .help = "look for farthest points nearby only"}, local);
   cli.flag({.name = "global", .help = "look for them everywhere"}, global);
   a.input = cli.parse(1, 1).front();
-  geom::require(!ser && !local && !angles, "--ser, --local and --optimize-angles do not work yet");
+  choose_scope(a, local, global, weight_scale);
+  // By measurement (bench-adaptive) local iterations past 30 change nothing.
+  a.remesh.optimize.max_iterations = iterations >= 0                               ? iterations
+                                     : a.remesh.sizing == fpo::SizingKind::uniform ? 100
+                                                                                   : 30;
   a.remesh.seed = cli.seed();
   a.remesh.keep_cells = !a.rpd.empty();
 }
@@ -77,7 +133,7 @@ void check_outputs(const RemeshArguments& a) {
   if (!a.points.empty())
     geom::require(io::point_format(a.points) != io::PointFormat::txt,
                   a.points.string() + ": use .xyz or .ply");
-  for (const std::filesystem::path& path : {a.output, a.points, a.rpd, a.log, a.picture})
+  for (const std::filesystem::path& path : {a.output, a.points, a.rpd, a.log, a.picture, a.sizing_out})
     if (!path.empty()) io::require_writable(path);
 }
 
@@ -88,6 +144,12 @@ RemeshArguments parse_remesh_arguments(CommandLine& cli) {
   parse(cli, a);
   check_outputs(a);
   return a;
+}
+
+void read_sizing(RemeshArguments& a, const geom::TriMesh& input) {
+  if (a.remesh.sizing != fpo::SizingKind::given) return;
+  const std::vector<double> values = io::read_positive_values(a.sizing_file, input.num_vertices());
+  a.remesh.rho.assign(values.begin(), values.end());
 }
 
 }  // namespace tools

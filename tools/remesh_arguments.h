@@ -9,11 +9,15 @@
 namespace tools {
 
 struct RemeshArguments {
-  std::filesystem::path input, output, points, rpd, log, picture;
+  std::filesystem::path input, output, points, rpd, log, picture, sizing_out;
+  std::filesystem::path sizing_file;  ///< if the sizing is given
   fpo::RemeshOptions remesh;
 };
 
 /// Reads it, and refuses output names that cannot be written before any work starts. Throws geom::InputError.
 RemeshArguments parse_remesh_arguments(CommandLine& cli);
+
+/// Reads a.remesh.rho if it is given by a file. Throws geom::InputError.
+void read_sizing(RemeshArguments& a, const geom::TriMesh& input);
 
 }  // namespace tools

@@ -12,7 +12,7 @@ RemeshResult run(const geom::TriMesh& mesh, std::size_t n, Engine engine, std::u
   RemeshOptions options;
   options.num_samples = n;
   options.seed = seed;
-  options.engine = engine;
+  options.surface.engine = engine;
   options.optimize.max_iterations = 6;
   return remesh(mesh, options);
 }
@@ -36,6 +36,48 @@ TEST_CASE("pipeline: both engines give the same bits, a repeated run too, anothe
     CHECK(!same(a.mesh, d.mesh));
     CHECK(a.optimization.last.delta == b.optimization.last.delta);
   }
+}
+
+TEST_CASE(
+    "pipeline: adaptive, with removal of short edges, local and global: both engines give the same bits") {
+  for (const fixtures::NamedSurface& surface : fixtures::surfaces())
+    for (const Scope scope : {Scope::global, Scope::two_ring})
+      for (const geom::CornerTypes corners : {geom::CornerTypes::c_only, geom::CornerTypes::all}) {
+        CAPTURE(surface.name);
+        RemeshOptions options;
+        options.num_samples = 150;
+        options.sizing = SizingKind::given;
+        for (const geom::Vec3& p : surface.mesh.vertices())
+          options.rho.push_back(1 + std::abs(p.x() + p.y()));
+        options.limits.gradation = 0.3;
+        options.shortest_edge_removal = scope == Scope::two_ring;
+        options.surface.corners = corners;
+        options.optimize.scope = scope;
+        options.optimize.max_iterations = 3;
+        const RemeshResult a = remesh(surface.mesh, options);
+        options.surface.engine = Engine::triangulation;
+        const RemeshResult b = remesh(surface.mesh, options);
+        CHECK(a.mesh.num_vertices() == 150);
+        CHECK(same(a.mesh, b.mesh));
+        CHECK(a.optimization.last.delta == b.optimization.last.delta);
+        CHECK(a.shortest_edges.moves == b.shortest_edges.moves);
+      }
+}
+
+TEST_CASE("pipeline: edge lengths follow the sizing") {
+  const geom::TriMesh mesh = fixtures::blob(10);
+  RemeshOptions options;
+  options.num_samples = 1200;
+  options.sizing = SizingKind::given;
+  for (const geom::Vec3& p : mesh.vertices()) options.rho.push_back(2.2 + 1.6 * p.x());
+  options.optimize.scope = Scope::two_ring;
+  options.optimize.max_iterations = 15;
+  const RemeshResult result = remesh(mesh, options);
+  CHECK(result.fit.slope == doctest::Approx(1).epsilon(0.06));
+  CHECK(result.fit.cv < 0.16);
+  CHECK(result.hidden == 0);
+  CHECK(result.angles.bad_after == 0);
+  CHECK(geom::topology(result.mesh).manifold());
 }
 
 TEST_CASE("pipeline: a scaled input gives the scaled output, from tiny to huge") {

@@ -1,0 +1,37 @@
+#pragma once
+// Angle optimization (paper, section 5): samples at triangles with a bad angle are resampled with smaller
+// weights at its other two corners, so that samples come closer there.
+
+#include <atomic>
+#include <cstddef>
+#include <vector>
+
+#include "fpo/surface_domain.h"
+
+namespace fpo {
+
+/// Degrees. A triangle is bad if its smallest angle is below `smallest` or its largest above `largest`. The
+/// paper wants 30 and 120; the stricter bounds can be had too, as a rule.
+struct AngleOptions {
+  double smallest = 33;
+  double largest = 112;
+  /// The c of the paper, tried in turn: the weight of a corner becomes c times what the sizing gives.
+  std::vector<double> weight_shares = {0.8, 0.6, 0.4};
+  std::size_t max_attempts = 200;                  ///< and one for every ten samples
+  const std::atomic<bool>* interrupted = nullptr;  ///< looked at before each triangle
+};
+
+struct AngleResult {
+  std::size_t bad_before = 0, bad_after = 0;  ///< triangles of the RRT
+  std::size_t tried = 0, mended = 0;          ///< attempts, and those that were kept
+  std::size_t reweighted = 0;                 ///< samples whose weight is still smaller at the end
+};
+
+/// Takes the worst triangle first: lowers the weights of the two corners that do not have the bad angle, then
+/// resamples (Algorithm 1 in the 2-ring) the corner that has it and the other two. What makes things worse
+/// (the sum over all bad triangles of the square of the degrees beyond the bounds) is undone. Ends when no
+/// triangle is bad or a round mends nothing. At last weights are restored where that makes nothing worse. The
+/// number of samples stays. Deterministic. O(1) expected an attempt.
+AngleResult optimize_angles(SurfaceDomain& domain, const AngleOptions& options);
+
+}  // namespace fpo
