@@ -14,7 +14,7 @@ using geom::Vec3;
 
 namespace {
 
-const double crease_cosine = std::cos(M_PI / 4);
+const double crease_cosine = std::sqrt(0.5);  // 45 degrees
 constexpr std::size_t most_pieces = 50'000'000;
 
 /// Corners of facets, joined to groups (union by smaller index, path halving).
