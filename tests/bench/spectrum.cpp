@@ -1,0 +1,279 @@
+// Power spectra (paper, section 6, figures 7 and 8) of sets whose spectrum is known, and of farthest point
+// optimization.
+//   bench-spectrum white       white noise on several domains
+//   bench-spectrum lattice     the peaks of a hexagonal lattice
+//   bench-spectrum optimized   torus against periodogram, sphere and flat mesh against torus, adaptive sets
+//   bench-spectrum MODEL N     8 remeshes with seeds 1 to 8, and white noise there
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "fpo/initial_samples.h"
+#include "fpo/optimize.h"
+#include "fpo/periodogram.h"
+#include "fpo/pipeline.h"
+#include "fpo/plane_domain.h"
+#include "fpo/rectangle.h"
+#include "fpo/spectrum_set.h"
+#include "geom/rng.h"
+#include "geom/shapes.h"
+#include "io/mesh_io.h"
+
+namespace {
+
+using fpo::PowerSpectrum;
+using fpo::SpacingRule;
+using geom::Vec2;
+using geom::Vec3;
+using Points2 = std::vector<geom::WeightedPoint2>;
+using Points3 = std::vector<geom::WeightedPoint3>;
+
+const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+const fpo::SpectrumOptions options{.radius = 12, .max_frequency = 3, .threads = threads};
+constexpr std::uint64_t num_sets = 8;
+
+PowerSpectrum mean_over_sets(auto&& make) {
+  std::vector<PowerSpectrum> spectra;
+  for (std::uint64_t seed = 1; seed <= num_sets; ++seed) spectra.push_back(make(seed));
+  return fpo::mean_spectrum(spectra);
+}
+
+/// The mean of a curve's values with frequencies in [low, high].
+double mean_in(const fpo::RadialCurve& c, const std::vector<double>& values, double low, double high) {
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < c.frequency.size(); ++i) {
+    if (c.frequency[i] < low || c.frequency[i] > high || std::isnan(values[i])) continue;
+    sum += values[i];
+    count += 1;
+  }
+  return sum / count;
+}
+
+/// The extreme value (sign +1: largest) with frequency in [low, high], and where.
+void print_extreme(const fpo::RadialCurve& c, double low, double high, double sign) {
+  std::size_t best = c.mean.size();
+  for (std::size_t i = 0; i < c.frequency.size(); ++i)
+    if (c.frequency[i] >= low && c.frequency[i] <= high &&
+        (best == c.mean.size() || sign * c.mean[i] > sign * c.mean[best]))
+      best = i;
+  std::printf("  %5.3f at %4.2f", c.mean[best], c.frequency[best]);
+}
+
+fpo::RadialCurve curve_of(const PowerSpectrum& spectrum) {
+  return fpo::radial_curve(spectrum, fpo::ring_width(options));
+}
+
+void print_header() {
+  std::printf("%-34s %s\n", "",
+              "largest to .3, to .5     at .8   peak             trough           second peak      dB to .5  "
+              "dB .5 on");
+}
+
+void print_curve(const char* name, const PowerSpectrum& spectrum) {
+  const fpo::RadialCurve c = curve_of(spectrum);
+  std::printf("%-34s", name);
+  print_extreme(c, 0, 0.3, 1);
+  print_extreme(c, 0, 0.5, 1);
+  std::printf("  %5.3f", mean_in(c, c.mean, 0.77, 0.83));
+  print_extreme(c, 0.9, 1.5, 1);
+  print_extreme(c, 1.3, 1.9, -1);
+  print_extreme(c, 1.9, 2.6, 1);
+  std::printf("  %6.2f  %6.2f\n", fpo::decibel(mean_in(c, c.anisotropy, 0, 0.5)),
+              fpo::decibel(mean_in(c, c.anisotropy, 0.5, 3)));
+}
+
+/// How far from 1 a flat spectrum's curve is, below and above frequency 1/2.
+void print_flatness(const char* name, const PowerSpectrum& spectrum) {
+  const fpo::RadialCurve c = curve_of(spectrum);
+  std::vector<double> square;
+  for (const double p : c.mean) square.push_back((p - 1) * (p - 1));
+  std::printf("%-34s  mean to .5 %6.3f  rms off 1 to .5 %.3f, .5 on %.3f  dB %6.2f\n", name,
+              mean_in(c, c.mean, 0, 0.5), std::sqrt(mean_in(c, square, 0, 0.5)),
+              std::sqrt(mean_in(c, square, 0.5, 3)), fpo::decibel(mean_in(c, c.anisotropy, 0, 3)));
+}
+
+void print_difference(const char* name, const PowerSpectrum& a, const PowerSpectrum& b, double low,
+                      double high) {
+  const fpo::RadialCurve x = curve_of(a), y = curve_of(b);
+  std::vector<double> square;
+  double largest = 0;
+  for (std::size_t i = 0; i < x.mean.size(); ++i) {
+    const double d = x.mean[i] - y.mean[i];
+    square.push_back(d * d);
+    if (x.frequency[i] >= low && x.frequency[i] <= high) largest = std::max(largest, std::abs(d));
+  }
+  std::printf("%-34s  rms of the difference over [%.1f, %.1f] %.3f, largest %.3f\n", name, low, high,
+              std::sqrt(mean_in(x, square, low, high)), largest);
+}
+
+Points2 random_in_square(std::size_t n, std::uint64_t seed) {
+  geom::Rng rng(seed);
+  Points2 points;
+  for (std::size_t i = 0; i < n; ++i) points.push_back({{rng.uniform(), rng.uniform()}, 0});
+  return points;
+}
+
+/// Independent samples, or optimized ones.
+Points2 plane_samples(const std::string& sizing_name, std::size_t n, std::uint64_t seed, int iterations) {
+  const geom::FlatTorus torus({1, 1});
+  const auto sizing = fpo::named_sizing(sizing_name, torus);
+  const bool uniform = sizing->is_uniform();
+  const fpo::PlaneDensity density(*sizing, torus);
+  const auto start = fpo::initial_plane_samples(
+      density, n, seed, iterations > 0 ? fpo::best_plane_start(uniform) : fpo::PlaneStart::random);
+  const fpo::Scope scope = uniform ? fpo::Scope::global : fpo::Scope::two_ring;
+  fpo::PlaneDomain domain(torus, *sizing, density.edge_length_scale(n), start,
+                          {.weight_factor = fpo::best_plane_weight_factor(scope)});
+  fpo::OptimizeOptions o;
+  o.max_iterations = iterations;
+  o.scope = scope;
+  o.order = fpo::best_visit_order(uniform);
+  o.seed = seed;
+  if (iterations > 0) fpo::optimize(domain, o);
+  Points2 points;
+  for (const fpo::PlaneSample& s : domain.samples()) points.push_back({s.position, s.weight});
+  return points;
+}
+
+Points3 random_on(const geom::TriMesh& mesh, std::size_t n, std::uint64_t seed) {
+  Points3 points;
+  for (const fpo::SurfaceSample& s : fpo::random_samples(mesh, n, seed)) points.push_back({s.position, 0});
+  return points;
+}
+
+Points3 remeshed(const geom::TriMesh& mesh, std::size_t n, std::uint64_t seed) {
+  fpo::RemeshOptions o;
+  o.num_samples = n;
+  o.seed = seed;
+  Points3 points;
+  for (const fpo::SurfaceSample& s : fpo::remesh(mesh, o).samples) points.push_back({s.position, 0});
+  return points;
+}
+
+PowerSpectrum in_plane(const Points2& points, bool periodic, SpacingRule rule) {
+  const fpo::PlaneRegion region{.size = {1, 1}, .periodic = periodic};
+  return fpo::differential_spectrum(fpo::plane_set(points, region, rule, options.radius), options);
+}
+
+PowerSpectrum on_surface(const Points3& points, const fpo::SpectrumSurface& surface, SpacingRule rule) {
+  return fpo::differential_spectrum(fpo::surface_set(points, surface, rule), options);
+}
+
+void white_noise() {
+  std::printf("White noise, %d sets of 2000 (expected: 1 and %.2f dB)\n", static_cast<int>(num_sets),
+              -fpo::decibel(static_cast<double>(num_sets)));
+  const std::size_t n = 2000;
+  const auto plane = [&](bool periodic, SpacingRule rule) {
+    return mean_over_sets([&](std::uint64_t s) { return in_plane(random_in_square(n, s), periodic, rule); });
+  };
+  print_flatness("torus, periodogram", mean_over_sets([&](std::uint64_t s) {
+                   std::vector<Vec2> x;
+                   for (const auto& p : random_in_square(n, s)) x.push_back(p.position);
+                   return fpo::periodogram(x, geom::FlatTorus({1, 1}), options.max_frequency, threads);
+                 }));
+  print_flatness("torus", plane(true, SpacingRule::uniform));
+  print_flatness("square with border", plane(false, SpacingRule::uniform));
+  for (const char* name : {"waves5", "spot11"})
+    print_flatness((std::string("adaptive torus, ") + name).c_str(), mean_over_sets([&](std::uint64_t s) {
+                     return in_plane(plane_samples(name, n, s, 0), true, SpacingRule::weights);
+                   }));
+  for (const char* name : {"sphere", "cube", "double-torus", "square"}) {
+    const geom::TriMesh mesh = geom::make_shape(name);
+    const fpo::SpectrumSurface surface(mesh);
+    print_flatness(name, mean_over_sets([&](std::uint64_t s) {
+                     return on_surface(random_on(mesh, n, s), surface, SpacingRule::uniform);
+                   }));
+  }
+}
+
+void lattice() {
+  const int columns = 38, rows = 44;  // nearly as long as high: 44 sqrt(3) / 2 = 38.1
+  const Vec2 size(columns, rows * std::sqrt(0.75));
+  Points2 points;
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i)
+      points.push_back({{i + 0.25 + (j % 2) / 2.0, (j + 0.5) * std::sqrt(0.75)}, 0});
+  const auto spectrum = fpo::differential_spectrum(
+      fpo::plane_set(points, {.size = size, .periodic = true}, SpacingRule::uniform, options.radius),
+      options);
+  const fpo::RadialCurve c = curve_of(spectrum);
+  std::printf("Hexagonal lattice (expected: 1.155, 2, 2.309): power");
+  for (const double from : {0.7, 1.6, 2.15}) print_extreme(c, from, from + 0.45, 1);
+  std::printf("\n");
+}
+
+void optimized() {
+  const std::size_t n = 1024;
+  std::vector<PowerSpectrum> plain;
+  const PowerSpectrum torus = mean_over_sets([&](std::uint64_t seed) {
+    const Points2 points = plane_samples("uniform", n, seed, 100);
+    std::vector<Vec2> x;
+    for (const auto& p : points) x.push_back(p.position);
+    plain.push_back(fpo::periodogram(x, geom::FlatTorus({1, 1}), options.max_frequency, threads));
+    return in_plane(points, true, SpacingRule::uniform);
+  });
+  std::printf("Farthest point optimization, %d sets\n", static_cast<int>(num_sets));
+  print_header();
+  print_curve("torus, 1024, periodogram", fpo::mean_spectrum(plain));
+  print_curve("torus, 1024", torus);
+  const auto surface_spectrum = [&](const char* name, std::size_t count) {
+    const geom::TriMesh mesh = geom::make_shape(name);
+    const fpo::SpectrumSurface surface(mesh);
+    return mean_over_sets([&](std::uint64_t seed) {
+      return on_surface(remeshed(mesh, count, seed), surface, SpacingRule::uniform);
+    });
+  };
+  const PowerSpectrum sphere = surface_spectrum("sphere", 1700), square = surface_spectrum("square", 1700);
+  print_curve("sphere, 1700", sphere);
+  const geom::TriMesh flat = geom::make_shape("square");
+  const PowerSpectrum bordered = mean_over_sets([&](std::uint64_t seed) {
+    Points2 points;
+    for (const auto& p : remeshed(flat, 1700, seed)) points.push_back({p.position.head<2>(), 0});
+    return in_plane(points, false, SpacingRule::uniform);
+  });
+  print_curve("square with border, 1700, mesh", square);
+  print_curve("square with border, 1700, plane", bordered);
+  std::map<std::string, PowerSpectrum> adaptive;
+  for (const char* name : {"waves5", "spot11"})
+    for (const SpacingRule rule : {SpacingRule::weights, SpacingRule::local}) {
+      const std::string row =
+          std::string(name) + ", 4096, by " + (rule == SpacingRule::weights ? "weights" : "density");
+      adaptive[row] = mean_over_sets(
+          [&](std::uint64_t seed) { return in_plane(plane_samples(name, 4096, seed, 60), true, rule); });
+      print_curve(row.c_str(), adaptive[row]);
+    }
+  print_difference("torus - its periodogram", torus, fpo::mean_spectrum(plain), 0, 3);
+  print_difference("sphere - torus", sphere, torus, 0, 3);
+  print_difference("mesh - plane, square with border", square, bordered, 0, 3);
+  print_difference("square with border - torus", bordered, torus, 0, 3);
+  for (const auto& [row, spectrum] : adaptive)
+    print_difference((row + " - torus").c_str(), spectrum, torus, 0.3, 3);
+}
+
+void model(const std::string& path, std::size_t n) {
+  const geom::TriMesh mesh = io::read_mesh(path);
+  const fpo::SpectrumSurface surface(mesh);
+  print_header();
+  print_curve((path.substr(path.find_last_of('/') + 1) + ", " + std::to_string(n)).c_str(),
+              mean_over_sets([&](std::uint64_t seed) {
+                return on_surface(remeshed(mesh, n, seed), surface, SpacingRule::uniform);
+              }));
+  print_flatness("white noise there", mean_over_sets([&](std::uint64_t seed) {
+                   return on_surface(random_on(mesh, n, seed), surface, SpacingRule::uniform);
+                 }));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string what = argc > 1 ? argv[1] : "";
+  if (argc > 2) model(what, std::strtoull(argv[2], nullptr, 10));
+  if (what == "white") white_noise();
+  if (what == "lattice") lattice();
+  if (what == "optimized") optimized();
+}
