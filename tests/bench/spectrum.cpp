@@ -13,25 +13,23 @@
 #include <thread>
 #include <vector>
 
-#include "fpo/initial_samples.h"
-#include "fpo/optimize.h"
 #include "fpo/periodogram.h"
-#include "fpo/pipeline.h"
-#include "fpo/plane_domain.h"
-#include "fpo/rectangle.h"
 #include "fpo/spectrum_set.h"
-#include "geom/rng.h"
 #include "geom/shapes.h"
 #include "io/mesh_io.h"
+#include "tests/fixtures/sample_sets.h"
 
 namespace {
 
+using fixtures::plane_samples;
+using fixtures::Points2;
+using fixtures::Points3;
+using fixtures::random_in_square;
+using fixtures::random_on;
+using fixtures::remeshed;
 using fpo::PowerSpectrum;
 using fpo::SpacingRule;
 using geom::Vec2;
-using geom::Vec3;
-using Points2 = std::vector<geom::WeightedPoint2>;
-using Points3 = std::vector<geom::WeightedPoint3>;
 
 const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 const fpo::SpectrumOptions options{.radius = 12, .max_frequency = 3, .threads = threads};
@@ -111,50 +109,6 @@ void print_difference(const char* name, const PowerSpectrum& a, const PowerSpect
               std::sqrt(mean_in(x, square, low, high)), largest);
 }
 
-Points2 random_in_square(std::size_t n, std::uint64_t seed) {
-  geom::Rng rng(seed);
-  Points2 points;
-  for (std::size_t i = 0; i < n; ++i) points.push_back({{rng.uniform(), rng.uniform()}, 0});
-  return points;
-}
-
-/// Independent samples, or optimized ones.
-Points2 plane_samples(const std::string& sizing_name, std::size_t n, std::uint64_t seed, int iterations) {
-  const geom::FlatTorus torus({1, 1});
-  const auto sizing = fpo::named_sizing(sizing_name, torus);
-  const bool uniform = sizing->is_uniform();
-  const fpo::PlaneDensity density(*sizing, torus);
-  const auto start = fpo::initial_plane_samples(
-      density, n, seed, iterations > 0 ? fpo::best_plane_start(uniform) : fpo::PlaneStart::random);
-  const fpo::Scope scope = uniform ? fpo::Scope::global : fpo::Scope::two_ring;
-  fpo::PlaneDomain domain(torus, *sizing, density.edge_length_scale(n), start,
-                          {.weight_factor = fpo::best_plane_weight_factor(scope)});
-  fpo::OptimizeOptions o;
-  o.max_iterations = iterations;
-  o.scope = scope;
-  o.order = fpo::best_visit_order(uniform);
-  o.seed = seed;
-  if (iterations > 0) fpo::optimize(domain, o);
-  Points2 points;
-  for (const fpo::PlaneSample& s : domain.samples()) points.push_back({s.position, s.weight});
-  return points;
-}
-
-Points3 random_on(const geom::TriMesh& mesh, std::size_t n, std::uint64_t seed) {
-  Points3 points;
-  for (const fpo::SurfaceSample& s : fpo::random_samples(mesh, n, seed)) points.push_back({s.position, 0});
-  return points;
-}
-
-Points3 remeshed(const geom::TriMesh& mesh, std::size_t n, std::uint64_t seed) {
-  fpo::RemeshOptions o;
-  o.num_samples = n;
-  o.seed = seed;
-  Points3 points;
-  for (const fpo::SurfaceSample& s : fpo::remesh(mesh, o).samples) points.push_back({s.position, 0});
-  return points;
-}
-
 PowerSpectrum in_plane(const Points2& points, bool periodic, SpacingRule rule) {
   const fpo::PlaneRegion region{.size = {1, 1}, .periodic = periodic};
   return fpo::differential_spectrum(fpo::plane_set(points, region, rule, options.radius), options);
@@ -172,9 +126,8 @@ void white_noise() {
     return mean_over_sets([&](std::uint64_t s) { return in_plane(random_in_square(n, s), periodic, rule); });
   };
   print_flatness("torus, periodogram", mean_over_sets([&](std::uint64_t s) {
-                   std::vector<Vec2> x;
-                   for (const auto& p : random_in_square(n, s)) x.push_back(p.position);
-                   return fpo::periodogram(x, geom::FlatTorus({1, 1}), options.max_frequency, threads);
+                   return fpo::periodogram(fixtures::positions(random_in_square(n, s)),
+                                           geom::FlatTorus({1, 1}), options.max_frequency, threads);
                  }));
   print_flatness("torus", plane(true, SpacingRule::uniform));
   print_flatness("square with border", plane(false, SpacingRule::uniform));
@@ -191,19 +144,32 @@ void white_noise() {
   }
 }
 
+/// The frequency of a peak: the mean of the grid's frequencies around the largest power with |f| in
+/// [low, high], by power.
+double peak_frequency(const PowerSpectrum& s, double low, double high) {
+  const auto length = [&](int i, int j) { return std::hypot(i * s.step.x(), j * s.step.y()); };
+  int x = 0, y = 0;
+  for (int j = 0; j <= s.half_y; ++j)
+    for (int i = -s.half_x; i <= s.half_x; ++i)
+      if (length(i, j) >= low && length(i, j) <= high && s.at(i, j) > s.at(x, y)) x = i, y = j;
+  double sum = 0, power = 0;
+  for (int j = y - 2; j <= y + 2; ++j)
+    for (int i = x - 2; i <= x + 2; ++i) {
+      sum += s.at(i, j) * length(i, j);
+      power += s.at(i, j);
+    }
+  return sum / power;
+}
+
 void lattice() {
-  const int columns = 38, rows = 44;  // nearly as long as high: 44 sqrt(3) / 2 = 38.1
-  const Vec2 size(columns, rows * std::sqrt(0.75));
-  Points2 points;
-  for (int j = 0; j < rows; ++j)
-    for (int i = 0; i < columns; ++i)
-      points.push_back({{i + 0.25 + (j % 2) / 2.0, (j + 0.5) * std::sqrt(0.75)}, 0});
-  const auto spectrum = fpo::differential_spectrum(
-      fpo::plane_set(points, {.size = size, .periodic = true}, SpacingRule::uniform, options.radius),
-      options);
-  const fpo::RadialCurve c = curve_of(spectrum);
-  std::printf("Hexagonal lattice (expected: 1.155, 2, 2.309): power");
-  for (const double from : {0.7, 1.6, 2.15}) print_extreme(c, from, from + 0.45, 1);
+  const fixtures::Lattice lattice(38, 44);  // nearly as long as high: 44 sqrt(3) / 2 = 38.1
+  const PowerSpectrum spectrum =
+      fpo::differential_spectrum(fpo::plane_set(lattice.points, {.size = lattice.period, .periodic = true},
+                                                SpacingRule::uniform, options.radius),
+                                 options);
+  std::printf("Hexagonal lattice, peaks (expected: 1.155 2.000 2.309): ");
+  for (const double at : {1.155, 2.0, 2.309})
+    std::printf("%.3f ", peak_frequency(spectrum, at - .1, at + .1));
   std::printf("\n");
 }
 
@@ -212,9 +178,8 @@ void optimized() {
   std::vector<PowerSpectrum> plain;
   const PowerSpectrum torus = mean_over_sets([&](std::uint64_t seed) {
     const Points2 points = plane_samples("uniform", n, seed, 100);
-    std::vector<Vec2> x;
-    for (const auto& p : points) x.push_back(p.position);
-    plain.push_back(fpo::periodogram(x, geom::FlatTorus({1, 1}), options.max_frequency, threads));
+    plain.push_back(fpo::periodogram(fixtures::positions(points), geom::FlatTorus({1, 1}),
+                                     options.max_frequency, threads));
     return in_plane(points, true, SpacingRule::uniform);
   });
   std::printf("Farthest point optimization, %d sets\n", static_cast<int>(num_sets));
