@@ -95,18 +95,22 @@ void print_flatness(const char* name, const PowerSpectrum& spectrum) {
               std::sqrt(mean_in(c, square, 0.5, 3)), fpo::decibel(mean_in(c, c.anisotropy, 0, 3)));
 }
 
+/// Over the rings that both curves have.
 void print_difference(const char* name, const PowerSpectrum& a, const PowerSpectrum& b, double low,
                       double high) {
   const fpo::RadialCurve x = curve_of(a), y = curve_of(b);
-  std::vector<double> square;
-  double largest = 0;
-  for (std::size_t i = 0; i < x.mean.size(); ++i) {
-    const double d = x.mean[i] - y.mean[i];
-    square.push_back(d * d);
-    if (x.frequency[i] >= low && x.frequency[i] <= high) largest = std::max(largest, std::abs(d));
+  double sum = 0, count = 0, largest = 0;
+  for (std::size_t i = 0, j = 0; i < x.frequency.size(); ++i) {
+    if (x.frequency[i] < low || x.frequency[i] > high) continue;
+    while (j < y.frequency.size() && y.frequency[j] < x.frequency[i] - 1e-9) ++j;
+    if (j == y.frequency.size() || y.frequency[j] > x.frequency[i] + 1e-9) continue;
+    const double d = x.mean[i] - y.mean[j];
+    sum += d * d;
+    count += 1;
+    largest = std::max(largest, std::abs(d));
   }
   std::printf("%-34s  rms of the difference over [%.1f, %.1f] %.3f, largest %.3f\n", name, low, high,
-              std::sqrt(mean_in(x, square, low, high)), largest);
+              std::sqrt(sum / count), largest);
 }
 
 PowerSpectrum in_plane(const Points2& points, bool periodic, SpacingRule rule) {

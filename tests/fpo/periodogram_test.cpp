@@ -57,7 +57,7 @@ TEST_CASE("periodogram: a lattice has all its power at the lattice's frequencies
   for (int j = -s.half_y; j <= s.half_y; ++j) {
     for (int i = -s.half_x; i <= s.half_x; ++i) {
       const double f = std::hypot(i * s.step.x(), j * s.step.y()), p = s.at(i, j);
-      if (p < 1e-9 * n) continue;
+      if (p < 1e-9 * n || f > 2.5) continue;  // the grid is a square
       ++peaks;
       CHECK(p == doctest::Approx(n));
       CHECK(std::min({std::abs(f - 2 / std::sqrt(3)), std::abs(f - 2), std::abs(f - 4 / std::sqrt(3))}) <

@@ -65,7 +65,7 @@ TEST_CASE("radial_curve: independent samples have anisotropy 0 dB, M averaged se
   for (std::uint64_t seed = 1; seed <= 8; ++seed)
     sets.push_back(spectrum_of(
         0.02, 100, [](double) { return 1.0; }, Exponential{geom::Rng(seed)}));
-  CHECK(fpo::decibel(mean(fpo::radial_curve(sets[0], 0.1).anisotropy)) == doctest::Approx(0).scale(0.4));
+  CHECK(std::abs(fpo::decibel(mean(fpo::radial_curve(sets[0], 0.1).anisotropy))) < 0.4);
   const PowerSpectrum average = fpo::mean_spectrum(sets);
   CHECK(average.smoothing == doctest::Approx(1));
   const RadialCurve c = fpo::radial_curve(average, 0.1);

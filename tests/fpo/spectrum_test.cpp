@@ -27,7 +27,7 @@ using geom::Vec2;
 namespace {
 
 /// Small, for the sake of time: the paper's figures want radius 12.
-const SpectrumOptions small{.radius = 6, .max_frequency = 2.5, .threads = 1};
+const SpectrumOptions small{.radius = 5, .max_frequency = 2.5, .threads = 1};
 
 PowerSpectrum in_square(const Points2& points, bool periodic, SpacingRule rule,
                         const SpectrumOptions& o = small) {
@@ -66,10 +66,18 @@ double mean_power(const RadialCurve& c, double low, double high) {
   return ring_mean(c, low, high, [&](std::size_t k) { return c.mean[k]; });
 }
 
+/// Over the rings that both curves have.
 double rms_difference(const RadialCurve& a, const RadialCurve& b, double low, double high) {
-  REQUIRE(a.frequency == b.frequency);
-  return std::sqrt(
-      ring_mean(a, low, high, [&](std::size_t k) { return std::pow(a.mean[k] - b.mean[k], 2); }));
+  double sum = 0, count = 0;
+  for (std::size_t k = 0, l = 0; k < a.frequency.size(); ++k) {
+    if (a.frequency[k] < low || a.frequency[k] > high) continue;
+    while (l < b.frequency.size() && b.frequency[l] < a.frequency[k] - 1e-9) ++l;
+    if (l == b.frequency.size() || b.frequency[l] > a.frequency[k] + 1e-9) continue;
+    sum += std::pow(a.mean[k] - b.mean[l], 2);
+    count += 1;
+  }
+  REQUIRE(count > 10);
+  return std::sqrt(sum / count);
 }
 
 /// A periodogram's curve in the rings of `o`.
@@ -77,7 +85,7 @@ PowerSpectrum plain(const Points2& points, const SpectrumOptions& o) {
   return fpo::periodogram(fixtures::positions(points), geom::FlatTorus({1, 1}), o.max_frequency, 1);
 }
 
-/// White noise has P = 1 everywhere. With 6 sets of 400 samples chance alone makes the means over the bands
+/// White noise has P = 1 everywhere. With 6 sets of 300 samples chance alone makes the means over the bands
 /// [0, .3] and [0, .5] vary by about .06 and .04 (.02 measured on surfaces, where frames are turned).
 void check_flat(const PowerSpectrum& mean_of_sets) {
   const RadialCurve c = curve_of(mean_of_sets);
@@ -160,14 +168,14 @@ TEST_CASE("differential_spectrum: any number of threads gives the same bytes") {
 TEST_CASE("differential_spectrum: white noise is flat in the plane") {
   const auto noise = [](bool periodic, SpacingRule rule) {
     return mean_over_sets(6, [&](std::uint64_t seed) {
-      return in_square(fixtures::random_in_square(400, seed), periodic, rule);
+      return in_square(fixtures::random_in_square(300, seed), periodic, rule);
     });
   };
   SUBCASE("torus") { check_flat(noise(true, SpacingRule::uniform)); }
   SUBCASE("square with border") { check_flat(noise(false, SpacingRule::uniform)); }
   SUBCASE("adaptive torus") {
     check_flat(mean_over_sets(6, [](std::uint64_t seed) {
-      return in_square(fixtures::plane_samples("waves5", 400, seed, 0), true, SpacingRule::weights);
+      return in_square(fixtures::plane_samples("waves5", 300, seed, 0), true, SpacingRule::weights);
     }));
   }
 }
@@ -177,7 +185,7 @@ TEST_CASE("differential_spectrum: white noise is flat on surfaces") {
     const geom::TriMesh mesh = geom::make_shape(name, size);
     const fpo::SpectrumSurface surface(mesh);
     return mean_over_sets(
-        6, [&](std::uint64_t seed) { return on_surface(fixtures::random_on(mesh, 400, seed), surface); });
+        6, [&](std::uint64_t seed) { return on_surface(fixtures::random_on(mesh, 300, seed), surface); });
   };
   SUBCASE("sphere") { check_flat(noise("sphere", 8)); }
   SUBCASE("cube") { check_flat(noise("cube", 1)); }
@@ -207,7 +215,7 @@ TEST_CASE("differential_spectrum: a hexagonal lattice has peaks at 2 / sqrt 3, 2
   for (int j = -s.half_y + 1; j < s.half_y; ++j) {
     for (int i = -s.half_x + 1; i < s.half_x; ++i) {
       const double f = std::hypot(i, j) * s.step.x(), p = s.at(i, j);
-      bool peak = p > 0.3 * highest;
+      bool peak = p > 0.3 * highest && f < 2.5;
       for (const auto& [a, b] : {std::pair{1, 0}, {0, 1}, {1, 1}, {1, -1}})
         peak &= p > s.at(i + a, j + b) && p >= s.at(i - a, j - b);
       if (!peak) continue;
@@ -242,8 +250,8 @@ TEST_CASE("differential_spectrum: optimized samples on the torus have the period
 
 TEST_CASE("differential_spectrum: optimized samples have one curve on torus, adaptive torus and sphere") {
   const auto torus = [](const char* sizing, SpacingRule rule) {
-    return curve_of(mean_over_sets(3, [&](std::uint64_t seed) {
-      return in_square(fixtures::plane_samples(sizing, 800, seed, 30), true, rule);
+    return curve_of(mean_over_sets(2, [&](std::uint64_t seed) {
+      return in_square(fixtures::plane_samples(sizing, 700, seed, 30), true, rule);
     }));
   };
   const RadialCurve uniform = torus("uniform", SpacingRule::uniform);
@@ -251,7 +259,7 @@ TEST_CASE("differential_spectrum: optimized samples have one curve on torus, ada
   const geom::TriMesh mesh = geom::make_shape("sphere", 16);
   const fpo::SpectrumSurface surface(mesh);
   const RadialCurve sphere = curve_of(mean_over_sets(
-      3, [&](std::uint64_t seed) { return on_surface(fixtures::remeshed(mesh, 600, seed, 30), surface); }));
+      2, [&](std::uint64_t seed) { return on_surface(fixtures::remeshed(mesh, 500, seed, 20), surface); }));
   CHECK(rms_difference(sphere, uniform, 0, 2.5) < 0.12);
   CHECK(mean_power(sphere, 0, 0.5) < 0.03);
 }
@@ -267,7 +275,7 @@ TEST_CASE("differential_spectrum: a flat meshed square is a square of the plane 
     const RadialCurve on_mesh = curve_of(on_surface(points, surface));
     const RadialCurve in_plane = curve_of(in_square(flat, false, SpacingRule::uniform));
     CHECK(rms_difference(on_mesh, in_plane, 0, 2.5) < 0.02);
-    CHECK(rms_difference(on_mesh, in_plane, 1, 2.5) < 1e-4);
+    CHECK(rms_difference(on_mesh, in_plane, 1.1, 2.5) < 1e-9);
   }
 }
 
