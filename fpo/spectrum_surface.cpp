@@ -154,6 +154,14 @@ SpectrumPoint SpectrumSurface::place(const Vec3& x) const {
   return {.position = x, .normal = normal(c.facet, c.barycentric)};
 }
 
+double SpectrumSurface::interpolated(const Vec3& x, const VertexField& values) const {
+  const geom::AabbTree::Closest c = tree_.closest(x);
+  double sum = 0;
+  for (int i = 0; i < 3; ++i)
+    sum += c.barycentric[i] * values[mesh_.facet(c.facet)[static_cast<std::size_t>(i)]];
+  return sum;
+}
+
 /// Splits the part of facet t between three points at the middle of its longest side, until it is small. A
 /// sliver is cut along its length, too, so that its pieces are not longer than others are wide.
 void SpectrumSurface::bisect(FacetId t, const std::array<Vec3, 3>& barycentric, const Limit& limit,

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "fpo/sizing.h"
 #include "fpo/spectrum_point.h"
 #include "geom/aabb_tree.h"
 
@@ -31,6 +32,8 @@ class SpectrumSurface {
   double area() const { return area_; }
   /// The sample with the surface's normal at the nearest point; its position stays as it is.
   SpectrumPoint place(const geom::Vec3& x) const;
+  /// A value at the nearest point, linear on each facet between those at the vertices.
+  double interpolated(const geom::Vec3& x, const VertexField& values) const;
   /// Divides the surface into pieces that keep to the limit, or nearly: large facets are bisected; pieces of
   /// less than a quarter of the limit are joined if they are near each other and face the same way (a cell of
   /// a grid as wide as the limit's square, one octant of normals). The areas sum up to area(). Throws

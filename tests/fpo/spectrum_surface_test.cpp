@@ -48,6 +48,16 @@ TEST_CASE("SpectrumSurface: a sphere's normals are smooth, a box keeps its sides
   }
 }
 
+TEST_CASE("SpectrumSurface: values at vertices are interpolated linearly at the nearest point") {
+  const geom::TriMesh mesh = fixtures::blob(5);
+  const SpectrumSurface surface(mesh);
+  const Vec3 slope(1, -2, 3);
+  fpo::VertexField values;
+  for (const Vec3& x : mesh.vertices()) values.push_back(7 + slope.dot(x));
+  for (const auto& p : fixtures::random_on(mesh, 200, 3))
+    CHECK(surface.interpolated(p.position, values) == doctest::Approx(7 + slope.dot(p.position)));
+}
+
 TEST_CASE("SpectrumSurface: pieces make up the surface and keep to a limit, constant or not") {
   for (const fixtures::NamedSurface& s : fixtures::surfaces()) {
     CAPTURE(s.name);
