@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,9 @@ std::vector<Vec2> points(const std::vector<double>& x, const std::vector<double>
   return result;
 }
 
+/// Makes an axis show at least that range.
+io::Series invisible(double low, double high) { return {.points = {{0, low}, {0, high}}, .colour = "none"}; }
+
 }  // namespace
 
 io::Svg draw_spectrum(const MeanSpectrum& mean) {
@@ -71,36 +75,39 @@ io::Svg draw_spectrum(const MeanSpectrum& mean) {
   io::add_chart_style(svg);
   svg.rectangle({0, 0}, size, "fill=\"#fff\"");
 
-  io::Chart power{.title = "Power spectrum", .x = {}, .y = {}, .series = {}, .guides = {}};
+  io::Chart power;
+  power.title = "Power spectrum";
   power.x = {.label = "frequency \u00d7 spacing", .low = -gray.reach.x(), .high = gray.reach.x()};
   power.y = {.label = "", .low = -gray.reach.y(), .high = gray.reach.y()};
   const io::PlotFrame frame = io::draw_chart(svg, power, {0, 0}, {396, 400});
   svg.image(frame.corner(), frame.size(), gray.png);
-  frame.draw_axes(svg);
+  svg.rectangle(frame.corner(), frame.size(), "class=\"frame\"");
 
   const io::Axis frequency{
       .label = "frequency \u00d7 spacing", .low = 0, .high = std::min(gray.reach.x(), gray.reach.y())};
   const std::string sets = std::to_string(mean.num_sets) + (mean.num_sets == 1 ? " set" : " sets");
-  io::Chart radial{.title = "Radial mean of the power, " + sets,
-                   .x = frequency,
-                   .y = {.label = "power"},
-                   .series = {},
-                   .guides = {}};
+  io::Chart radial;
+  radial.title = "Radial mean, " + sets + " (white noise: 1)";
+  radial.x = frequency;
   radial.x.label.clear();
+  radial.y.label = "power";
+  radial.guides.push_back({.y = 1});
   radial.series.push_back({.points = points(mean.curve.frequency, mean.curve.mean)});
-  radial.guides.push_back({.y = 1, .label = "white noise"});
-  // The range begins at 0 whatever the curve does.
-  radial.series.push_back({.points = {{0, 0}, {0, 1.2}}, .colour = "none"});
+  radial.series.push_back(invisible(0, 1.2));
   io::draw_chart(svg, radial, {400, 0}, {420, 200});
 
+  const double isotropic = 0 - fpo::decibel(static_cast<double>(mean.num_sets));  // not -0
+  char title[64];
+  std::snprintf(title, sizeof title, "Anisotropy (isotropic: %.1f dB)", isotropic);
+  io::Chart anisotropy;
+  anisotropy.title = title;
+  anisotropy.x = frequency;
+  anisotropy.y.label = "dB";
+  anisotropy.guides.push_back({.y = isotropic});
   std::vector<double> decibels;
   for (const double a : mean.curve.anisotropy) decibels.push_back(fpo::decibel(a));
-  io::Chart anisotropy{
-      .title = "Anisotropy", .x = frequency, .y = {.label = "dB"}, .series = {}, .guides = {}};
   anisotropy.series.push_back({.points = points(mean.curve.frequency, decibels)});
-  const double isotropic = -fpo::decibel(static_cast<double>(mean.num_sets));
-  anisotropy.guides.push_back({.y = isotropic, .label = "isotropic"});
-  anisotropy.series.push_back({.points = {{0, isotropic - 8}, {0, isotropic + 8}}, .colour = "none"});
+  anisotropy.series.push_back(invisible(isotropic - 8, isotropic + 8));
   io::draw_chart(svg, anisotropy, {400, 200}, {420, 200});
   return svg;
 }
