@@ -35,7 +35,8 @@ struct SpectrumOptions {
 // P = 1 on every domain. Subtracting it on one side only would leave an error linear in nu, which for blue
 // noise exceeds P. T lets what turns away fade out: cutting it off leaks as much as P is at small
 // frequencies. The expected part matters at small frequencies only, while its sums over pieces go wrong at
-// large ones: it fades out from background_full to background_none.
+// large ones: it fades out from background_full to background_none. Where spacings differ fivefold over some
+// tens of samples, white noise has up to 1.1 below f = .5 (bench-spectrum; 1.00 with 2000 samples).
 inline constexpr double background_full = 0.7, background_none = 1.0;
 /// How many pieces a sample, at least.
 inline constexpr double background_density = 4, viewpoint_density = 1;

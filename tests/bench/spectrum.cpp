@@ -1,5 +1,6 @@
 // Power spectra (paper, section 6, figures 7 and 8) of sets whose spectrum is known, and of farthest point
 // optimization.
+//   bench-spectrum             the lattice and the torus only
 //   bench-spectrum white       white noise on several domains
 //   bench-spectrum lattice     the peaks of a hexagonal lattice
 //   bench-spectrum optimized   torus against periodogram, sphere and flat mesh against torus, adaptive sets
@@ -8,7 +9,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <map>
 #include <string>
 #include <thread>
 #include <vector>
@@ -177,51 +177,63 @@ void lattice() {
   std::printf("\n");
 }
 
-void optimized() {
-  const std::size_t n = 1024;
+/// The reference: the uniform torus, 1024 samples, against the plain periodogram of the same sets.
+PowerSpectrum torus() {
   std::vector<PowerSpectrum> plain;
-  const PowerSpectrum torus = mean_over_sets([&](std::uint64_t seed) {
-    const Points2 points = plane_samples("uniform", n, seed, 100);
+  const PowerSpectrum mean = mean_over_sets([&](std::uint64_t seed) {
+    const Points2 points = plane_samples("uniform", 1024, seed, 100);
+    // A little more, so that the rings are full up to there.
     plain.push_back(fpo::periodogram(fixtures::positions(points), geom::FlatTorus({1, 1}),
-                                     options.max_frequency, threads));
+                                     1.05 * options.max_frequency, threads));
     return in_plane(points, true, SpacingRule::uniform);
   });
   std::printf("Farthest point optimization, %d sets\n", static_cast<int>(num_sets));
   print_header();
   print_curve("torus, 1024, periodogram", fpo::mean_spectrum(plain));
-  print_curve("torus, 1024", torus);
-  const auto surface_spectrum = [&](const char* name, std::size_t count) {
-    const geom::TriMesh mesh = geom::make_shape(name);
-    const fpo::SpectrumSurface surface(mesh);
-    return mean_over_sets([&](std::uint64_t seed) {
-      return on_surface(remeshed(mesh, count, seed), surface, SpacingRule::uniform);
-    });
-  };
-  const PowerSpectrum sphere = surface_spectrum("sphere", 1700), square = surface_spectrum("square", 1700);
-  print_curve("sphere, 1700", sphere);
-  const geom::TriMesh flat = geom::make_shape("square");
-  const PowerSpectrum bordered = mean_over_sets([&](std::uint64_t seed) {
-    Points2 points;
-    for (const auto& p : remeshed(flat, 1700, seed)) points.push_back({p.position.head<2>(), 0});
-    return in_plane(points, false, SpacingRule::uniform);
+  print_curve("torus, 1024", mean);
+  print_difference("torus - its periodogram", mean, fpo::mean_spectrum(plain), 0, 3);
+  return mean;
+}
+
+/// Remeshes of the unit square, on the mesh and in the plane.
+void square(const PowerSpectrum& reference) {
+  const geom::TriMesh mesh = geom::make_shape("square");
+  const fpo::SpectrumSurface surface(mesh);
+  std::vector<PowerSpectrum> in_the_plane;
+  const PowerSpectrum meshed = mean_over_sets([&](std::uint64_t seed) {
+    const Points3 points = remeshed(mesh, 1700, seed);
+    Points2 flat;
+    for (const auto& p : points) flat.push_back({p.position.head<2>(), 0});
+    in_the_plane.push_back(in_plane(flat, false, SpacingRule::uniform));
+    return on_surface(points, surface, SpacingRule::uniform);
   });
-  print_curve("square with border, 1700, mesh", square);
-  print_curve("square with border, 1700, plane", bordered);
-  std::map<std::string, PowerSpectrum> adaptive;
-  for (const char* name : {"waves5", "spot11"})
+  const PowerSpectrum plane = fpo::mean_spectrum(in_the_plane);
+  print_curve("square with border, 1700, mesh", meshed);
+  print_curve("square with border, 1700, plane", plane);
+  print_difference("mesh - plane", meshed, plane, 0, 3);
+  print_difference("plane - torus", plane, reference, 0, 3);
+}
+
+void sphere(const PowerSpectrum& reference) {
+  const geom::TriMesh mesh = geom::make_shape("sphere");
+  const fpo::SpectrumSurface surface(mesh);
+  const PowerSpectrum mean = mean_over_sets([&](std::uint64_t seed) {
+    return on_surface(remeshed(mesh, 1700, seed), surface, SpacingRule::uniform);
+  });
+  print_curve("sphere, 1700", mean);
+  print_difference("sphere - torus", mean, reference, 0, 3);
+}
+
+void adaptive(const PowerSpectrum& reference) {
+  for (const char* name : {"waves5", "spot11"}) {
     for (const SpacingRule rule : {SpacingRule::weights, SpacingRule::local}) {
-      const std::string row =
-          std::string(name) + ", 4096, by " + (rule == SpacingRule::weights ? "weights" : "density");
-      adaptive[row] = mean_over_sets(
+      const char* by = rule == SpacingRule::weights ? "weights" : "density";
+      const PowerSpectrum mean = mean_over_sets(
           [&](std::uint64_t seed) { return in_plane(plane_samples(name, 4096, seed, 60), true, rule); });
-      print_curve(row.c_str(), adaptive[row]);
+      print_curve((std::string(name) + ", 4096, by " + by).c_str(), mean);
+      print_difference("  - torus", mean, reference, 0.3, 3);
     }
-  print_difference("torus - its periodogram", torus, fpo::mean_spectrum(plain), 0, 3);
-  print_difference("sphere - torus", sphere, torus, 0, 3);
-  print_difference("mesh - plane, square with border", square, bordered, 0, 3);
-  print_difference("square with border - torus", bordered, torus, 0, 3);
-  for (const auto& [row, spectrum] : adaptive)
-    print_difference((row + " - torus").c_str(), spectrum, torus, 0.3, 3);
+  }
 }
 
 void model(const std::string& path, std::size_t n) {
@@ -243,6 +255,12 @@ int main(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "";
   if (argc > 2) model(what, std::strtoull(argv[2], nullptr, 10));
   if (what == "white") white_noise();
-  if (what == "lattice") lattice();
-  if (what == "optimized") optimized();
+  if (what == "" || what == "lattice") lattice();
+  if (what == "" || what == "optimized") {
+    const PowerSpectrum reference = torus();
+    if (what == "") return 0;
+    sphere(reference);
+    square(reference);
+    adaptive(reference);
+  }
 }

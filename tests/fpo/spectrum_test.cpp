@@ -175,7 +175,7 @@ TEST_CASE("differential_spectrum: white noise is flat in the plane") {
   SUBCASE("square with border") { check_flat(noise(false, SpacingRule::uniform)); }
   SUBCASE("adaptive torus") {
     check_flat(mean_over_sets(6, [](std::uint64_t seed) {
-      return in_square(fixtures::plane_samples("waves5", 300, seed, 0), true, SpacingRule::weights);
+      return in_square(fixtures::plane_samples("waves5", 600, seed, 0), true, SpacingRule::weights);
     }));
   }
 }
