@@ -4,11 +4,14 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <span>
 
 #include "fpo/optimize.h"
+#include "geom/aabb_tree.h"
 #include "geom/indexed_heap.h"
+#include "geom/scaling.h"
 
 namespace fpo {
 
@@ -54,8 +57,11 @@ class BadTriangles {
   std::size_t number() const { return number_; }
   /// The sum of the squares of the degrees by which they miss the bounds.
   double badness() const { return badness_; }
-  /// The smallest normalized spacing at the start.
-  double delta() const { return delta_; }
+  /// Whether x is not so close to another sample that delta is smaller than at the start; if the sizing is
+  /// not uniform, always.
+  bool is_wide(SiteId x) const {
+    return !domain_.sizing().is_uniform() || domain_.normalized_spacing(x) >= delta_;
+  }
 
   void remove(SiteId x) {
     domain_.remove(x);
@@ -147,14 +153,11 @@ constexpr int passes = 4;          // of resampling in an attempt
 constexpr std::size_t crowd = 24;  // samples: twice those around a triangle of a manifold
 constexpr double rounding = 1e-9;  // badness is a running sum
 
-/// Lowers the weights of samples[1] and [2] and resamples all in turn, until the world is better and delta no
-/// smaller than at the start: true. Else
-/// puts everything back.
+/// Lowers the weights of samples[1] and [2] and resamples all in turn, until badness is less and, if the
+/// sizing is uniform, delta no smaller than at the start: true. Else puts everything back.
 bool attempt(SurfaceDomain& domain, BadTriangles& bad, std::span<const SiteId> samples, double weight_share) {
   const double before = bad.badness();
-  const auto wide = [&](SiteId x) {
-    return !domain.sizing().is_uniform() || domain.normalized_spacing(x) >= bad.delta();
-  };
+  const auto wide = [&](SiteId x) { return bad.is_wide(x); };
   std::vector<Backup> backups;
   for (const SiteId x : samples) backups.push_back({x, domain.sample(x), domain.weight_share(x)});
   const auto lowered = [&](std::size_t i) {
@@ -199,6 +202,59 @@ bool mend(SurfaceDomain& domain, BadTriangles& bad, CircleId triangle, const Ang
   return false;
 }
 
+/// What no empty circle mends a small step often does: farthest points are as far from others as can be, but
+/// angles are not the best there.
+class Nudges {
+ public:
+  Nudges(SurfaceDomain& domain, BadTriangles& bad) : domain_(domain), bad_(bad) {}
+
+  /// Moves a corner of a triangle to where badness is least, if that is less than now.
+  bool mend(const std::array<SiteId, 3>& corners) {
+    double least = (1 - least_gain) * bad_.badness();
+    SiteId best;
+    SurfaceSample best_place;
+    for (const SiteId x : corners) {
+      const Backup home{x, domain_.sample(x), domain_.weight_share(x)};
+      for (const SurfaceSample& place : around(home.place)) {
+        restore(bad_, {x, place, home.weight_share});
+        if (bad_.badness() >= least || !bad_.is_wide(x)) continue;
+        least = bad_.badness();
+        best = x;
+        best_place = place;
+      }
+      restore(bad_, home);
+    }
+    if (best.valid()) restore(bad_, {best, best_place, domain_.weight_share(best)});
+    return best.valid();
+  }
+
+ private:
+  static constexpr std::array<double, 4> steps = {0.01, 0.02, 0.04, 0.08};  // in units of h
+  static constexpr int directions = 12;
+  static constexpr double least_gain = 1e-3;  // of the badness
+
+  /// Points of the surface on small circles about x.
+  std::vector<SurfaceSample> around(const SurfaceSample& x) {
+    if (!tree_) tree_.emplace(domain_.mesh());
+    const Vec3 normal = domain_.mesh().normal(x.facet).normalized();
+    const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
+    const double h = domain_.sizing().at(x);
+    std::vector<SurfaceSample> places;
+    for (const double step : steps)
+      for (int k = 0; k < directions; ++k) {
+        const double angle = 2 * std::numbers::pi * k / directions;
+        const Vec3 away = x.position + step * h * (std::cos(angle) * u + std::sin(angle) * v);
+        const geom::AabbTree::Closest closest = tree_->closest(away, x.facet);
+        places.push_back({geom::snapped(closest.point), closest.facet});
+      }
+    return places;
+  }
+
+  SurfaceDomain& domain_;
+  BadTriangles& bad_;
+  std::optional<geom::AabbTree> tree_;  ///< made when first needed
+};
+
 /// Gives each sample its full weight back unless that makes things worse. The number that keep a smaller one.
 std::size_t restore_weights(SurfaceDomain& domain, BadTriangles& bad) {
   std::size_t kept = 0;
@@ -219,6 +275,7 @@ std::size_t restore_weights(SurfaceDomain& domain, BadTriangles& bad) {
 
 AngleResult optimize_angles(SurfaceDomain& domain, const AngleOptions& options) {
   BadTriangles bad(domain, options);
+  Nudges nudges(domain, bad);
   AngleResult result;
   result.bad_before = bad.number();
   const auto interrupted = [&] {
@@ -228,8 +285,11 @@ AngleResult optimize_angles(SurfaceDomain& domain, const AngleOptions& options) 
   while (result.tried < most && !interrupted()) {
     const std::size_t mended_before = result.mended;
     bad.try_all_again();
-    for (CircleId c; result.tried < most && !interrupted() && (c = bad.take_worst()).valid(); ++result.tried)
-      result.mended += mend(domain, bad, c, options);
+    for (CircleId c; result.tried < most && !interrupted() && (c = bad.take_worst()).valid();
+         ++result.tried) {
+      const std::array<SiteId, 3> corners = domain.diagram().circle(c).sites;  // c may come back as another
+      result.mended += mend(domain, bad, c, options) || nudges.mend(corners);
+    }
     if (result.mended == mended_before) break;
   }
   result.reweighted = restore_weights(domain, bad);
