@@ -44,15 +44,18 @@ class Scene {
  public:
   explicit Scene(std::vector<SpectrumMass> places) : tree_(points_of(places)), places_(std::move(places)) {}
 
-  /// Calls f(j, differential, mass_j W) for each place within the radius of a.
+  /// Calls f(j, differential, mass_j W T) for each place within the radius of a.
   template <class F>
   void look(const SpectrumPoint& a, double radius, F&& f) const {
     const TangentFrame frame(a.normal);
     tree_.each_near(a, radius, [&](std::uint32_t j) {
-      const auto d = differential(a, frame, places_[j].at);
+      const SpectrumMass& b = places_[j];
+      const auto d = differential(a, frame, b.at);
       if (!d) return;
       const double r2 = d->squaredNorm();
-      if (r2 < radius * radius) f(j, *d, places_[j].mass * spectrum_window(std::sqrt(r2), radius));
+      if (!(r2 < radius * radius)) return;
+      const double turn = a.normal.dot(b.at.normal);
+      f(j, *d, b.mass * turn * turn * spectrum_window(std::sqrt(r2), radius));
     });
   }
 

@@ -85,48 +85,84 @@ void spacings_from_weights(std::vector<SpectrumPoint>& samples, std::span<const 
   }
 }
 
-/// Between samples: the mean of the nearest ones, by inverse squared distance.
-double interpolated_spacing(const SpectrumPoint& x, const SpacingTree& tree,
-                            std::vector<SpacingTree::Neighbour>& near) {
-  tree.nearest(x, neighbours_for_interpolation, near);
-  double sum = 0, weights = 0;
-  for (const SpacingTree::Neighbour& p : near) {
-    const double spacing = tree.points()[p.index].spacing;
-    const double weight = 1 / (p.distance2 + 1e-6 * spacing * spacing);
-    sum += weight * spacing;
-    weights += weight;
+/// Spacings and samples to expect anywhere in the domain.
+class Density {
+ public:
+  Density(const std::vector<SpectrumPoint>& samples, const std::vector<SpectrumPoint>& copies, bool uniform)
+      : tree_(tree_with(samples, copies)), count_(static_cast<double>(samples.size())), uniform_(uniform) {}
+
+  double count() const { return count_; }
+  bool uniform() const { return uniform_; }
+  /// Between samples: the mean of the nearest ones, by inverse squared distance.
+  double spacing(const SpectrumPoint& x) const {
+    if (uniform_) return tree_.points().front().spacing;
+    std::vector<SpacingTree::Neighbour> near;
+    tree_.nearest(x, neighbours_for_interpolation, near);
+    if (near.empty()) return tree_.points().front().spacing;  // faces away from every sample
+    double sum = 0, weights = 0;
+    for (const SpacingTree::Neighbour& p : near) {
+      const double spacing = tree_.points()[p.index].spacing;
+      const double weight = 1 / (p.distance2 + 1e-6 * spacing * spacing);
+      sum += weight * spacing;
+      weights += weight;
+    }
+    return sum / weights;
   }
-  return sum / weights;
+  /// The area of a piece at x in which 1 / density samples are expected.
+  double piece_area(const SpectrumPoint& x, double density) const {
+    const double r = spacing(x);
+    return hexagon * r * r / density;
+  }
+  /// Pieces with their spacings and the samples to expect there, count() in all.
+  std::vector<SpectrumMass> masses(const std::vector<SurfacePiece>& pieces) const {
+    std::vector<SpectrumMass> all;
+    double total = 0;
+    for (const SurfacePiece& piece : pieces) {
+      SpectrumMass m{.at = piece.at, .mass = 0};
+      m.at.spacing = spacing(m.at);
+      m.mass = piece.area / (m.at.spacing * m.at.spacing);
+      total += m.mass;
+      all.push_back(m);
+    }
+    for (SpectrumMass& m : all) m.mass *= count_ / total;
+    return all;
+  }
+
+ private:
+  SpacingTree tree_;
+  double count_;
+  bool uniform_;
+};
+
+/// A rectangle of the plane, or its four quarters if it is too large, and so on.
+void quarter(const Vec2& corner, const Vec2& size, const SpectrumSurface::Limit& limit,
+             std::vector<SurfacePiece>& out) {
+  const Vec2 middle = corner + size / 2;
+  const SpectrumPoint at{.position = {middle.x(), middle.y(), 0}};
+  const double area = size.x() * size.y();
+  if (area <= limit(at)) {
+    out.push_back({at, area});
+    geom::require(static_cast<double>(out.size()) < most_copies, "spacings differ too much");
+    return;
+  }
+  for (const double x : {corner.x(), middle.x()})
+    for (const double y : {corner.y(), middle.y()}) quarter({x, y}, size / 2, limit, out);
 }
 
-/// Gives each piece its spacing and the number of samples to expect there, n in all.
-std::vector<SpectrumMass> background_of(const std::vector<SurfacePiece>& pieces, double n, bool uniform,
-                                        const SpacingTree& tree) {
-  std::vector<SpectrumMass> background;
-  std::vector<SpacingTree::Neighbour> near;
-  double total = 0;
-  for (const SurfacePiece& piece : pieces) {
-    SpectrumMass b{.at = piece.at, .mass = 0};
-    b.at.spacing = uniform ? tree.points().front().spacing : interpolated_spacing(b.at, tree, near);
-    if (!std::isfinite(b.at.spacing)) continue;  // faces away from every sample
-    b.mass = piece.area / (b.at.spacing * b.at.spacing);
-    total += b.mass;
-    background.push_back(b);
-  }
-  for (SpectrumMass& b : background) b.mass *= n / total;
-  return background;
-}
-
-/// Squares of a grid, or nearly.
-std::vector<SurfacePiece> pieces_of_rectangle(const Vec2& size, double count) {
+/// A grid of rectangles that are nearly square, those divided further that are too large. If spacings are
+/// uniform none of them is.
+std::vector<SurfacePiece> pieces_of_rectangle(const Vec2& size, const Density& density, double per_sample) {
+  const double count = density.uniform() ? per_sample * density.count() : per_sample;
   const double cell = std::sqrt(size.x() * size.y() / count);
   const int columns = std::max(1, static_cast<int>(std::ceil(size.x() / cell)));
   const int rows = std::max(1, static_cast<int>(std::ceil(size.y() / cell)));
-  const double width = size.x() / columns, height = size.y() / rows;
+  const Vec2 piece(size.x() / columns, size.y() / rows);
   std::vector<SurfacePiece> pieces;
   for (int i = 0; i < columns; ++i)
     for (int j = 0; j < rows; ++j)
-      pieces.push_back({{.position = {(i + 0.5) * width, (j + 0.5) * height, 0}}, width * height});
+      quarter(
+          {i * piece.x(), j * piece.y()}, piece,
+          [&](const SpectrumPoint& x) { return density.piece_area(x, per_sample) * (1 + 1e-9); }, pieces);
   return pieces;
 }
 
@@ -158,7 +194,6 @@ SpectrumSet plane_set(std::span<const geom::WeightedPoint2> samples, const Plane
   geom::require(samples.size() >= 2, "a spectrum needs two samples at least");
   SpectrumSet set;
   set.samples = placed(samples, region);
-  const auto n = static_cast<double>(samples.size());
   const double area = region.size.x() * region.size.y();
   const auto copies = [&](double margin) {
     return region.periodic ? copies_of_samples(set.samples, region.size, margin)
@@ -172,12 +207,9 @@ SpectrumSet plane_set(std::span<const geom::WeightedPoint2> samples, const Plane
   set.copies = copies(margin);
   const bool uniform = rule == SpacingRule::uniform;
   if (uniform && region.periodic) return set;
-  const SpacingTree near = tree_with(set.samples, set.copies);
-  const auto pieces = [&](double density) {
-    return background_of(pieces_of_rectangle(region.size, density * n), n, uniform, near);
-  };
-  set.viewpoints = pieces(viewpoint_density);
-  set.background = pieces(background_density);
+  const Density density(set.samples, set.copies, uniform);
+  set.viewpoints = density.masses(pieces_of_rectangle(region.size, density, viewpoint_density));
+  set.background = density.masses(pieces_of_rectangle(region.size, density, background_density));
   if (region.periodic) {
     const auto more = copies_within(set.background, region.size, margin,
                                     [](SpectrumMass& b) -> Vec3& { return b.at.position; });
@@ -194,10 +226,10 @@ SpectrumSet surface_set(std::span<const geom::WeightedPoint3> samples, const Spe
   if (rule == SpacingRule::weights) spacings_from_weights(set.samples, samples);
   if (rule == SpacingRule::local) spacings_from_density(set.samples, SpacingTree(set.samples));
   fill_area(set.samples, surface.area());
-  const auto n = static_cast<double>(samples.size());
-  const SpacingTree near(set.samples);
-  const auto pieces = [&](double density) {
-    return background_of(surface.pieces(density * n), n, rule == SpacingRule::uniform, near);
+  const Density density(set.samples, {}, rule == SpacingRule::uniform);
+  const auto pieces = [&](double per_sample) {
+    return density.masses(
+        surface.pieces([&](const SpectrumPoint& x) { return density.piece_area(x, per_sample); }));
   };
   set.viewpoints = pieces(viewpoint_density);
   set.background = pieces(background_density);

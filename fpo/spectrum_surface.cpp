@@ -14,7 +14,8 @@ using geom::Vec3;
 
 namespace {
 
-const double crease_cosine = std::cos(M_PI / 4);
+const double crease_cosine = std::sqrt(0.5);  // 45 degrees
+constexpr std::size_t most_pieces = 50'000'000;
 
 /// Corners of facets, joined to groups (union by smaller index, path halving).
 class CornerGroups {
@@ -88,15 +89,17 @@ Vec3 at(const std::array<Vec3, 3>& corners, const Vec3& barycentric) {
   return barycentric[0] * corners[0] + barycentric[1] * corners[1] + barycentric[2] * corners[2];
 }
 
-/// A cell of a cubic grid, and the octant of the normal.
+/// A cell of a cubic grid whose cells have size 2^level, and the octant of the normal.
 struct Bin {
-  std::array<std::int64_t, 3> cell;
-  int octant;
+  int level = 0, octant = 0;
+  std::array<std::int64_t, 3> cell{};
   auto operator<=>(const Bin&) const = default;
 };
 
-Bin bin_of(const SurfacePiece& piece, const Vec3& origin, double cell) {
-  Bin bin{{}, 0};
+Bin bin_of(const SurfacePiece& piece, const Vec3& origin, double size) {
+  Bin bin;
+  bin.level = static_cast<int>(std::floor(std::log2(size)));
+  const double cell = std::exp2(bin.level);
   for (Eigen::Index k = 0; k < 3; ++k) {
     bin.cell[static_cast<std::size_t>(k)] =
         static_cast<std::int64_t>(std::floor((piece.at.position[k] - origin[k]) / cell));
@@ -105,12 +108,19 @@ Bin bin_of(const SurfacePiece& piece, const Vec3& origin, double cell) {
   return bin;
 }
 
-/// Joins the pieces of each bin: mean position, mean normal.
-std::vector<SurfacePiece> joined(const std::vector<SurfacePiece>& pieces, const Vec3& origin, double cell) {
-  std::vector<std::pair<Bin, std::size_t>> order;
-  for (std::size_t i = 0; i < pieces.size(); ++i) order.emplace_back(bin_of(pieces[i], origin, cell), i);
-  std::sort(order.begin(), order.end());
+/// Joins the pieces of each bin: mean position, mean normal. Pieces that fill their bin stay as they are.
+std::vector<SurfacePiece> joined(const std::vector<SurfacePiece>& pieces, const Vec3& origin,
+                                 const SpectrumSurface::Limit& limit) {
   std::vector<SurfacePiece> result;
+  std::vector<std::pair<Bin, std::size_t>> order;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const double allowed = limit(pieces[i].at);
+    if (4 * pieces[i].area > allowed)
+      result.push_back(pieces[i]);
+    else
+      order.emplace_back(bin_of(pieces[i], origin, std::sqrt(allowed)), i);
+  }
+  std::sort(order.begin(), order.end());
   for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
     SurfacePiece sum{.at = {.position = Vec3::Zero(), .normal = Vec3::Zero()}, .area = 0};
     for (; last < order.size() && order[last].first == order[first].first; ++last) {
@@ -144,38 +154,48 @@ SpectrumPoint SpectrumSurface::place(const Vec3& x) const {
   return {.position = x, .normal = normal(c.facet, c.barycentric)};
 }
 
-/// Splits the part of facet t between three points at the middle of its longest side, until it is small.
-void SpectrumSurface::bisect(FacetId t, const std::array<Vec3, 3>& barycentric, double largest,
+double SpectrumSurface::interpolated(const Vec3& x, const VertexField& values) const {
+  const geom::AabbTree::Closest c = tree_.closest(x);
+  double sum = 0;
+  for (int i = 0; i < 3; ++i)
+    sum += c.barycentric[i] * values[mesh_.facet(c.facet)[static_cast<std::size_t>(i)]];
+  return sum;
+}
+
+/// Splits the part of facet t between three points at the middle of its longest side, until it is small. A
+/// sliver is cut along its length, too, so that its pieces are not longer than others are wide.
+void SpectrumSurface::bisect(FacetId t, const std::array<Vec3, 3>& barycentric, const Limit& limit,
                              std::vector<SurfacePiece>& out) const {
   const std::array<Vec3, 3> facet{mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)};
   const std::array<Vec3, 3> q{at(facet, barycentric[0]), at(facet, barycentric[1]),
                               at(facet, barycentric[2])};
   const double area = 0.5 * (q[1] - q[0]).cross(q[2] - q[0]).norm();
+  if (area == 0) return;
   std::size_t longest = 0;
   double length2 = 0;
   for (std::size_t e = 0; e < 3; ++e) {
     const double candidate = (q[(e + 1) % 3] - q[e]).squaredNorm();
     if (candidate > length2) longest = e, length2 = candidate;
   }
-  // A sliver is cut along its length, too: its pieces must not be longer than those of others are wide.
-  if (area <= largest && (length2 <= 4 * largest || area <= 1e-6 * largest)) {
-    const Vec3 middle = (barycentric[0] + barycentric[1] + barycentric[2]) / 3;
-    if (area > 0) out.push_back({{.position = at(facet, middle), .normal = normal(t, middle)}, area});
+  const Vec3 centre = (barycentric[0] + barycentric[1] + barycentric[2]) / 3;
+  const SpectrumPoint middle{.position = at(facet, centre), .normal = normal(t, centre)};
+  const double allowed = limit(middle);
+  if (area <= allowed && (length2 <= 4 * allowed || area <= 1e-6 * allowed)) {
+    out.push_back({middle, area});
+    geom::require(out.size() <= most_pieces, "spacings differ too much for that surface");
     return;
   }
   const std::size_t next = (longest + 1) % 3, apex = (longest + 2) % 3;
-  const Vec3 middle = (barycentric[longest] + barycentric[next]) / 2;
-  bisect(t, {barycentric[longest], middle, barycentric[apex]}, largest, out);
-  bisect(t, {middle, barycentric[next], barycentric[apex]}, largest, out);
+  const Vec3 half = (barycentric[longest] + barycentric[next]) / 2;
+  bisect(t, {barycentric[longest], half, barycentric[apex]}, limit, out);
+  bisect(t, {half, barycentric[next], barycentric[apex]}, limit, out);
 }
 
-std::vector<SurfacePiece> SpectrumSurface::pieces(double count) const {
-  const double largest = area_ / count;
+std::vector<SurfacePiece> SpectrumSurface::pieces(const Limit& limit) const {
   std::vector<SurfacePiece> all;
   for (std::size_t f = 0; f < mesh_.num_facets(); ++f)
-    bisect(FacetId(f), {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}, largest, all);
-  if (static_cast<double>(all.size()) <= 2 * count) return all;
-  return joined(all, mesh_.box().min(), std::sqrt(largest));
+    bisect(FacetId(f), {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}, limit, all);
+  return joined(all, mesh_.box().min(), limit);
 }
 
 }  // namespace fpo

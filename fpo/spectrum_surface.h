@@ -1,9 +1,11 @@
 #pragma once
-// A surface as differential domain analysis needs it: smooth normals, and pieces of equal area.
+// A surface as differential domain analysis needs it: smooth normals, and small pieces.
 
 #include <array>
+#include <functional>
 #include <vector>
 
+#include "fpo/sizing.h"
 #include "fpo/spectrum_point.h"
 #include "geom/aabb_tree.h"
 
@@ -21,19 +23,26 @@ struct SurfacePiece {
 /// its sides.
 class SpectrumSurface {
  public:
+  /// The largest area that a piece around a point may have. The point's spacing means nothing.
+  using Limit = std::function<double(const SpectrumPoint&)>;
+
   /// Keeps a copy. Throws InputError if the mesh has no area. O(F log F).
   explicit SpectrumSurface(const geom::TriMesh& mesh);
 
   double area() const { return area_; }
   /// The sample with the surface's normal at the nearest point; its position stays as it is.
   SpectrumPoint place(const geom::Vec3& x) const;
-  /// Divides the surface into about `count` pieces or somewhat more. Large facets are bisected; small ones
-  /// are joined if they are near each other and face the same way. The areas sum up to area().
-  std::vector<SurfacePiece> pieces(double count) const;
+  /// A value at the nearest point, linear on each facet between those at the vertices.
+  double interpolated(const geom::Vec3& x, const VertexField& values) const;
+  /// Divides the surface into pieces that keep to the limit, or nearly: large facets are bisected; pieces of
+  /// less than a quarter of the limit are joined if they are near each other and face the same way (a cell of
+  /// a grid as wide as the limit's square, one octant of normals). The areas sum up to area(). Throws
+  /// InputError if there would be too many.
+  std::vector<SurfacePiece> pieces(const Limit& limit) const;
 
  private:
   geom::Vec3 normal(geom::FacetId t, const geom::Vec3& barycentric) const;
-  void bisect(geom::FacetId t, const std::array<geom::Vec3, 3>& barycentric, double largest,
+  void bisect(geom::FacetId t, const std::array<geom::Vec3, 3>& barycentric, const Limit& limit,
               std::vector<SurfacePiece>& out) const;
 
   geom::TriMesh mesh_;

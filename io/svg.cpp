@@ -5,6 +5,7 @@
 #include "geom/check.h"
 #include "io/atomic_file.h"
 #include "io/numbers.h"
+#include "io/png.h"
 
 namespace io {
 
@@ -135,6 +136,16 @@ void Svg::rectangle(const Vec2& corner, const Vec2& size, std::string_view attri
   attribute("y", corner.y());
   attribute("width", size.x());
   attribute("height", size.y());
+  end(attributes);
+}
+
+void Svg::image(const Vec2& corner, const Vec2& size, std::string_view png, std::string_view attributes) {
+  begin("image");
+  attribute("x", corner.x());
+  attribute("y", corner.y());
+  attribute("width", size.x());
+  attribute("height", size.y());
+  text_ += " preserveAspectRatio=\"none\" href=\"data:image/png;base64," + base64(png) + "\"";
   end(attributes);
 }
 

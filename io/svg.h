@@ -56,6 +56,9 @@ class Svg {
   void circle(const geom::Vec2& centre, double radius, std::string_view attributes = {});
   void path(const SvgPath& path, std::string_view attributes = {});
   void text(const geom::Vec2& at, std::string_view words, std::string_view attributes = {});
+  /// A PNG (png.h), stretched to the rectangle.
+  void image(const geom::Vec2& corner, const geom::Vec2& size, std::string_view png,
+             std::string_view attributes = {});
 
   /// The whole document; open groups are closed in it.
   std::string document() const;

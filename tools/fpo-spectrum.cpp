@@ -1,0 +1,141 @@
+// fpo-spectrum: power spectrum, radial mean and anisotropy of samples (paper, section 6, figures 7 to 9).
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "fpo/periodogram.h"
+#include "io/atomic_file.h"
+#include "io/extension.h"
+#include "io/mesh_io.h"
+#include "io/points.h"
+#include "io/values.h"
+#include "tools/interrupt.h"
+#include "tools/spectrum_arguments.h"
+#include "tools/spectrum_picture.h"
+
+namespace {
+
+using fpo::PowerSpectrum;
+using tools::SpectrumArguments;
+
+/// The surface that all sets were drawn from, if one was given.
+struct GivenSurface {
+  std::unique_ptr<fpo::SpectrumSurface> surface;
+  fpo::VertexField sizes;  ///< empty: none
+};
+
+GivenSurface read_surface(const SpectrumArguments& a) {
+  GivenSurface given;
+  if (a.surface.empty()) return given;
+  const geom::TriMesh mesh = io::read_mesh(a.surface);
+  if (!a.sizes.empty())
+    for (const double h : io::read_positive_values(a.sizes, mesh.num_vertices())) given.sizes.push_back(h);
+  given.surface = std::make_unique<fpo::SpectrumSurface>(mesh);
+  return given;
+}
+
+PowerSpectrum plane_spectrum(const SpectrumArguments& a, const std::filesystem::path& input) {
+  const std::vector<geom::WeightedPoint2> points = io::read_points2(input);
+  if (a.plain) {
+    std::vector<geom::Vec2> positions;
+    for (const geom::WeightedPoint2& p : points) positions.push_back(p.position);
+    // A little more, so that rings are full up to there.
+    return fpo::periodogram(positions, geom::FlatTorus(a.region.size), 1.05 * a.spectrum.max_frequency,
+                            a.spectrum.threads);
+  }
+  const fpo::SpacingRule rule =
+      a.spacing.value_or(fpo::rule_for(std::span<const geom::WeightedPoint2>(points)));
+  return fpo::differential_spectrum(fpo::plane_set(points, a.region, rule, a.spectrum.radius), a.spectrum);
+}
+
+PowerSpectrum surface_spectrum(const SpectrumArguments& a, const GivenSurface& given,
+                               const std::filesystem::path& input) {
+  std::vector<geom::WeightedPoint3> points;
+  const std::string extension = io::lower_extension(input);
+  std::unique_ptr<fpo::SpectrumSurface> own;
+  if (given.surface && (extension == ".xyz" || extension == ".ply")) {
+    points = io::read_points3(input);
+  } else {
+    geom::require(extension != ".xyz", "points in space need --surface");
+    const geom::TriMesh mesh = io::read_mesh(input);
+    for (const geom::Vec3& x : mesh.vertices()) points.push_back({x, 0});
+    if (!given.surface) own = std::make_unique<fpo::SpectrumSurface>(mesh);
+  }
+  const fpo::SpectrumSurface& surface = given.surface ? *given.surface : *own;
+  if (!given.sizes.empty())
+    for (geom::WeightedPoint3& p : points)
+      p.weight = std::pow(surface.interpolated(p.position, given.sizes), 2);
+  const fpo::SpacingRule rule =
+      a.spacing.value_or(fpo::rule_for(std::span<const geom::WeightedPoint3>(points)));
+  return fpo::differential_spectrum(fpo::surface_set(points, surface, rule), a.spectrum);
+}
+
+/// The spectra of all sets, or of those that were done when a signal came.
+std::vector<PowerSpectrum> all_spectra(const SpectrumArguments& a) {
+  const std::atomic<bool>& interrupted = tools::interrupt_flag();
+  const GivenSurface given = read_surface(a);
+  std::vector<PowerSpectrum> spectra;
+  for (const std::filesystem::path& input : a.inputs) {
+    if (interrupted) break;
+    try {
+      spectra.push_back(a.in_plane ? plane_spectrum(a, input) : surface_spectrum(a, given, input));
+    } catch (const geom::InputError& error) {
+      const std::string text = error.what();
+      if (text.starts_with(input.string())) throw;
+      throw geom::InputError(input.string() + ": " + text);
+    }
+    const PowerSpectrum &first = spectra.front(), &last = spectra.back();
+    geom::require(first.half_x == last.half_x && first.half_y == last.half_y && first.step == last.step,
+                  input.string() + ": periodograms are averaged over sets of equally many samples only");
+  }
+  return spectra;
+}
+
+std::string table(const fpo::RadialCurve& curve) {
+  std::string text = "frequency,radial_mean,anisotropy_db\n";
+  for (std::size_t i = 0; i < curve.frequency.size(); ++i) {
+    char line[128];
+    std::snprintf(line, sizeof line, "%.6g,%.6g,", curve.frequency[i], curve.mean[i]);
+    text += line;
+    const double decibels = fpo::decibel(curve.anisotropy[i]);
+    if (std::isfinite(decibels)) std::snprintf(line, sizeof line, "%.4f", decibels), text += line;
+    text += '\n';
+  }
+  return text;
+}
+
+void print_summary(const tools::MeanSpectrum& mean) {
+  const fpo::RadialCurve& c = mean.curve;
+  double low = 0, decibels = 0, rings = 0;
+  std::size_t peak = 0;
+  for (std::size_t i = 0; i < c.frequency.size(); ++i) {
+    if (c.frequency[i] <= 0.5) low = std::max(low, c.mean[i]);
+    if (c.mean[i] > c.mean[peak]) peak = i;
+    if (c.frequency[i] < 0.5 || !(c.anisotropy[i] > 0)) continue;
+    decibels += fpo::decibel(c.anisotropy[i]);
+    rings += 1;
+  }
+  std::printf("sets %zu\nlow_power %.4f\npeak_power %.4f\npeak_frequency %.4f\nanisotropy_db %.2f\n",
+              mean.num_sets, low, c.mean.empty() ? 0 : c.mean[peak], c.mean.empty() ? 0 : c.frequency[peak],
+              rings > 0 ? decibels / rings : 0);
+}
+
+int spectrum(tools::CommandLine& cli) {
+  const SpectrumArguments a = tools::parse_spectrum_arguments(cli);
+  const std::vector<PowerSpectrum> spectra = all_spectra(a);
+  if (spectra.empty()) return tools::exit_interrupted;
+  tools::MeanSpectrum mean{fpo::mean_spectrum(spectra), {}, spectra.size()};
+  mean.curve = fpo::radial_curve(mean.spectrum, fpo::ring_width(a.spectrum));
+  const io::Svg picture = tools::draw_spectrum(mean);
+  io::write_file(a.table, table(mean.curve));
+  picture.save(a.picture);
+  print_summary(mean);
+  std::printf("wrote %s %s\n", a.picture.c_str(), a.table.c_str());
+  return spectra.size() < a.inputs.size() ? tools::exit_interrupted : tools::exit_done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return tools::run("fpo-spectrum", argc, argv, spectrum); }

@@ -1,0 +1,20 @@
+#pragma once
+// A power spectrum as the paper's figures 7 to 9 show it.
+
+#include "fpo/power_spectrum.h"
+#include "io/svg.h"
+
+namespace tools {
+
+/// The mean spectrum of some sets and its curve.
+struct MeanSpectrum {
+  fpo::PowerSpectrum spectrum;
+  fpo::RadialCurve curve;
+  std::size_t num_sets = 1;
+};
+
+/// Left the power at all frequencies, right its radial mean above its anisotropy. The power P is shown as
+/// brightness P / (1 + P): black is 0, mid gray that of white noise. About 120 KB at most.
+io::Svg draw_spectrum(const MeanSpectrum& mean);
+
+}  // namespace tools
