@@ -140,12 +140,14 @@ class Walk {
 
 TEST_CASE("CGAL: degenerate sites on the torus, perturbed in fact, after long sequences") {
   for (const Kind& kind : kinds) {
-    INFO(kind.name);
+    INFO(std::string(kind.name));
     Walk walk(kind, 6, 24);
     for (int step = 1; step <= 800; ++step) {
       walk.step();
       if (step % 200 != 0) continue;
-      const auto weight = [](double w, SiteId s) { return cgal::Number(w) + cgal::epsilon(s.value); };
+      const auto weight = [](double w, SiteId s) -> cgal::Number {
+        return cgal::Number(w) + cgal::epsilon(s.value);
+      };
       REQUIRE(by_us(walk.triangulation()) ==
               by_cgal<cgal::Kernel>(walk.triangulation(), walk.present(), weight));
     }

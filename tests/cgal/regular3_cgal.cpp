@@ -147,7 +147,7 @@ const Kind kinds[] = {{"random",
 TEST_CASE(
     "CGAL: degenerate sites in space, perturbed in fact, after long sequences of insertions and removals") {
   for (const Kind& kind : kinds) {
-    INFO(kind.name);
+    INFO(std::string(kind.name));
     Walk walk(3, 24, [&](Rng& rng) {
       WeightedPoint3 p = kind.draw(rng);
       for (double& c : p.position) c = cgal::rounded(c);
