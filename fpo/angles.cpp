@@ -126,6 +126,7 @@ class BadTriangles {
 
 /// Algorithm 1 for one sample: to the farthest point nearby, if that is farther than where it is.
 void resample(SurfaceDomain& domain, BadTriangles& bad, SiteId x, double weight_share) {
+  if (domain.is_fixed(x)) return;
   const double d = domain.separation(x);
   const SurfaceSample home = domain.sample(x);
   bad.remove(x);
@@ -160,6 +161,7 @@ bool attempt(SurfaceDomain& domain, BadTriangles& bad, std::span<const SiteId> s
     return backups[i].weight_share * (i == 1 || i == 2 ? weight_share : 1.0);
   };
   for (std::size_t i = 1; i < 3 && weight_share < 1; ++i) {
+    if (domain.is_fixed(samples[i])) continue;
     bad.remove(samples[i]);
     bad.insert(samples[i], backups[i].place, lowered(i));
   }

@@ -31,7 +31,7 @@ struct AngleResult {
 /// resamples (Algorithm 1 in the 2-ring) the corner that has it and the other two. What makes things worse
 /// (the sum over all bad triangles of the square of the degrees beyond the bounds) is undone. Ends when no
 /// triangle is bad or a round mends nothing. At last weights are restored where that makes nothing worse. The
-/// number of samples stays. Deterministic. O(1) expected an attempt.
+/// number of samples stays; fixed ones stay where they are. Deterministic. O(1) expected an attempt.
 AngleResult optimize_angles(SurfaceDomain& domain, const AngleOptions& options);
 
 }  // namespace fpo

@@ -44,19 +44,44 @@ VertexField wanted_sizes(const geom::TriMesh& surface, const RemeshOptions& opti
   }
 }
 
-Sizing sizing_of(const geom::TriMesh& surface, const RemeshOptions& options) {
+/// The sizing, and the samples that stay.
+SharedSizing sizing_and_features(const geom::TriMesh& surface, const RemeshOptions& options) {
   const double spacing = hexagonal_spacing(surface.area(), options.num_samples);
-  if (options.sizing == SizingKind::uniform) return Sizing::uniform(spacing);
-  return fit_sizing(surface, wanted_sizes(surface, options, spacing), options.num_samples, options.limits);
+  Features features;
+  if (options.features) {
+    FeatureOptions feature_options = *options.features;
+    feature_options.turn_scale = spacing / 2;
+    features = find_features(surface, feature_options);
+  }
+  const VertexField rho =
+      options.sizing == SizingKind::uniform ? VertexField() : wanted_sizes(surface, options, spacing);
+  const auto sizing_for = [&](std::size_t n) {
+    if (options.sizing == SizingKind::uniform) return Sizing::uniform(hexagonal_spacing(surface.area(), n));
+    return fit_sizing(surface, rho, n, options.limits);
+  };
+  return share_sizing(surface, features, points_on_surface(surface, options.fixed), options.num_samples,
+                      sizing_for, options.seed);
+}
+
+/// Those that stay, then random ones.
+std::vector<SurfaceSample> initial_samples(const geom::TriMesh& surface, const SharedSizing& shared,
+                                           const RemeshOptions& options) {
+  std::vector<SurfaceSample> samples = shared.features.samples;
+  if (samples.size() == options.num_samples) return samples;
+  const std::vector<SurfaceSample> inner =
+      random_samples(surface, shared.sizing, options.num_samples - samples.size(), options.seed);
+  samples.insert(samples.end(), inner.begin(), inner.end());
+  return samples;
 }
 
 RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {
   RemeshResult result;
-  const Sizing sizing = sizing_of(surface, options);
+  const SharedSizing shared = sizing_and_features(surface, options);
+  const Sizing& sizing = shared.sizing;
   SurfaceOptions surface_options = options.surface;
   surface_options.seed = options.seed;
-  SurfaceDomain domain(surface, sizing, random_samples(surface, sizing, options.num_samples, options.seed),
-                       surface_options);
+  surface_options.num_fixed = shared.features.samples.size();
+  SurfaceDomain domain(surface, sizing, initial_samples(surface, shared, options), surface_options);
   OptimizeOptions optimization = options.optimize;
   optimization.seed = options.seed;
   optimization.order = VisitOrder::in_turn;  // the initial samples are in random order already
@@ -74,6 +99,9 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
   result.hidden = domain.num_hidden();
   result.localization = domain.localize();
   result.mesh = extract(domain.diagram(), domain.num_samples());
+  result.feature_samples = shared.features.samples.size();
+  result.feature_edges = num_edges(shared.features);
+  result.broken_feature_edges = num_broken_edges(result.mesh, shared.features);
   for (std::size_t i = 0; i < domain.num_samples(); ++i) result.samples.push_back(domain.sample(SiteId(i)));
   for (std::size_t v = 0; v < surface.num_vertices(); ++v)
     result.sizing.push_back(sizing.at(geom::VertexId(v)));
@@ -89,7 +117,9 @@ RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options) tr
   geom::require(input.area() > 0 && options.num_samples > 0,
                 "the surface has no area or the samples no number");
   const double factor = scale_to_unit(input);
-  RemeshResult result = remesh_in_unit_box(scaled(input, factor), options);
+  RemeshOptions scaled_options = options;
+  for (geom::Vec3& point : scaled_options.fixed) point *= factor;
+  RemeshResult result = remesh_in_unit_box(scaled(input, factor), scaled_options);
   result.mesh = scaled(result.mesh, 1 / factor);
   for (SurfaceSample& sample : result.samples) sample.position /= factor;
   for (double& h : result.sizing) h /= factor;

@@ -2,10 +2,12 @@
 // Blue-noise remeshing from input surface to output mesh: the paper as one straight-line function.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "fpo/angles.h"
 #include "fpo/extract.h"
+#include "fpo/feature_samples.h"
 #include "fpo/optimize.h"
 #include "fpo/quality.h"
 #include "fpo/shortest_edge.h"
@@ -23,7 +25,10 @@ struct RemeshOptions {
   SizingKind sizing = SizingKind::uniform;
   VertexField rho;         ///< if given: wanted edge lengths up to a factor, per vertex of the input
   SizingLimits limits;     ///< unless uniform
-  SurfaceOptions surface;  ///< its seed is overruled
+  /// If given: features are found, sampled and kept. The scale of turns is overruled: half the even spacing.
+  std::optional<FeatureOptions> features;
+  std::vector<geom::Vec3> fixed;  ///< points of the surface, which become vertices exactly
+  SurfaceOptions surface;         ///< its seed and number of fixed samples are overruled
   bool shortest_edge_removal = false;  ///< before the optimization (section 4.3)
   OptimizeOptions optimize;            ///< its seed and order are overruled
   bool optimize_angles = true;         ///< afterwards (section 5)
@@ -31,11 +36,14 @@ struct RemeshOptions {
 };
 
 struct RemeshResult {
-  geom::TriMesh mesh;                  ///< vertex i is sample i
+  geom::TriMesh mesh;                  ///< vertex i is sample i; fixed points and features first
   std::vector<SurfaceSample> samples;  ///< position and facet of the input
   VertexField sizing;                  ///< the wanted edge length at each vertex of the input
   VertexField wanted;                  ///< and at each vertex of the mesh
   SizingFit fit;                       ///< of the mesh's edges to them
+  std::size_t feature_samples = 0;       ///< fixed points, corners and samples on curves
+  std::size_t feature_edges = 0;         ///< between neighbours on curves
+  std::size_t broken_feature_edges = 0;  ///< those that are no edges of the mesh
   ShortestEdgeResult shortest_edges;
   OptimizeResult optimization;
   AngleResult angles;
@@ -47,7 +55,7 @@ struct RemeshResult {
 /// Remeshes with exactly num_samples vertices. Deterministic. If interrupted, the result is that of the moves
 /// done. Computes on a copy of the input scaled by a power of two (so that no product in a predicate over- or
 /// underflows) and scales back, which is exact. Throws geom::InputError on an unusable input or number of
-/// samples, geom::Bug with seed and move number.
+/// samples (also too few for the features), geom::Bug with seed and move number.
 RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options);
 
 }  // namespace fpo

@@ -29,6 +29,7 @@ struct SurfaceOptions {
   double weight_factor = best_weight_factor(Scope::two_ring);  ///< c
   Engine engine = Engine::search;
   geom::CornerTypes corners = geom::CornerTypes::c_only;
+  std::size_t num_fixed = 0;  ///< the samples with smaller ids stay where they are
   std::uint64_t seed =
       1;  ///< of the order in which the first diagram is built (the result does not depend on it)
 };
@@ -44,6 +45,7 @@ class SurfaceDomain final : public Domain {
                 const SurfaceOptions& options = {});
 
   std::size_t num_samples() const override { return samples_.size(); }
+  bool is_fixed(SiteId x) const override { return x.index() < num_fixed_; }
   double separation(SiteId x) override;
   void remove(SiteId x) override;
   Circle largest_empty(Scope scope) override;
@@ -88,6 +90,7 @@ class SurfaceDomain final : public Domain {
   const geom::TriMesh& mesh_;
   Sizing sizing_;
   double weight_factor_;
+  std::size_t num_fixed_;
   geom::Table<SiteId, SurfaceSample> samples_;
   geom::Table<SiteId, double> weight_share_;
   bool unweighted_;  ///< all weights are and have always been 0

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "fpo/pipeline.h"
+#include "geom/aabb_tree.h"
 #include "io/atomic_file.h"
 #include "io/coloured_ply.h"
 #include "io/extension.h"
@@ -13,6 +14,7 @@
 #include "io/mesh_picture.h"
 #include "io/points.h"
 #include "io/polygons.h"
+#include "io/surface_map.h"
 #include "io/values.h"
 #include "tools/cli.h"
 #include "tools/interrupt.h"
@@ -29,6 +31,17 @@ void write_sizing(const std::filesystem::path& path, const geom::TriMesh& input,
     io::write_values(path, values);
 }
 
+void write_map(const std::filesystem::path& path, const geom::TriMesh& input,
+               const fpo::RemeshResult& result) {
+  std::vector<io::MappedPoint> points;
+  for (const fpo::SurfaceSample& x : result.samples) {
+    const std::array<geom::Vec3, 3> triangle{input.corner(x.facet, 0), input.corner(x.facet, 1),
+                                             input.corner(x.facet, 2)};
+    points.push_back({x.facet, geom::closest_point(x.position, triangle).barycentric});
+  }
+  io::write_surface_map(path, points);
+}
+
 void write_outputs(const tools::RemeshArguments& a, const geom::TriMesh& input,
                    const fpo::RemeshResult& result, const std::string& log) {
   io::write_mesh(a.output, result.mesh);
@@ -37,6 +50,7 @@ void write_outputs(const tools::RemeshArguments& a, const geom::TriMesh& input,
     for (const fpo::SurfaceSample& sample : result.samples) points.push_back({sample.position, 0});
     io::write_points(a.points, points);
   }
+  if (!a.map.empty()) write_map(a.map, input, result);
   if (!a.rpd.empty()) {
     std::vector<io::GroupedPolygon> cells;
     for (const fpo::CellPolygon& cell : result.cells) cells.push_back({cell.site.value, cell.corners});
@@ -78,6 +92,12 @@ void warn_if_not_homeomorphic(const geom::TriMesh& input, const geom::TriMesh& o
         out.euler, out.components, out.boundary_loops, in.euler, in.components, in.boundary_loops);
 }
 
+void warn_if_features_are_broken(const fpo::RemeshResult& result) {
+  if (result.broken_feature_edges > 0)
+    std::fprintf(stderr, "warning: %zu of %zu feature edges are no edges of the remesh\n",
+                 result.broken_feature_edges, result.feature_edges);
+}
+
 const char* name_of(fpo::StopReason reason) {
   switch (reason) {
     case fpo::StopReason::target_reached:
@@ -96,7 +116,7 @@ int remesh(tools::CommandLine& cli) {
   tools::RemeshArguments a = tools::parse_remesh_arguments(cli);
   const geom::TriMesh input = io::read_mesh(a.input);
   geom::require(input.area() > 0, a.input.string() + ": the surface has no area");
-  tools::read_sizing(a, input);
+  tools::read_files(a, input);
 
   std::string log = "iteration,moved,delta,mean_delta,seconds\n";
   tools::Progress progress("optimizing", cli.quiet());
@@ -116,6 +136,7 @@ int remesh(tools::CommandLine& cli) {
 
   write_outputs(a, input, result, log);
   warn_if_not_homeomorphic(input, result.mesh);
+  warn_if_features_are_broken(result);
   const fpo::OptimizeResult& o = result.optimization;
   std::printf(
       "samples %zu\niterations %d\nmoves %zu\nstopped %s\ndelta %.6f\nmean_delta %.6f\nseconds %.3f\nwrote "
@@ -123,6 +144,9 @@ int remesh(tools::CommandLine& cli) {
       result.samples.size(), o.last.iteration, o.moves, name_of(o.reason), o.last.delta, o.last.mean_delta,
       o.last.seconds, a.output.c_str());
   if (a.remesh.sizing != fpo::SizingKind::uniform) print_sizing(result);
+  if (result.feature_samples > 0)
+    std::printf("feature_samples %zu\nfeature_edges %zu\nbroken_feature_edges %zu\n", result.feature_samples,
+                result.feature_edges, result.broken_feature_edges);
   if (a.remesh.optimize_angles)
     std::printf("bad_triangles_before %zu\nbad_triangles_after %zu\nmended %zu of %zu, %zu reweighted\n",
                 result.angles.bad_before, result.angles.bad_after, result.angles.mended, result.angles.tried,
