@@ -3,7 +3,7 @@ BUILD ?= build
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 MAKEFLAGS += --no-print-directory
 
-.PHONY: all demo test check check-sanitize bench clean help
+.PHONY: all demo test check check-sanitize fuzz bench clean help
 all:
 	@.ci/setup
 	@cmake -S . -B $(BUILD)
@@ -31,6 +31,15 @@ check-sanitize:
 	@cmake --build $(BUILD)-sanitize -j $(JOBS) --target fpo-tests
 	$(BUILD)-sanitize/fpo-tests
 
+# The tools with the sanitizers in (they are some ten times slower), on spoilt surfaces.
+FUZZ_SECONDS ?= 60
+FUZZ_SEED ?= 1
+fuzz:
+	@.ci/setup tests
+	@cmake -S . -B $(BUILD)-sanitize -DFPO_SANITIZE=ON -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g"
+	@cmake --build $(BUILD)-sanitize -j $(JOBS) --target fuzz
+	$(BUILD)-sanitize/fuzz --seconds $(FUZZ_SECONDS) --seed $(FUZZ_SEED) --time-limit 60
+
 bench: all
 	@cmake --build $(BUILD) -j $(JOBS) --target benches
 	@for program in $(BUILD)/bench-*; do if [ -x $$program ]; then echo "== $$program"; $$program || exit 1; fi; done
@@ -43,5 +52,6 @@ help:
 	@echo "make test            build and run every test"
 	@echo "make check           test, then check format and layering of the sources"
 	@echo "make check-sanitize  the tests under AddressSanitizer and UndefinedBehaviorSanitizer"
+	@echo "make fuzz            the tools under the same on spoilt surfaces, FUZZ_SECONDS=60 from FUZZ_SEED=1"
 	@echo "make bench           build and run the benchmarks"
 	@echo "make clean           remove what was built"

@@ -145,6 +145,7 @@ void restore(BadTriangles& bad, const Backup& x) {
 }
 
 constexpr int passes = 4;          // of resampling in an attempt
+constexpr std::size_t crowd = 24;  // samples: twice those around a triangle of a manifold
 constexpr double rounding = 1e-9;  // badness is a running sum
 
 /// Lowers the weights of samples[1] and [2] and resamples all in turn, until the world is better and delta no
@@ -194,6 +195,7 @@ bool mend(SurfaceDomain& domain, BadTriangles& bad, CircleId triangle, const Ang
     domain.diagram().link(samples[i], link);
     for (const SiteId y : link)
       if (std::ranges::find(samples, y) == samples.end()) samples.push_back(y);
+    if (samples.size() > crowd) return false;  // where everything touches everything, nothing can be mended
     if (attempt_all()) return true;
   }
   return false;

@@ -33,14 +33,24 @@ void for_each_fragment(const geom::RestrictedPower& diagram, Visit visit) {
 //     i   ------   j      triangle i, j, k is counterclockwise too. Each corner is met three times, once from
 //     each of
 //        /      \         its cells: the smallest id takes it.
-geom::TriMesh extract(const geom::RestrictedPower& diagram, std::size_t num_samples) {
+geom::TriMesh extract(const geom::RestrictedPower& diagram, std::size_t num_samples,
+                      const FragmentOwners& owners) {
+  const auto owner_of = [&](SiteId s, FacetId t) {
+    if (owners.empty()) return s;
+    const auto found = owners.find(diagram.fragments().find(s, t));
+    return found == owners.end() ? s : found->second;
+  };
   std::vector<std::array<SiteId, 3>> triangles;
-  for_each_fragment(diagram, [&](SiteId i, FacetId, std::span<const PolygonCorner> corners) {
+  for_each_fragment(diagram, [&](SiteId i, FacetId t, std::span<const PolygonCorner> corners) {
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const geom::EdgeLabel before = corners[k == 0 ? corners.size() - 1 : k - 1].edge,
                             after = corners[k].edge;
       if (!before.is_site() || !after.is_site()) continue;
-      if (i < before.site() && i < after.site()) triangles.push_back({i, before.site(), after.site()});
+      if (!(i < before.site() && i < after.site())) continue;
+      std::array<SiteId, 3> triangle{owner_of(i, t), owner_of(before.site(), t), owner_of(after.site(), t)};
+      std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+      if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
+        triangles.push_back(triangle);
     }
   });
   geom::require(!triangles.empty(),
@@ -60,7 +70,11 @@ std::vector<CellPolygon> cell_polygons(const geom::RestrictedPower& diagram) {
   std::vector<CellPolygon> polygons;
   for_each_fragment(diagram, [&](SiteId i, FacetId t, std::span<const PolygonCorner> corners) {
     CellPolygon& polygon = polygons.emplace_back(CellPolygon{i, t, {}});
-    for (const PolygonCorner& corner : corners) polygon.corners.push_back(corner.point.position);
+    const auto first = std::ranges::min_element(corners, {}, &PolygonCorner::edge);
+    for (auto corner = first; corner != corners.end(); ++corner)
+      polygon.corners.push_back(corner->point.position);
+    for (auto corner = corners.begin(); corner != first; ++corner)
+      polygon.corners.push_back(corner->point.position);
   });
   std::ranges::sort(polygons, {}, [](const CellPolygon& p) { return std::tuple(p.site, p.facet); });
   return polygons;

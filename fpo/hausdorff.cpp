@@ -30,12 +30,13 @@ using geom::VertexId;
 namespace {
 
 constexpr double relative_gap = 1e-3, absolute_gap = 1e-6;  // the latter in diagonals
-constexpr std::size_t max_cells = 4'000'000;
-constexpr std::size_t grain = 128;        // facets or cells a thread takes at a time
+constexpr std::size_t max_cells = 1'000'000;                // besides two a facet
+constexpr std::size_t grain = 128;                          // facets or cells a thread takes at a time
 constexpr std::size_t batch_size = 2048;  // cells divided before the largest distance is looked at again
 
 // The quadrature's triangles have no edge longer than a square of this share of the surface.
 constexpr double quadrature_share = 1e-4;
+constexpr double max_parts = 4e5;  // of them; well shaped facets take a fifth of that
 
 /// A point of one surface and what is nearest to it on the other.
 struct Probe {
@@ -100,7 +101,7 @@ class OneSided {
 
   Probe probe(const Vec3& x, FacetId hint) const;
   void probe_vertices();
-  FacetSum integrate(FacetId t, double size) const;
+  FacetSum integrate(FacetId t, double size, double most_parts) const;
   void evaluate(Cell& cell, Found& found, double limit) const;
   void divide(const Cell& cell, Found& found, double limit) const;
   bool carve(const Cell& cell, std::vector<Cell>& parts) const;
@@ -134,10 +135,11 @@ void OneSided::probe_vertices() {
   });
 }
 
-// The facet is halved across its longest edges until these are at most `size`, thin facets too. In each part
+// The facet is halved across its longest edges until these are at most `size`, thin facets too, or there are
+// most_parts (needles whose length is out of all proportion to the surface's area). In each part
 // the three points halfway between centroid and corners, of equal weight, integrate polynomials of degree 2
 // exactly, hence the squared distance to a plane.
-OneSided::FacetSum OneSided::integrate(FacetId t, double size) const {
+OneSided::FacetSum OneSided::integrate(FacetId t, double size, double most_parts) const {
   FacetSum sum;
   FacetId hint = vertices_[from_.facet(t)[0]].nearest;
   struct Part {
@@ -150,7 +152,7 @@ OneSided::FacetSum OneSided::integrate(FacetId t, double size) const {
     stack.pop_back();
     const std::size_t e = longest_edge(q);
     const Vec3 &a = q[e], &b = q[(e + 1) % 3], &c = q[(e + 2) % 3];
-    if ((b - a).norm() > size) {
+    if ((b - a).norm() > size && share * most_parts > 1) {
       const Vec3 middle = (a + b) / 2;
       stack.push_back({{a, middle, c}, share / 2});
       stack.push_back({{middle, b, c}, share / 2});
@@ -171,9 +173,20 @@ OneSided::Samples OneSided::sample() {
   probe_vertices();
   const double area = from_.area();
   const double size = area > 0 ? std::sqrt(area * quadrature_share) : from_.diagonal();
+  const auto longest_of = [&](FacetId t) {
+    const std::array q{from_.corner(t, 0), from_.corner(t, 1), from_.corner(t, 2)};
+    return edge_length(q, longest_edge(q));
+  };
+  double length = 0;
+  for (FacetId t(0); t.index() < from_.num_facets(); t = FacetId(t.value + 1)) length += longest_of(t);
+  const auto most_parts = [&](FacetId t) {
+    const double share = (area > 0 ? from_.area(t) / area : 0) + (length > 0 ? longest_of(t) / length : 0);
+    return max_parts * share;
+  };
   std::vector<FacetSum> sums(from_.num_facets());
   geom::parallel_ranges(sums.size(), grain, threads_, [&](std::size_t first, std::size_t last) {
-    for (FacetId t(first); t.index() < last; t = FacetId(t.value + 1)) sums[t.index()] = integrate(t, size);
+    for (FacetId t(first); t.index() < last; t = FacetId(t.value + 1))
+      sums[t.index()] = integrate(t, size, most_parts(t));
   });
   Samples result;
   for (const Probe& p : vertices_) result.max = std::max(result.max, p.distance);
@@ -313,7 +326,7 @@ OneSided::Range OneSided::maximum(double attained, double diagonal) const {
               std::numeric_limits<double>::infinity()};
     evaluate(cell, found, at);
   });
-  while (num_cells < max_cells) {
+  while (num_cells < max_cells + 2 * from_.num_facets()) {
     const std::vector<Cell> batch = worst(heap, limit());
     if (batch.empty()) break;
     gather(batch.size(), 16, [&](std::size_t k, Found& found, double at) { divide(batch[k], found, at); });

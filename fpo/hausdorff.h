@@ -13,7 +13,7 @@ struct SurfaceDistance {
 };
 
 /// Compares the surfaces and not only samples of them: max_bound exceeds max by at most 0.1% or, if that is
-/// more, 1e-6 of the reference's diagonal (unless four million triangles do not suffice for that: then
+/// more, 1e-6 of the reference's diagonal (unless a million triangles do not suffice for that: then
 /// max_bound is farther off, but still a bound). The mean is by a quadrature of degree 2, with about
 /// 100,000 points a surface and at least three a facet; a surface without area has all facets equal weight.
 /// The result does not depend on the number of threads. Throws geom::InputError if a mesh has no facet. Cost:

@@ -63,6 +63,64 @@ std::vector<Component> cell_components(const geom::RestrictedPower& diagram, Sit
   return components;
 }
 
+namespace {
+
+/// The cell with the longest border to the component, fragments of other waiting components left out; none if
+/// there is no border.
+SiteId longest_neighbour(const geom::RestrictedPower& diagram, const Component& component,
+                         const std::set<FragmentId>& waiting, const FragmentOwners& owners) {
+  const geom::FragmentStore& fragments = diagram.fragments();
+  std::map<SiteId, double> border;
+  std::array<geom::PolygonCorner, 3> buffer;
+  for (const FragmentId f : component) {
+    const SiteId p = fragments.site(f);
+    const auto corners = fragments.corners(f, buffer);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      if (!corners[k].edge.is_site()) continue;
+      const FragmentId beyond = fragments.find(corners[k].edge.site(), fragments.facet(f));
+      if (waiting.contains(beyond)) continue;
+      const auto owner = owners.find(beyond);
+      const SiteId k_owner = owner == owners.end() ? corners[k].edge.site() : owner->second;
+      if (k_owner == p) continue;
+      border[k_owner] +=
+          (corners[(k + 1) % corners.size()].point.position - corners[k].point.position).norm();
+    }
+  }
+  if (border.empty()) return SiteId();
+  return std::ranges::max_element(border, {}, [](const auto& b) { return b.second; })->first;
+}
+
+/// Adds each orphan that is left to a cell beside it, from outside inwards.
+void merge_orphans(const geom::RestrictedPower& diagram, std::span<const SurfaceSample> samples,
+                   Localization& result) {
+  std::vector<Component> orphans;
+  std::set<FragmentId> waiting;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    std::vector<Component> components = cell_components(diagram, SiteId(i), samples[i].facet);
+    for (std::size_t k = 1; k < components.size(); ++k) {
+      waiting.insert(components[k].begin(), components[k].end());
+      orphans.push_back(std::move(components[k]));
+    }
+  }
+  for (bool progress = true; progress && !orphans.empty();) {
+    const std::size_t before = orphans.size();
+    std::erase_if(orphans, [&](const Component& orphan) {
+      const SiteId k = longest_neighbour(diagram, orphan, waiting, result.owners);
+      if (!k.valid()) return false;
+      for (const FragmentId f : orphan) {
+        result.owners[f] = k;
+        waiting.erase(f);
+      }
+      return true;
+    });
+    progress = orphans.size() < before;
+    result.merged += before - orphans.size();
+  }
+  result.remaining = orphans.size();
+}
+
+}  // namespace
+
 Localization localize(geom::RestrictedPower& diagram, std::span<const SurfaceSample> samples) {
   Localization result;
   geom::SiteTree sites;
@@ -86,6 +144,7 @@ Localization localize(geom::RestrictedPower& diagram, std::span<const SurfaceSam
     result.orphans += given;
     if (given == 0) break;
   }
+  if (result.remaining > 0) merge_orphans(diagram, samples, result);
   return result;
 }
 

@@ -9,14 +9,17 @@
 
 #include <span>
 
-#include "fpo/initial_samples.h"
+#include "fpo/extract.h"
+#include "fpo/surface_sample.h"
 #include "geom/restricted_power.h"
 
 namespace fpo {
 
 struct Localization {
-  std::size_t orphans = 0;    ///< components given away
-  std::size_t remaining = 0;  ///< components left because no other cell surrounds them or the rounds ran out
+  std::size_t orphans = 0;    ///< components divided among the cells around them
+  std::size_t merged = 0;     ///< components that could not be divided: each was added to one cell as a whole
+  std::size_t remaining = 0;  ///< components that no other cell surrounds: left as they are
+  FragmentOwners owners;      ///< of the merged ones
 };
 
 /// The components of p's cell, connected across facet edges; the one that contains the sample's facet
@@ -24,8 +27,10 @@ struct Localization {
 std::vector<std::vector<geom::FragmentId>> cell_components(const geom::RestrictedPower& diagram,
                                                            geom::SiteId p, geom::FacetId home);
 
-/// Gives all orphans away. The result is no power diagram any more, but a diagram still: it covers each
-/// facet, and cells meet at facet edges. Deterministic. Cost: O(fragments) plus the orphans.
+/// Gives all orphans away: divides them or, where cells abandoned before stand in the way, merges them with
+/// the cell that they have the longest border with. The result is no power diagram any more, but a diagram
+/// still: it covers each facet, and cells meet at facet edges. Deterministic. Cost: O(fragments) plus the
+/// orphans.
 Localization localize(geom::RestrictedPower& diagram, std::span<const SurfaceSample> samples);
 
 }  // namespace fpo

@@ -81,6 +81,7 @@ OptimizeResult optimize(Domain& domain, const OptimizeOptions& options) {
     return options.interrupted && options.interrupted->load(std::memory_order_relaxed);
   };
 
+  if (options.order == VisitOrder::shuffled_once) rng.shuffle(std::span(order));
   report(0, 0);
   for (int iteration = 1; iteration <= options.max_iterations; ++iteration) {
     std::size_t moved = 0;

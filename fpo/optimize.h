@@ -18,9 +18,10 @@ struct IterationReport {
   double seconds = 0;     ///< since the start of optimize()
 };
 
-/// In which order an iteration visits the samples: in that of their ids ("for each x_i", Algorithm 1), or in
-/// a random one drawn anew for each iteration (for samples that are numbered along a curve).
-enum class VisitOrder { in_turn, shuffled };
+/// In which order an iteration visits the samples: in that of their ids ("for each x_i", Algorithm 1), in one
+/// random order (the same for samples that are numbered along a curve), or in one drawn anew for each
+/// iteration.
+enum class VisitOrder { in_turn, shuffled_once, shuffled };
 
 enum class StopReason { target_reached, nothing_moved, iteration_cap, interrupted };
 

@@ -5,29 +5,28 @@
 
 #include "fpo/curvature.h"
 #include "fpo/local_feature_size.h"
+#include "fpo/surface_cover.h"
 #include "geom/check.h"
+#include "geom/scaling.h"
 
 namespace fpo {
 namespace {
 
-/// The power of two that brings the largest coordinate into [1/2, 1).
-double scale_to_unit(const geom::TriMesh& mesh) {
-  const double largest =
-      std::max(mesh.box().min().lpNorm<Eigen::Infinity>(), mesh.box().max().lpNorm<Eigen::Infinity>());
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  return std::ldexp(1.0, -exponent);
+constexpr int futile_mending_rounds = 10;  // in a row, without fewer defects
+
+/// Some ten surface points a sample. On needles, which have edges but no area, the estimate knows no bound:
+/// there the points lie farther apart.
+double cover_spacing(const geom::TriMesh& surface, std::size_t num_samples, double spacing) {
+  const double most = std::min(
+      20e6, 200 * static_cast<double>(num_samples) + 20 * static_cast<double>(surface.num_vertices()));
+  double result = 0.3 * spacing;
+  while (cover_size(surface, result) > most) result *= 2;
+  return result;
 }
 
-geom::TriMesh scaled(const geom::TriMesh& mesh, double factor) {
-  geom::Table<geom::VertexId, geom::Vec3> vertices = mesh.vertices();
-  for (geom::Vec3& v : vertices) v *= factor;
-  return geom::TriMesh(std::move(vertices), mesh.facets());
-}
-
-VertexField local_feature_sizes(const geom::TriMesh& surface, double spacing) {
+VertexField local_feature_sizes(const geom::TriMesh& surface, std::size_t num_samples, double spacing) {
   LocalFeatureSizeOptions options;
-  options.spacing = 0.3 * spacing;
+  options.spacing = cover_spacing(surface, num_samples, spacing);
   VertexField lfs = local_feature_size(surface, options);
   for (double& value : lfs) value = std::max(value, 1e-6 * spacing);  // 0 is not excluded
   return lfs;
@@ -36,7 +35,7 @@ VertexField local_feature_sizes(const geom::TriMesh& surface, double spacing) {
 VertexField wanted_sizes(const geom::TriMesh& surface, const RemeshOptions& options, double spacing) {
   switch (options.sizing) {
     case SizingKind::local_feature_size:
-      return local_feature_sizes(surface, spacing);
+      return local_feature_sizes(surface, options.num_samples, spacing);
     case SizingKind::curvature:
       return curvature_size(surface, {.min = 1e-6 * spacing});
     default:
@@ -74,6 +73,31 @@ std::vector<SurfaceSample> initial_samples(const geom::TriMesh& surface, const S
   return samples;
 }
 
+AngleOptions angle_options(const RemeshOptions& options) {
+  AngleOptions angles;
+  angles.interrupted = options.optimize.interrupted;
+  return angles;
+}
+
+/// The remesh, after some rounds of refinement where it is no surface: the one with the fewest defects.
+Dual mended_dual(SurfaceDomain& domain, const RemeshOptions& options, std::size_t& brought) {
+  const auto interrupted = [&] { return options.optimize.interrupted && *options.optimize.interrupted; };
+  Dual best = dual_of(domain, options.keep_cells);
+  std::vector<Defect> defects = best.defects;
+  for (int futile = 0; futile < futile_mending_rounds && options.mend && !defects.empty() && !interrupted();
+       ++futile) {
+    const std::size_t moved = refine_at(domain, defects);
+    if (moved == 0) break;
+    brought += moved;
+    Dual next = dual_of(domain, options.keep_cells);
+    defects = next.defects;
+    if (next.defects.size() >= best.defects.size()) continue;
+    best = std::move(next);
+    futile = 0;
+  }
+  return best;
+}
+
 RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {
   RemeshResult result;
   const SharedSizing shared = sizing_and_features(surface, options);
@@ -91,36 +115,34 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
     result.shortest_edges = remove_shortest_edges(domain, removal);
   }
   result.optimization = optimize(domain, optimization);
-  if (options.optimize_angles) {
-    AngleOptions angles;
-    angles.interrupted = optimization.interrupted;
-    result.angles = optimize_angles(domain, angles);
-  }
+  if (options.optimize_angles) result.angles = optimize_angles(domain, angle_options(options));
   result.hidden = domain.num_hidden();
-  result.localization = domain.localize();
-  result.mesh = extract(domain.diagram(), domain.num_samples());
+  Dual dual = mended_dual(domain, options, result.brought);
+  result.localization = dual.localization;
+  result.mesh = std::move(dual.mesh);
+  result.samples = std::move(dual.samples);
+  result.cells = std::move(dual.cells);
   result.feature_samples = shared.features.samples.size();
   result.feature_edges = num_edges(shared.features);
   result.broken_feature_edges = num_broken_edges(result.mesh, shared.features);
-  for (std::size_t i = 0; i < domain.num_samples(); ++i) result.samples.push_back(domain.sample(SiteId(i)));
   for (std::size_t v = 0; v < surface.num_vertices(); ++v)
     result.sizing.push_back(sizing.at(geom::VertexId(v)));
   for (const SurfaceSample& sample : result.samples) result.wanted.push_back(sizing.at(sample));
   result.fit = sizing_fit(result.mesh, result.wanted);
-  if (options.keep_cells) result.cells = cell_polygons(domain.diagram());
   return result;
 }
 
 }  // namespace
 
 RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options) try {
-  geom::require(input.area() > 0 && options.num_samples > 0,
-                "the surface has no area or the samples no number");
-  const double factor = scale_to_unit(input);
+  geom::require(options.num_samples > 0, "the number of samples must be at least 1");
+  const double factor = geom::factor_to_unit_box(input);
+  const geom::TriMesh surface = geom::scaled_to_unit_box(input, factor);
+  geom::require(surface.area() > 0, "the surface has no area");
   RemeshOptions scaled_options = options;
   for (geom::Vec3& point : scaled_options.fixed) point *= factor;
-  RemeshResult result = remesh_in_unit_box(scaled(input, factor), scaled_options);
-  result.mesh = scaled(result.mesh, 1 / factor);
+  RemeshResult result = remesh_in_unit_box(surface, scaled_options);
+  result.mesh = geom::scaled(result.mesh, 1 / factor);
   for (SurfaceSample& sample : result.samples) sample.position /= factor;
   for (double& h : result.sizing) h /= factor;
   for (double& h : result.wanted) h /= factor;

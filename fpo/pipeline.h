@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fpo/angles.h"
-#include "fpo/extract.h"
+#include "fpo/dual.h"
 #include "fpo/feature_samples.h"
 #include "fpo/optimize.h"
 #include "fpo/quality.h"
@@ -31,6 +31,7 @@ struct RemeshOptions {
   SurfaceOptions surface;         ///< its seed and number of fixed samples are overruled
   bool shortest_edge_removal = false;  ///< before the optimization (section 4.3)
   OptimizeOptions optimize;            ///< its seed and order are overruled
+  bool mend = true;                    ///< bring samples to where the remesh is no surface
   bool optimize_angles = true;         ///< afterwards (section 5)
   bool keep_cells = false;             ///< fill RemeshResult::cells
 };
@@ -47,15 +48,17 @@ struct RemeshResult {
   ShortestEdgeResult shortest_edges;
   OptimizeResult optimization;
   AngleResult angles;
+  std::size_t brought = 0;  ///< samples that mending has moved
   Localization localization;
   std::size_t hidden = 0;          ///< samples without a cell, hence without a triangle
   std::vector<CellPolygon> cells;  ///< the restricted power diagram
 };
 
 /// Remeshes with exactly num_samples vertices. Deterministic. If interrupted, the result is that of the moves
-/// done. Computes on a copy of the input scaled by a power of two (so that no product in a predicate over- or
-/// underflows) and scales back, which is exact. Throws geom::InputError on an unusable input or number of
-/// samples (also too few for the features), geom::Bug with seed and move number.
+/// done. Computes on a copy of the input that is scaled by a power of two and snapped to multiples of 2^-160
+/// of its size, so that no product in a predicate over- or underflows (geom/scaling.h), and scales back,
+/// which is exact. Throws geom::InputError on an unusable input (no area, or a largest coordinate beyond
+/// 2^-900 to 2^900) or number of samples (also too few for the features), geom::Bug with seed and move number.
 RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options);
 
 }  // namespace fpo

@@ -93,7 +93,15 @@ CellId PlaneDomain::largest_in_two_ring() {
 void PlaneDomain::insert_at(SiteId x, const Circle& c) {
   const CellId t(c.id.value);
   const Vec2 at = torus().snap(triangulation_.center(t));
-  apply(triangulation_.insert(x, {at, weight_at(at)}, t));
+  apply(triangulation_.insert(x, {at, weight_share(x) * weight_at(at)}, t));
+}
+
+void PlaneDomain::insert_at(SiteId x, const Vec2& position, double weight_share) {
+  geom::ensure(weight_share > 0 && weight_share <= 1, "the share of a weight must be in (0, 1]");
+  if (weight_share_.empty() && weight_share < 1) weight_share_.assign(num_samples(), 1.0);
+  if (!weight_share_.empty()) weight_share_[x] = weight_share;
+  const Vec2 at = torus().snap(position);
+  apply(triangulation_.insert(x, {at, weight_share * weight_at(at)}));
 }
 
 void PlaneDomain::put_back(SiteId x) { apply(triangulation_.insert(x, removed_)); }
@@ -114,7 +122,8 @@ void PlaneDomain::expect(SiteId x) {
 }
 
 double PlaneDomain::edge_length(SiteId x) const {
-  return weight_factor_ == 0 ? scale_ : std::sqrt(triangulation_.point(x).weight) / weight_factor_;
+  if (weight_factor_ == 0) return scale_;
+  return std::sqrt(triangulation_.point(x).weight / weight_share(x)) / weight_factor_;
 }
 
 double PlaneDomain::normalized_spacing(SiteId x) {

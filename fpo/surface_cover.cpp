@@ -7,6 +7,7 @@
 #include "fpo/surface_sample.h"
 #include "geom/check.h"
 #include "geom/rng.h"
+#include "geom/scaling.h"
 
 namespace fpo {
 
@@ -92,7 +93,7 @@ void Cover::add_edges(FacetId t) {
     const double longest = std::max(longest_edge(t), other.valid() ? longest_edge(other) : 0);
     for (double i = 1; i < pieces; ++i) {
       const double at = (i + rng_.uniform(-jitter, jitter)) / pieces;
-      points_.push_back({a + at * (b - a), normal, longest});
+      points_.push_back({geom::snapped(a + at * (b - a)), normal, longest});
     }
   }
 }
@@ -123,8 +124,10 @@ void Cover::add_lattice(FacetId t) {
   }
 }
 
-/// An upper bound, by the lengths and areas of the facets' boxes along their first edges.
-double expected_points(const TriMesh& mesh, double spacing) {
+}  // namespace
+
+// By the areas of the facets and the lengths of their edges.
+double cover_size(const TriMesh& mesh, double spacing) {
   double count = static_cast<double>(mesh.num_vertices());
   for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
     count += mesh.area(t) / (row_height * spacing * spacing);
@@ -134,12 +137,10 @@ double expected_points(const TriMesh& mesh, double spacing) {
   return count;
 }
 
-}  // namespace
-
 std::vector<CoverPoint> surface_cover(const TriMesh& mesh, double spacing, std::uint64_t seed) {
   geom::require(spacing >= 0 && std::isfinite(spacing), "the spacing must be a finite number, at least 0");
   if (spacing > 0)
-    geom::require(expected_points(mesh, spacing) <= max_points,
+    geom::require(cover_size(mesh, spacing) <= max_points,
                   "the spacing is too small: it asks for more than 20 million points");
   return Cover(mesh, spacing, seed).make();
 }

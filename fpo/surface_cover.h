@@ -25,4 +25,7 @@ struct CoverPoint {
 /// 20 million points.
 std::vector<CoverPoint> surface_cover(const geom::TriMesh& mesh, double spacing, std::uint64_t seed);
 
+/// About how many points that would be: an estimate, rather too large. Requires spacing > 0. O(F).
+double cover_size(const geom::TriMesh& mesh, double spacing);
+
 }  // namespace fpo

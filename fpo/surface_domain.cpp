@@ -7,12 +7,14 @@
 
 #include "geom/check.h"
 #include "geom/rng.h"
+#include "geom/scaling.h"
 #include "geom/site_tree.h"
 #include "geom/triangulation_source.h"
 
 namespace fpo {
 namespace {
 
+constexpr double weight_unit = geom::coordinate_unit * geom::coordinate_unit;
 constexpr Circle no_circle{-std::numeric_limits<double>::infinity(), CircleId()};
 
 std::unique_ptr<geom::NeighbourSource> make_source(Engine engine, const geom::Box3& box) {
@@ -29,13 +31,21 @@ SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, std::span<const SurfaceS
 
 SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,
                              std::span<const SurfaceSample> samples, const SurfaceOptions& options)
+    : SurfaceDomain(mesh, sizing, samples, geom::Table<SiteId, double>(samples.size(), 1.0), options) {}
+
+SurfaceDomain SurfaceDomain::rebuilt() const {
+  return SurfaceDomain(mesh_, sizing_, std::span(samples_.data(), samples_.size()), weight_share_, options_);
+}
+
+SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,
+                             std::span<const SurfaceSample> samples,
+                             geom::Table<SiteId, double> weight_shares, const SurfaceOptions& options)
     : mesh_(mesh),
       sizing_(sizing),
-      weight_factor_(options.weight_factor),
-      num_fixed_(options.num_fixed),
+      options_(options),
       samples_(samples.begin(), samples.end()),
-      weight_share_(samples.size(), 1.0),
-      unweighted_(sizing.is_uniform()),
+      weight_share_(std::move(weight_shares)),
+      unweighted_(sizing.is_uniform() && std::ranges::count(weight_share_, 1.0) == std::ssize(weight_share_)),
       source_(make_source(options.engine, mesh.box())),
       diagram_(std::make_unique<geom::RestrictedPower>(mesh, *source_, options.corners)),
       circles_(CircleOrder{diagram_.get()}) {
@@ -49,8 +59,8 @@ SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,
 /// A uniform diagram is that of equal weights, whatever these are: 0. A smaller weight is negative then.
 double SurfaceDomain::weight_at(SiteId x) const {
   if (sizing_.is_uniform() && weight_share_[x] == 1) return 0;
-  const double radius = weight_factor_ * sizing_.at(samples_[x]);
-  return (weight_share_[x] - (sizing_.is_uniform() ? 1 : 0)) * radius * radius;
+  const double radius = options_.weight_factor * sizing_.at(samples_[x]);
+  return geom::snapped((weight_share_[x] - (sizing_.is_uniform() ? 1 : 0)) * radius * radius, weight_unit);
 }
 
 double SurfaceDomain::separation(SiteId x) { return source_->nearest(samples_[x].position, x, x).radius2; }

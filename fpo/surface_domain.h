@@ -45,7 +45,7 @@ class SurfaceDomain final : public Domain {
                 const SurfaceOptions& options = {});
 
   std::size_t num_samples() const override { return samples_.size(); }
-  bool is_fixed(SiteId x) const override { return x.index() < num_fixed_; }
+  bool is_fixed(SiteId x) const override { return x.index() < options_.num_fixed; }
   double separation(SiteId x) override;
   void remove(SiteId x) override;
   Circle largest_empty(Scope scope) override;
@@ -67,6 +67,8 @@ class SurfaceDomain final : public Domain {
 
   const SurfaceSample& sample(SiteId x) const { return samples_[x]; }
   const geom::RestrictedPower& diagram() const { return *diagram_; }
+  /// Another domain with the same samples, weights and diagram.
+  SurfaceDomain rebuilt() const;
   /// Gives orphans away (localize.h) for the extraction. Ends the optimization: no move may follow.
   Localization localize();
   const geom::TriMesh& mesh() const { return mesh_; }
@@ -81,6 +83,8 @@ class SurfaceDomain final : public Domain {
     bool operator()(CircleId a, CircleId b) const { return diagram->circle_before(a, b); }
   };
 
+  SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing, std::span<const SurfaceSample> samples,
+                geom::Table<SiteId, double> weight_shares, const SurfaceOptions& options);
   void insert(SiteId x, SiteId hint);
   double weight_at(SiteId x) const;
   Circle largest_in_two_ring();
@@ -89,8 +93,7 @@ class SurfaceDomain final : public Domain {
 
   const geom::TriMesh& mesh_;
   Sizing sizing_;
-  double weight_factor_;
-  std::size_t num_fixed_;
+  SurfaceOptions options_;
   geom::Table<SiteId, SurfaceSample> samples_;
   geom::Table<SiteId, double> weight_share_;
   bool unweighted_;  ///< all weights are and have always been 0

@@ -36,7 +36,8 @@ class NeighbourSource {
   /// each change of the cell and before the next rivals().
   virtual void set_reach(SiteId j, double max_radius2) = 0;
 
-  /// The site nearest to the location x in power, `without` left out.
+  /// The site nearest to the location x in power, `without` left out, to the bit what trying all sites gives:
+  /// of those with the same rounded power the one of smallest id.
   struct Nearest {
     SiteId site;     ///< none if there is no other site
     double radius2;  ///< power(x, site); +infinity if none

@@ -105,6 +105,13 @@ void Regular3::link(SiteId id, std::vector<SiteId>& out) const {
   }
 }
 
+void Regular3::link_and_hidden(SiteId id, std::vector<SiteId>& out) const {
+  link(id, out);
+  if (is_hidden(id)) return;
+  for (const CellId t : star_)
+    for (SiteId h = cells_[t].first_hidden; h.valid(); h = site(h).next_hidden) out.push_back(h);
+}
+
 std::vector<Regular3::Cell> Regular3::cells() const {
   std::vector<Cell> live;
   for (const Tetrahedron& t : cells_) {

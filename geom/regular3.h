@@ -56,6 +56,9 @@ class Regular3 {
   const WeightedPoint3& point(SiteId id) const { return points_[slot(id)]; }
   /// The sites joined to `id` by an edge, guards left out, in no particular order. Empty for a hidden site.
   void link(SiteId id, std::vector<SiteId>& out) const;
+  /// The same and the hidden sites that the tetrahedra at `id` witness: if `id` were removed, the sites with
+  /// other cells than before were all among them.
+  void link_and_hidden(SiteId id, std::vector<SiteId>& out) const;
 
   /// Corners of a live tetrahedron, such as one that a Change calls created.
   const Cell& cell(CellId t) const { return cells_[t].corner; }

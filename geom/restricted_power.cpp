@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "geom/check.h"
+#include "geom/scaling.h"
 
 namespace geom {
 namespace {
@@ -141,7 +142,7 @@ CircleId RestrictedPower::create_circle(const FacetPolygon& polygon, std::size_t
     free_circles_.pop_back();
   }
   EmptyCircle& circle = circles_[c];
-  circle.center = polygon.corners[corner].point.position;
+  circle.center = snapped(polygon.corners[corner].point.position);  // a site may come there
   circle.radius2 = power(circle.center, sites_[polygon.owner]);
   circle.facet = polygon.facet;
   circle.place = place;

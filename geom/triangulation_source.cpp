@@ -1,5 +1,7 @@
 #include "geom/triangulation_source.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace geom {
@@ -34,30 +36,40 @@ void TriangulationSource::heirs(const Vacancy&, std::vector<SiteId>& out) const 
   out.insert(out.end(), last_heirs_.begin(), last_heirs_.end());
 }
 
-NeighbourSource::Nearest TriangulationSource::nearest_of(const Vec3& x, SiteId without,
-                                                         const std::vector<SiteId>& sites) const {
+NeighbourSource::Nearest TriangulationSource::nearest_of_all(const Vec3& x, SiteId without) const {
   Nearest best{SiteId(), std::numeric_limits<double>::infinity()};
-  for (const SiteId s : sites) {
-    const double radius2 = power(x, triangulation_.point(s));
-    const bool better = radius2 < best.radius2 || (radius2 == best.radius2 && s < best.site);
-    if (s != without && (better || !best.site.valid())) best = {s, radius2};
-  }
+  for (const SiteId s : present_) offer(x, s, without, best);
   return best;
 }
 
+void TriangulationSource::offer(const Vec3& x, SiteId s, SiteId without, Nearest& best) const {
+  const double radius2 = power(x, triangulation_.point(s));
+  const bool better = radius2 < best.radius2 || (radius2 == best.radius2 && s < best.site);
+  if (s != without && (better || !best.site.valid())) best = {s, radius2};
+}
+
+// In a regular triangulation a site that is not the nearest to x has a nearer neighbour, so the sites of
+// power at most any bound are connected. Where rounding hides which one is nearest, all sites within its
+// reach are visited, and the answer is that of trying them all. What is nearest if `without` is left out owns
+// the place of x once that is gone: a neighbour of it, or a site that it hides.
 NeighbourSource::Nearest TriangulationSource::nearest(const Vec3& x, SiteId without, SiteId hint) const {
-  if (!hint.valid() || triangulation_.is_hidden(hint)) return nearest_of(x, without, present_);
-  Nearest at{hint, power(x, triangulation_.point(hint))};
-  std::vector<SiteId> link;
-  for (;;) {
-    link.clear();
-    triangulation_.link(at.site, link);
-    const Nearest next = nearest_of(x, SiteId(), link);
-    if (!next.site.valid() || !(next.radius2 < at.radius2)) break;
-    at = next;
+  if (!hint.valid() || triangulation_.is_hidden(hint)) return nearest_of_all(x, without);
+  constexpr double unsure = 0x1p-48;  // 32 roundings
+  Nearest best{SiteId(), std::numeric_limits<double>::infinity()};
+  std::vector<SiteId> visited{hint}, around;
+  for (std::size_t i = 0; i < visited.size(); ++i) {
+    triangulation_.link_and_hidden(visited[i], around);
+    around.push_back(visited[i]);
+    for (const SiteId s : around) offer(x, s, without, best);
+    if (!best.site.valid()) continue;
+    const double weight = triangulation_.point(best.site).weight;
+    const double limit = best.radius2 + unsure * (std::abs(best.radius2) + 2 * std::abs(weight));
+    for (const SiteId s : around)
+      if (power(x, triangulation_.point(s)) <= limit && !triangulation_.is_hidden(s) &&
+          std::ranges::find(visited, s) == visited.end())
+        visited.push_back(s);
   }
-  if (at.site != without) return at;
-  return link.empty() ? nearest_of(x, without, present_) : nearest_of(x, without, link);
+  return best;
 }
 
 }  // namespace geom

@@ -21,20 +21,20 @@ class TriangulationSource final : public NeighbourSource {
   void rivals(SiteId p, std::vector<SiteId>& out) const override;
   void heirs(const Vacancy& vacancy, std::vector<SiteId>& out) const override;
   void set_reach(SiteId, double) override {}
-  /// Greedy walk over edges: in a regular triangulation a site that is not the nearest to x has a nearer
-  /// neighbour.
+  /// A walk over edges from the hint; O(1) expected if that is near, O(n) without one.
   Nearest nearest(const Vec3& x, SiteId without, SiteId hint) const override;
 
   const Regular3& triangulation() const { return triangulation_; }
 
  private:
-  Nearest nearest_of(const Vec3& x, SiteId without, const std::vector<SiteId>& sites) const;
+  Nearest nearest_of_all(const Vec3& x, SiteId without) const;
+  void offer(const Vec3& x, SiteId s, SiteId without, Nearest& best) const;
 
   Regular3 triangulation_;
   std::vector<SiteId> present_;        ///< in no order
   Table<SiteId, std::int32_t> place_;  ///< in present_
-  std::vector<SiteId> last_hidden_;  ///< by the last insertion
-  std::vector<SiteId> last_heirs_;   ///< of the last removal
+  std::vector<SiteId> last_hidden_;    ///< by the last insertion
+  std::vector<SiteId> last_heirs_;     ///< of the last removal
 };
 
 }  // namespace geom

@@ -1,51 +1,28 @@
-// fpo-plane: blue-noise samples on a periodic rectangle by farthest point optimization (paper, section 3).
+// fpo-plane: blue-noise samples on a rectangle, periodic or not, by farthest point optimization (paper,
+// section 3).
 
 #include <cstdio>
 
-#include "fpo/image_sizing.h"
+#include "fpo/plane_angles.h"
 #include "fpo/plane_quality.h"
 #include "fpo/shortest_edge.h"
 #include "io/atomic_file.h"
-#include "io/extension.h"
-#include "io/pgm.h"
 #include "io/points.h"
-#include "tools/interrupt.h"
+#include "tools/bounded_plane.h"
 #include "tools/plane_arguments.h"
-#include "tools/progress.h"
+#include "tools/plane_sizing_source.h"
+#include "tools/run_log.h"
 
 namespace {
 
-std::unique_ptr<fpo::PlaneSizing> make_sizing(const tools::PlaneArguments& a, const geom::FlatTorus& torus) {
-  if (auto named = fpo::named_sizing(a.sizing, torus)) return named;
-  geom::require(io::lower_extension(a.sizing) == ".pgm",
-                "--sizing: '" + a.sizing + "' is neither a .pgm image nor the name of a field (see --help)");
-  io::GrayImage image = io::read_pgm(a.sizing);
-  for (float& value : image.value) value = 1 - value;
-  try {
-    return fpo::image_sizing({image.width, image.height, std::move(image.value)}, torus, a.num_samples,
-                             {.gradation = a.gradation});
-  } catch (const geom::InputError& error) {
-    throw geom::InputError(a.sizing + ": " + error.what());
-  }
-}
-
-/// Algorithm 1, after shortest edge removal if asked for; the log gets a line an iteration.
-fpo::OptimizeResult optimize(tools::PlaneArguments& a, fpo::PlaneDomain& domain, bool quiet,
-                             std::string& log) {
-  tools::Progress progress("optimizing", quiet);
-  double delta = 0;
-  const double total = std::max(1.0, double(a.num_samples) * a.optimize.max_iterations);
-  a.optimize.interrupted = &tools::interrupt_flag();
-  a.optimize.on_move = [&](std::size_t move) { progress.update(double(move) / total, delta); };
-  a.optimize.on_iteration = [&](const fpo::IterationReport& r) {
-    delta = r.delta;
-    char line[160];
-    std::snprintf(line, sizeof line, "%d,%zu,%.6f,%.6f,%.6f\n", r.iteration, r.moved, r.delta, r.mean_delta,
-                  r.seconds);
-    log += line;
-  };
+/// Algorithm 1, after shortest edge removal and before angle optimization if these are asked for.
+fpo::OptimizeResult optimize(const tools::PlaneArguments& a, fpo::PlaneDomain& domain) {
   if (a.ser) fpo::remove_shortest_edges(domain, {.interrupted = a.optimize.interrupted, .on_move = {}});
-  return fpo::optimize(domain, a.optimize);
+  const fpo::OptimizeResult result = fpo::optimize(domain, a.optimize);
+  // What has not been optimized at all has too many bad angles to be mended one by one.
+  if (a.optimize_angles && result.last.iteration > 0 && result.reason != fpo::StopReason::interrupted)
+    fpo::optimize_angles(domain, {.interrupted = a.optimize.interrupted});
+  return result;
 }
 
 void write_outputs(const tools::PlaneArguments& a, const fpo::PlaneDomain& domain, const std::string& log) {
@@ -62,19 +39,24 @@ void write_outputs(const tools::PlaneArguments& a, const fpo::PlaneDomain& domai
 
 int plane(tools::CommandLine& cli) {
   tools::PlaneArguments a = tools::parse_plane_arguments(cli);
+  if (a.bounded) return tools::run_bounded_plane(a, cli.seed(), cli.quiet());
   const geom::FlatTorus torus(a.period);
-  const auto sizing = make_sizing(a, torus);
-  a.optimize.scope = a.scope.value_or(sizing->is_uniform() ? fpo::Scope::global : fpo::Scope::two_ring);
-  // PlaneOptions tells why the global variant wants heavier samples.
-  const double factor = a.weight_factor.value_or(a.optimize.scope == fpo::Scope::global ? 0.75 : 2.0 / 3);
+  const auto sizing = tools::make_plane_sizing(a, torus);
+  // PlaneOptions and PlaneStart tell why.
+  const bool uniform = sizing->is_uniform();
+  a.optimize.scope = a.scope.value_or(uniform ? fpo::Scope::global : fpo::Scope::two_ring);
+  a.optimize.order = fpo::best_visit_order(uniform);
+  const double factor = a.weight_factor.value_or(fpo::best_plane_weight_factor(a.optimize.scope));
   const fpo::PlaneDensity density(*sizing, torus);
-  const auto start = fpo::initial_plane_samples(density, a.num_samples, cli.seed(), a.start);
+  const auto start = fpo::initial_plane_samples(density, a.num_samples, cli.seed(),
+                                                a.start.value_or(fpo::best_plane_start(uniform)));
   fpo::PlaneDomain domain(torus, *sizing, density.edge_length_scale(a.num_samples), start,
                           {.weight_factor = factor});
 
-  std::string log = "iteration,moved,delta,mean_delta,seconds\n";
-  const fpo::OptimizeResult result = optimize(a, domain, cli.quiet(), log);
-  write_outputs(a, domain, log);
+  tools::RunLog log(cli.quiet());
+  log.attach(a.optimize, a.num_samples);
+  const fpo::OptimizeResult result = optimize(a, domain);
+  write_outputs(a, domain, log.csv());
   const fpo::PlaneQuality q = fpo::plane_quality(domain);
   std::printf(
       "samples %zu\niterations %d\nmoves %zu\ndelta %.6f\nmean_delta %.6f\ngrading_slope %.4f\n"

@@ -4,6 +4,7 @@
 
 #include "fpo/hausdorff.h"
 #include "fpo/quality.h"
+#include "geom/scaling.h"
 #include "io/mesh_io.h"
 #include "tools/cli.h"
 
@@ -38,9 +39,13 @@ int quality(tools::CommandLine& cli) {
   cli.path({.name = "reference", .value = "INPUT", .help = "the surface that MESH approximates"},
            reference_path);
   cli.flag({.name = "json", .help = "print one JSON object"}, json);
-  const geom::TriMesh mesh = io::read_mesh(cli.parse(1, 1).front());
+  geom::TriMesh mesh = io::read_mesh(cli.parse(1, 1).front());
   const bool compare = !reference_path.empty();
-  const geom::TriMesh reference = compare ? io::read_mesh(reference_path) : geom::TriMesh();
+  geom::TriMesh reference = compare ? io::read_mesh(reference_path) : geom::TriMesh();
+  // No measure depends on the unit of length; in this one no square under- or overflows.
+  const double factor = geom::factor_to_unit_box(mesh, reference);
+  mesh = geom::scaled_to_unit_box(mesh, factor);
+  reference = geom::scaled_to_unit_box(reference, factor);
   geom::require(!compare || reference.area() > 0, reference_path.string() + ": the surface has no area");
 
   const geom::Topology t = geom::topology(mesh);

@@ -10,6 +10,7 @@
 #include "io/atomic_file.h"
 #include "io/coloured_ply.h"
 #include "io/extension.h"
+#include "io/input_file.h"
 #include "io/mesh_io.h"
 #include "io/mesh_picture.h"
 #include "io/points.h"
@@ -112,10 +113,16 @@ const char* name_of(fpo::StopReason reason) {
   return "unknown";
 }
 
+/// Complaints name the input.
+fpo::RemeshResult remesh_named(const geom::TriMesh& input, const tools::RemeshArguments& a) try {
+  return fpo::remesh(input, a.remesh);
+} catch (const geom::InputError& error) {
+  throw geom::InputError(io::display_name(a.input) + ": " + error.what());
+}
+
 int remesh(tools::CommandLine& cli) {
   tools::RemeshArguments a = tools::parse_remesh_arguments(cli);
   const geom::TriMesh input = io::read_mesh(a.input);
-  geom::require(input.area() > 0, a.input.string() + ": the surface has no area");
   tools::read_files(a, input);
 
   std::string log = "iteration,moved,delta,mean_delta,seconds\n";
@@ -131,7 +138,7 @@ int remesh(tools::CommandLine& cli) {
                   r.seconds);
     log += line;
   };
-  const fpo::RemeshResult result = fpo::remesh(input, a.remesh);
+  const fpo::RemeshResult result = remesh_named(input, a);
   progress.erase();
 
   write_outputs(a, input, result, log);
@@ -144,6 +151,7 @@ int remesh(tools::CommandLine& cli) {
       result.samples.size(), o.last.iteration, o.moves, name_of(o.reason), o.last.delta, o.last.mean_delta,
       o.last.seconds, a.output.c_str());
   if (a.remesh.sizing != fpo::SizingKind::uniform) print_sizing(result);
+  if (result.brought > 0) std::printf("samples_moved_to_mend %zu\n", result.brought);
   if (result.feature_samples > 0)
     std::printf("feature_samples %zu\nfeature_edges %zu\nbroken_feature_edges %zu\n", result.feature_samples,
                 result.feature_edges, result.broken_feature_edges);

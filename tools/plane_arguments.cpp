@@ -46,21 +46,36 @@ void declare_result(CommandLine& cli, PlaneArguments& a) {
 
 void declare_domain(CommandLine& cli, PlaneArguments& a) {
   cli.group("Domain");
-  cli.custom({.name = "period", .value = "WxH", .help = "width and height of the torus", .standard = "1x1"},
+  cli.custom({.name = "period", .value = "WxH", .help = "width and height", .standard = "1x1"},
              [&a](const std::string& text) { a.period = parse_period(text); });
-  cli.text({.name = "sizing",
-            .value = "KIND",
-            .help = "IMAGE.pgm (dark is dense), or one of " + all_sizing_names()},
-           a.sizing);
+  cli.text(
+      {.name = "sizing",
+       .value = "KIND",
+       .help = "IMAGE.pgm (dark is dense), CURVES.txt (lines x y, a blank line between curves: their local "
+               "feature size), or one of " +
+               all_sizing_names()},
+      a.sizing);
   cli.number({.name = "gradation",
               .value = "G",
-              .help = "of images: edge lengths grow by at most G times the distance"},
+              .help = "of images and curves: edge lengths grow by at most G times the distance"},
              a.gradation, 0.01, 1);
-  cli.choice({.name = "start", .value = "stratified|random", .help = "initial samples"}, a.start,
-             {{"stratified", fpo::PlaneStart::stratified}, {"random", fpo::PlaneStart::random}});
+  cli.custom({.name = "start",
+              .value = "random|stratified",
+              .help = "initial samples",
+              .standard = "random if uniform, else stratified"},
+             [&a](const std::string& text) {
+               geom::require(text == "random" || text == "stratified",
+                             "'" + text + "' is neither random nor stratified");
+               a.start = text == "random" ? fpo::PlaneStart::random : fpo::PlaneStart::stratified;
+             });
+  cli.flag({.name = "bounded", .help = "a rectangle with a border, not a torus"}, a.bounded);
+  cli.choice({.name = "corners",
+              .value = "c|all",
+              .help = "of --bounded: where farthest points may be, inside only or on the border too"},
+             a.corners, {{"c", geom::CornerTypes::c_only}, {"all", geom::CornerTypes::all}});
 }
 
-void declare_optimization(CommandLine& cli, PlaneArguments& a, bool& local, bool& global, bool& bounded) {
+void declare_optimization(CommandLine& cli, PlaneArguments& a, bool& local, bool& global) {
   cli.group("Optimization");
   cli.integer({.name = "iterations", .value = "MAX", .help = "at most so many"}, a.optimize.max_iterations, 0,
               1'000'000);
@@ -72,9 +87,10 @@ void declare_optimization(CommandLine& cli, PlaneArguments& a, bool& local, bool
   cli.custom({.name = "weight-factor",
               .value = "C",
               .help = "weights are (C h)^2 for edge length h",
-              .standard = "2/3, or 0.75 with --global"},
+              .standard = "0.68, or 0.75 with --global"},
              [&a](const std::string& text) { a.weight_factor = parse_number(text, 0.01, 1); });
-  cli.flag({.name = "bounded", .help = "a rectangle with a border, not a torus (not yet)"}, bounded);
+  cli.toggle({.name = "optimize-angles", .help = "mend angles below 32 degrees afterwards"},
+             a.optimize_angles);
 }
 
 }  // namespace
@@ -83,14 +99,14 @@ bool PlaneArguments::writes_svg() const { return io::lower_extension(output) == 
 
 PlaneArguments parse_plane_arguments(CommandLine& cli) {
   PlaneArguments a;
-  bool local = false, global = false, bounded = false;
-  cli.describe("", "Spreads COUNT samples of blue noise over a periodic rectangle.");
+  bool local = false, global = false;
+  cli.describe("", "Spreads COUNT samples of blue noise over a rectangle, periodic unless --bounded.");
   declare_result(cli, a);
   declare_domain(cli, a);
-  declare_optimization(cli, a, local, global, bounded);
+  declare_optimization(cli, a, local, global);
   cli.parse(0, 0);
   if (local && global) throw UsageError("--local and --global exclude each other");
-  geom::require(!bounded, "--bounded does not work yet: use fpo-remesh on a flat mesh");
+  if (a.bounded && a.start) throw UsageError("--start is for tori: --bounded has random initial samples");
   geom::require(a.writes_svg() || io::lower_extension(a.output) == ".txt",
                 a.output.string() + ": use .txt or .svg");
   if (local) a.scope = fpo::Scope::two_ring;

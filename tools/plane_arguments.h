@@ -7,6 +7,7 @@
 
 #include "fpo/optimize.h"
 #include "fpo/plane_domain.h"
+#include "geom/restricted_power.h"
 #include "tools/cli.h"
 #include "tools/plane_picture.h"
 
@@ -18,9 +19,10 @@ struct PlaneArguments {
   geom::Vec2 period{1, 1};
   std::string sizing = "uniform";
   double gradation = 0.3;
-  fpo::PlaneStart start = fpo::PlaneStart::stratified;
+  std::optional<fpo::PlaneStart> start;
   std::optional<double> weight_factor;
-  bool ser = false;
+  bool ser = false, optimize_angles = true, bounded = false;
+  geom::CornerTypes corners = geom::CornerTypes::all;  ///< if bounded
   std::optional<fpo::Scope> scope;
   fpo::OptimizeOptions optimize;
   PlanePicture picture;

@@ -1,9 +1,12 @@
 #include "tools/plane_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tools {
@@ -15,11 +18,25 @@ using geom::Regular2;
 using geom::SiteId;
 using geom::Vec2;
 
-/// A torus on paper: y upwards, a shape shown wherever a copy of it meets the rectangle.
+/// What there is to draw, of a torus or a rectangle.
+struct Scene {
+  Vec2 size;
+  bool periodic;
+  std::vector<Vec2> points;
+  std::vector<double> edge_length, radius;  ///< wanted length and radius of the disk, of each point
+  std::vector<std::pair<std::size_t, std::vector<Vec2>>> cells;  ///< parts of a point's cell
+  std::vector<std::array<Vec2, 2>> borders;                      ///< of cells
+  std::vector<std::array<Vec2, 2>> edges;                        ///< of the triangulation
+};
+
+/// The rectangle on paper: y upwards, of a torus a shape shown wherever a copy of it meets the rectangle.
 class Sheet {
  public:
-  Sheet(const Vec2& period, double width)
-      : period_(period), scale_(width / period.x()), svg_(width, period.y() * scale_) {}
+  Sheet(const Vec2& period, bool periodic, double width)
+      : period_(period),
+        reach_(periodic ? 1 : 0),
+        scale_(width / period.x()),
+        svg_(width, period.y() * scale_) {}
 
   io::Svg& svg() { return svg_; }
   double scale() const { return scale_; }
@@ -34,8 +51,8 @@ class Sheet {
       high = high.cwiseMax(p);
     }
     std::vector<Vec2> copy(shape.size());
-    for (int i = -1; i <= 1; ++i) {
-      for (int j = -1; j <= 1; ++j) {
+    for (int i = -reach_; i <= reach_; ++i) {
+      for (int j = -reach_; j <= reach_; ++j) {
         const Vec2 by(i * period_.x(), j * period_.y());
         if (((high + by).array() < -margin).any() || ((low + by - period_).array() > margin).any()) continue;
         std::transform(shape.begin(), shape.end(), copy.begin(), [&](const Vec2& p) {
@@ -48,6 +65,7 @@ class Sheet {
 
  private:
   Vec2 period_;
+  int reach_;  ///< copies on each side
   double scale_;
   io::Svg svg_;
 };
@@ -64,80 +82,137 @@ std::string colour_of(double share) {
   return text;
 }
 
-std::vector<Vec2> power_cell(const Regular2& t, SiteId x) {
-  const Vec2 at = t.point(x).position;
-  std::vector<Vec2> corners;
-  t.visit_star(x, [&](CellId c, int) { corners.push_back(at + t.torus().shortest(t.center(c) - at)); });
-  return corners;
-}
-
-void draw_cells(Sheet& sheet, const PlaneDomain& domain, bool colour) {
-  double least = INFINITY, most = 0;
-  for (std::size_t i = 0; i < domain.num_samples(); ++i) {
-    least = std::min(least, domain.edge_length(SiteId(i)));
-    most = std::max(most, domain.edge_length(SiteId(i)));
-  }
-  sheet.svg().begin_group(R"(fill="none" stroke="#8899aa" stroke-width="0.6" stroke-linejoin="round")");
+Scene scene_of(const PlaneDomain& domain) {
+  const Regular2& t = domain.triangulation();
+  Scene scene{domain.torus().period(), true, {}, {}, {}, {}, {}, {}};
   for (std::size_t i = 0; i < domain.num_samples(); ++i) {
     const SiteId x(i);
-    if (domain.triangulation().is_hidden(x)) continue;
-    const double range = std::log(most / least);
-    const double share = range > 0 ? std::log(domain.edge_length(x) / least) / range : 0.5;
-    sheet.each_copy(power_cell(domain.triangulation(), x), 0, [&](const std::vector<Vec2>& corners) {
-      sheet.svg().polygon(corners, colour ? colour_of(share) : "");
+    const geom::WeightedPoint2 p = t.point(x);
+    scene.points.push_back(p.position);
+    scene.edge_length.push_back(domain.edge_length(x));
+    scene.radius.push_back(p.weight > 0 ? std::sqrt(p.weight) : domain.edge_length(x) / 2);
+    if (t.is_hidden(x)) continue;
+    std::vector<Vec2> corners;
+    t.visit_star(x, [&](CellId c, int) {
+      corners.push_back(p.position + t.torus().shortest(t.center(c) - p.position));
     });
+    for (std::size_t k = 0; k < corners.size(); ++k)
+      scene.borders.push_back({corners[k], corners[(k + 1) % corners.size()]});
+    scene.cells.emplace_back(i, std::move(corners));
   }
-  sheet.svg().end_group();
-}
-
-void draw_disks(Sheet& sheet, const PlaneDomain& domain) {
-  sheet.svg().begin_group(R"(fill="#4a7bb7" fill-opacity="0.25" stroke="#4a7bb7" stroke-width="0.5")");
-  for (std::size_t i = 0; i < domain.num_samples(); ++i) {
-    const geom::WeightedPoint2 p = domain.triangulation().point(SiteId(i));
-    const double radius = p.weight > 0 ? std::sqrt(p.weight) : domain.edge_length(SiteId(i)) / 2;
-    sheet.each_copy({p.position}, radius,
-                    [&](const std::vector<Vec2>& at) { sheet.svg().circle(at[0], radius * sheet.scale()); });
-  }
-  sheet.svg().end_group();
-}
-
-void draw_triangulation(Sheet& sheet, const Regular2& t) {
-  io::SvgPath path;
   for (const Regular2::Triangle& corner : t.triangles()) {
     for (std::size_t k = 0; k < 3; ++k) {
       const SiteId a = corner[k], b = corner[(k + 1) % 3];
       if (b < a) continue;  // the triangle beyond draws it
       const Vec2 from = t.point(a).position;
-      sheet.each_copy({from, from + t.difference(a, b)}, 0,
-                      [&](const std::vector<Vec2>& ends) { path.polyline(ends); });
+      scene.edges.push_back({from, from + t.difference(a, b)});
     }
   }
-  sheet.svg().path(path, R"(fill="none" stroke="#556677" stroke-width="0.7")");
+  return scene;
 }
 
-void draw_points(Sheet& sheet, const PlaneDomain& domain) {
-  const double radius =
-      std::clamp(0.16 * std::sqrt(sheet.size().prod() / static_cast<double>(domain.num_samples())), 0.4, 2.5);
+/// Of a cell in parts the sides that no other part of it has.
+void add_borders(Scene& scene) {
+  using Side = std::array<double, 4>;
+  std::set<std::pair<std::size_t, Side>> sides;
+  const auto each_side = [&](auto&& visit) {
+    for (const auto& [owner, corners] : scene.cells)
+      for (std::size_t k = 0; k < corners.size(); ++k)
+        visit(owner, corners[k], corners[(k + 1) % corners.size()]);
+  };
+  each_side([&](std::size_t owner, const Vec2& a, const Vec2& b) {
+    sides.insert({owner, {a.x(), a.y(), b.x(), b.y()}});
+  });
+  each_side([&](std::size_t owner, const Vec2& a, const Vec2& b) {
+    if (!sides.contains({owner, {b.x(), b.y(), a.x(), a.y()}})) scene.borders.push_back({a, b});
+  });
+}
+
+Scene scene_of(const fpo::RemeshResult& result, const Vec2& size) {
+  Scene scene{size, false, {}, {}, {}, {}, {}, {}};
+  const auto flat = [](const geom::Vec3& x) -> Vec2 { return x.head<2>(); };
+  for (std::size_t i = 0; i < result.samples.size(); ++i) {
+    scene.points.push_back(flat(result.samples[i].position));
+    scene.edge_length.push_back(result.wanted[geom::VertexId(i)]);
+    scene.radius.push_back(result.wanted[geom::VertexId(i)] / 2);
+  }
+  for (const fpo::CellPolygon& cell : result.cells) {
+    auto& corners = scene.cells.emplace_back(cell.site.index(), std::vector<Vec2>()).second;
+    for (const geom::Vec3& x : cell.corners) corners.push_back(flat(x));
+  }
+  add_borders(scene);
+  for (std::size_t t = 0; t < result.mesh.num_facets(); ++t) {
+    const geom::FacetId facet(t);
+    for (int e = 0; e < 3; ++e) {
+      const geom::FacetId beyond = result.mesh.across(facet, e);
+      if (beyond.valid() && beyond < facet) continue;
+      scene.edges.push_back(
+          {flat(result.mesh.corner(facet, e)), flat(result.mesh.corner(facet, (e + 1) % 3))});
+    }
+  }
+  return scene;
+}
+
+void draw_lines(Sheet& sheet, const std::vector<std::array<Vec2, 2>>& lines, const std::string& style) {
   io::SvgPath path;
-  for (std::size_t i = 0; i < domain.num_samples(); ++i)
-    sheet.each_copy({domain.triangulation().point(SiteId(i)).position}, radius / sheet.scale(),
-                    [&](const std::vector<Vec2>& at) { path.dot(at[0]); });
+  for (const auto& [from, to] : lines)
+    sheet.each_copy({from, to}, 0, [&](const std::vector<Vec2>& ends) { path.polyline(ends); });
+  sheet.svg().path(path, R"(fill="none" stroke-linejoin="round" )" + style);
+}
+
+void draw_colours(Sheet& sheet, const Scene& scene) {
+  const auto [least, most] = std::ranges::minmax(scene.edge_length);
+  const double range = std::log(most / least);
+  sheet.svg().begin_group(R"(stroke="none" shape-rendering="crispEdges")");
+  for (const auto& [owner, corners] : scene.cells) {
+    const double share = range > 0 ? std::log(scene.edge_length[owner] / least) / range : 0.5;
+    sheet.each_copy(corners, 0,
+                    [&](const std::vector<Vec2>& copy) { sheet.svg().polygon(copy, colour_of(share)); });
+  }
+  sheet.svg().end_group();
+}
+
+void draw_disks(Sheet& sheet, const Scene& scene) {
+  sheet.svg().begin_group(R"(fill="#4a7bb7" fill-opacity="0.25" stroke="#4a7bb7" stroke-width="0.5")");
+  for (std::size_t i = 0; i < scene.points.size(); ++i) {
+    const double radius = scene.radius[i];
+    sheet.each_copy({scene.points[i]}, radius,
+                    [&](const std::vector<Vec2>& at) { sheet.svg().circle(at[0], radius * sheet.scale()); });
+  }
+  sheet.svg().end_group();
+}
+
+void draw_points(Sheet& sheet, const Scene& scene) {
+  const double radius =
+      std::clamp(0.16 * std::sqrt(sheet.size().prod() / static_cast<double>(scene.points.size())), 0.4, 2.5);
+  io::SvgPath path;
+  for (const Vec2& x : scene.points)
+    sheet.each_copy({x}, radius / sheet.scale(), [&](const std::vector<Vec2>& at) { path.dot(at[0]); });
   char style[96];
   std::snprintf(style, sizeof style, R"(stroke="#111" stroke-linecap="round" stroke-width="%.2f")",
                 2 * radius);
   sheet.svg().path(path, style);
 }
 
+io::Svg draw(const Scene& scene, const PlanePicture& picture) {
+  Sheet sheet(scene.size, scene.periodic, picture.width);
+  sheet.svg().rectangle({0, 0}, sheet.size(), R"(fill="#fff")");
+  if (picture.colour) draw_colours(sheet, scene);
+  if (picture.cells) draw_lines(sheet, scene.borders, R"(stroke="#8899aa" stroke-width="0.6")");
+  if (picture.disks) draw_disks(sheet, scene);
+  if (picture.triangulation) draw_lines(sheet, scene.edges, R"(stroke="#556677" stroke-width="0.7")");
+  draw_points(sheet, scene);
+  return sheet.svg();
+}
+
 }  // namespace
 
-io::Svg draw_plane(const fpo::PlaneDomain& domain, const PlanePicture& picture) {
-  Sheet sheet(domain.torus().period(), picture.width);
-  sheet.svg().rectangle({0, 0}, sheet.size(), R"(fill="#fff")");
-  if (picture.cells || picture.colour) draw_cells(sheet, domain, picture.colour);
-  if (picture.disks) draw_disks(sheet, domain);
-  if (picture.triangulation) draw_triangulation(sheet, domain.triangulation());
-  draw_points(sheet, domain);
-  return sheet.svg();
+io::Svg draw_plane(const PlaneDomain& domain, const PlanePicture& picture) {
+  return draw(scene_of(domain), picture);
+}
+
+io::Svg draw_rectangle(const fpo::RemeshResult& result, const Vec2& size, const PlanePicture& picture) {
+  return draw(scene_of(result, size), picture);
 }
 
 }  // namespace tools

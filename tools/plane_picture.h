@@ -1,6 +1,7 @@
 #pragma once
-// Drawings of samples on the flat torus.
+// Drawings of samples in the plane, on the flat torus or a rectangle with a border.
 
+#include "fpo/pipeline.h"
 #include "fpo/plane_domain.h"
 #include "io/svg.h"
 
@@ -16,5 +17,8 @@ struct PlanePicture {
 
 /// One period; what crosses its border appears on both sides.
 io::Svg draw_plane(const fpo::PlaneDomain& domain, const PlanePicture& picture);
+
+/// A remesh of rectangle_mesh(size). Without its cells (RemeshOptions::keep_cells) neither they nor colours.
+io::Svg draw_rectangle(const fpo::RemeshResult& result, const geom::Vec2& size, const PlanePicture& picture);
 
 }  // namespace tools

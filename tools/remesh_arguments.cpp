@@ -127,6 +127,7 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   bool local = false, global = false;
   cli.toggle({.name = "ser", .help = "shortest edge removal first"}, a.remesh.shortest_edge_removal);
   cli.toggle({.name = "optimize-angles", .help = "angle optimization afterwards"}, a.remesh.optimize_angles);
+  cli.toggle({.name = "mend", .help = "bring samples to where the remesh is no surface"}, a.remesh.mend);
   cli.flag({.name = "local", .help = "look for farthest points nearby only"}, local);
   cli.flag({.name = "global", .help = "look for them everywhere"}, global);
   a.input = cli.parse(1, 1).front();

@@ -1,5 +1,5 @@
 // Time against quality: shortest edge removal or not, global or local farthest points.
-//   bench-adaptive MODEL N [SIZING-FILE|-] [WEIGHT-SCALE] [GRADATION] [SEED]
+//   bench-adaptive MODEL N [SIZING-FILE|-] [WEIGHT-SCALE, 0: best] [GRADATION] [SEED] [ITERATIONS]
 // One row per method and checkpoint; seconds are CPU time since the samples were drawn.
 
 #include <time.h>
@@ -28,7 +28,7 @@ struct Job {
   geom::TriMesh mesh;
   std::size_t n;
   std::uint64_t seed = 1;
-  double weight_scale = 0.75;
+  double weight_scale = 0;  ///< 0: the best of the scope
   fpo::Sizing sizing;
 };
 
@@ -47,7 +47,7 @@ void row(const Job& job, fpo::SurfaceDomain& domain, int iteration, double secon
 void measure(const Job& job, bool shortest_edges, fpo::Scope scope, int iterations) {
   std::printf("%s%s\n", shortest_edges ? "SER + " : "", scope == fpo::Scope::global ? "global" : "local");
   fpo::SurfaceOptions surface;
-  surface.weight_factor = job.weight_scale;
+  surface.weight_factor = job.weight_scale > 0 ? job.weight_scale : fpo::best_weight_factor(scope);
   const auto samples = fpo::random_samples(job.mesh, job.sizing, job.n, job.seed);
   double start = cpu_seconds();
   fpo::SurfaceDomain domain(job.mesh, job.sizing, samples, surface);
@@ -72,7 +72,7 @@ void measure(const Job& job, bool shortest_edges, fpo::Scope scope, int iteratio
 int main(int argc, char** argv) {
   if (argc < 3) return 0;
   const auto number = [&](int i, double standard) { return argc > i ? std::atof(argv[i]) : standard; };
-  Job job{io::read_mesh(argv[1]), std::strtoull(argv[2], nullptr, 10), 1, number(4, 0.75),
+  Job job{io::read_mesh(argv[1]), std::strtoull(argv[2], nullptr, 10), 1, number(4, 0),
           fpo::Sizing::uniform(1)};
   job.seed = static_cast<std::uint64_t>(number(6, 1));
   job.sizing = fpo::Sizing::uniform(fpo::hexagonal_spacing(job.mesh.area(), job.n));

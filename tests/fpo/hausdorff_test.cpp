@@ -175,3 +175,20 @@ TEST_CASE("hausdorff: surfaces without area") {
   CHECK_THROWS_AS(surface_distance(TriMesh(), line), geom::InputError);
   CHECK_THROWS_AS(surface_distance(line, TriMesh()), geom::InputError);
 }
+
+TEST_CASE(
+    "hausdorff: needles, whose length is out of all proportion to their area, need no endless quadrature") {
+  Table<VertexId, Vec3> vertices;
+  Table<FacetId, TriMesh::Facet> facets;
+  for (int i = 0; i < 20; ++i) {
+    const VertexId v = vertices.next_id();
+    for (const Vec3& p : {Vec3(0, i, 0), Vec3(100, i, 0), Vec3(100, i + 1e-12, 0)}) vertices.push_back(p);
+    facets.push_back({v, VertexId(v.value + 1), VertexId(v.value + 2)});
+  }
+  const TriMesh needles(vertices, facets);
+  for (Vec3& p : vertices) p.z() = 0.25;
+  const SurfaceDistance d = surface_distance(needles, TriMesh(vertices, facets));
+  CHECK(d.max == Approx(0.25));
+  CHECK(d.rms == Approx(0.25));
+  check_gap(d, needles.diagonal());
+}

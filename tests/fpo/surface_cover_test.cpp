@@ -58,6 +58,7 @@ TEST_CASE("surface cover: a point within the spacing of every location, all on t
       CHECK(farthest <= spacing);
       const double most = mesh.area() / (std::sqrt(0.75) * spacing * spacing) + edge_length(mesh) / spacing;
       CHECK(static_cast<double>(points.size()) <= static_cast<double>(mesh.num_vertices()) + 1.1 * most);
+      CHECK(static_cast<double>(points.size()) <= 1.1 * fpo::cover_size(mesh, spacing));
     }
   }
 }

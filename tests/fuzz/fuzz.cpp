@@ -1,0 +1,192 @@
+// fuzz: the built fpo-remesh and fpo-quality on spoilt surfaces, one seed after the other, for a given time.
+// Every run must end within ten seconds with a result that holds or with one line that says why there is
+// none.
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <map>
+#include <optional>
+
+#include "geom/check.h"
+#include "io/mesh_io.h"
+#include "tests/fixtures/program.h"
+#include "tests/fuzz/mutator.h"
+#include "tests/io/scratch_folder.h"
+#include "tools/cli.h"
+#include "tools/interrupt.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using fixtures::ProgramResult;
+
+constexpr std::uint64_t most_faults = 20;  // more tell nothing new
+
+/// What is wrong, in words.
+struct Fault {
+  std::string what;
+};
+
+void expect(bool condition, const std::string& what) {
+  if (!condition) throw Fault{what};
+}
+
+std::string last_lines(const std::string& text) {
+  return text.size() > 2000 ? "..." + text.substr(text.size() - 2000) : text;
+}
+
+std::map<std::string, std::string> files_in(const fs::path& folder) {
+  std::map<std::string, std::string> result;
+  for (const auto& entry : fs::directory_iterator(folder))
+    result[entry.path().filename().string()] = fixtures::ScratchFolder::read(entry.path());
+  return result;
+}
+
+/// One seed: a mutant, the options that the seed draws, and what must hold.
+class Trial {
+ public:
+  Trial(std::uint64_t seed, double time_limit)
+      : time_limit_(time_limit), mutant_(fuzz::mutant(seed)), rng_(~seed) {
+    draw_options();
+  }
+
+  /// Throws Fault.
+  void run() {
+    folder_.write(mutant_.name, mutant_.bytes);
+    const ProgramResult remeshed = execute("fpo-remesh", options_);
+    check_files(remeshed.code == 0);
+    execute("fpo-quality", {mutant_.name});
+    if (remeshed.code != 0) return;
+    // What was written can be read, and measured.
+    if (output_ == "out.stl") return;  // single precision may have welded all there is
+    const geom::TriMesh mesh = io::read_mesh(folder_ / output_);
+    expect(mesh.num_vertices() == count_,
+           "the remesh has " + std::to_string(mesh.num_vertices()) + " vertices");
+    execute("fpo-quality", {output_, "--reference", mutant_.name});
+    if (rng_.below(3) == 0) check_other_engine();
+  }
+
+  bool refused() const { return refused_; }
+  void keep(const fs::path& path) const {
+    fs::copy_file(folder_ / mutant_.name, path.string() + fs::path(mutant_.name).extension().string(),
+                  fs::copy_options::overwrite_existing);
+  }
+  std::string command() const {
+    std::string line = "fpo-remesh";
+    for (const std::string& option : options_) line += " " + option;
+    return line;
+  }
+
+ private:
+  void draw_options() {
+    count_ = 50 + rng_.below(151);
+    output_ = std::array{"out.obj", "out.off", "out.ply", "out.stl"}[rng_.below(4)];
+    options_ = {mutant_.name,
+                "-n",
+                std::to_string(count_),
+                "-o",
+                output_,
+                "--iterations",
+                std::to_string(rng_.below(5)),
+                "--seed",
+                std::to_string(rng_.below(100))};
+    const auto sometimes = [&](std::initializer_list<const char*> words) {
+      if (rng_.below(3) == 0) options_.insert(options_.end(), words.begin(), words.end());
+    };
+    sometimes({"--corners", "all"});
+    sometimes({"--sizing", rng_.below(2) == 0 ? "lfs" : "curvature"});
+    sometimes({"--local"});
+    sometimes({"--ser"});
+    sometimes({"--no-optimize-angles"});
+    sometimes({"--points", "out.xyz"});
+    sometimes({"--rpd", "rpd.obj"});
+    sometimes({"--picture", "out.svg"});
+    sometimes({"--log", "log.csv"});
+  }
+
+  ProgramResult execute(const std::string& program, const std::vector<std::string>& arguments) {
+    const ProgramResult result = fixtures::run_program(program, arguments, folder_.path(), time_limit_);
+    expect(!result.timed_out, program + " takes too long");
+    expect(result.code == 0 || result.code == 2,
+           program + " ended with code " + std::to_string(result.code) + ": " + last_lines(result.err));
+    if (result.code == 2) {
+      refused_ = true;
+      expect(result.lines_on_stderr() == 1, program + " complains in other than one line: " + result.err);
+      expect(result.out.empty(), program + " printed results and refused");
+    }
+    return result;
+  }
+
+  /// All outputs or none, and nothing that is half done.
+  void check_files(bool wanted) const {
+    const auto files = files_in(folder_.path());
+    std::size_t outputs = 0;
+    for (const auto& option : options_)
+      outputs += option.starts_with("out.") || option == "rpd.obj" || option == "log.csv";
+    expect(files.size() == 1 + (wanted ? outputs : 0), "there are files missing or too many");
+  }
+
+  void check_other_engine() {
+    const auto before = files_in(folder_.path());
+    std::vector<std::string> options = options_;
+    options.insert(options.end(), {"--engine", "triangulation"});
+    execute("fpo-remesh", options);
+    for (const auto& [name, bytes] : files_in(folder_.path()))
+      if (name != "log.csv") expect(before.at(name) == bytes, "the engines disagree about " + name);
+  }
+
+  double time_limit_;
+  fixtures::ScratchFolder folder_;
+  fuzz::Mutant mutant_;
+  geom::Rng rng_;
+  std::vector<std::string> options_;
+  std::string output_;
+  std::size_t count_ = 0;
+  bool refused_ = false;
+};
+
+int fuzz_tools(tools::CommandLine& cli) {
+  double seconds = 60, time_limit = 10;
+  std::uint64_t count = UINT64_MAX;
+  fs::path keep = fs::temp_directory_path();
+  cli.describe("", "Runs fpo-remesh and fpo-quality on spoilt surfaces. --seed is the first one's seed.");
+  cli.number({.name = "seconds", .value = "T", .help = "for so long"}, seconds, 0, 1e9);
+  cli.number({.name = "time-limit", .value = "T", .help = "seconds for one run of a tool"}, time_limit, 0,
+             1e9);
+  cli.integer({.name = "count", .value = "N", .help = "so many at most", .standard = "any number"}, count, 1,
+              UINT64_MAX);
+  cli.path({.name = "keep", .value = "FOLDER", .help = "where files that show a fault are kept"}, keep);
+  cli.parse(0, 0);
+
+  const auto start = std::chrono::steady_clock::now();
+  const auto elapsed = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  std::uint64_t trials = 0, refused = 0, faults = 0;
+  for (; trials < count && faults < most_faults && elapsed() < seconds && !tools::interrupt_flag();
+       ++trials) {
+    const std::uint64_t seed = cli.seed() + trials;
+    Trial trial(seed, time_limit);
+    try {
+      trial.run();
+    } catch (const Fault& fault) {
+      ++faults;
+      const fs::path kept = keep / ("fuzz-" + std::to_string(seed));
+      trial.keep(kept);
+      std::printf("seed %llu: %s\n  %s\n  kept as %s\n", static_cast<unsigned long long>(seed),
+                  fault.what.c_str(), trial.command().c_str(), kept.c_str());
+      std::fflush(stdout);
+    }
+    refused += trial.refused();
+  }
+  std::printf("surfaces %llu\nrefused %llu\nfaults %llu\nseconds %.0f\n",
+              static_cast<unsigned long long>(trials), static_cast<unsigned long long>(refused),
+              static_cast<unsigned long long>(faults), elapsed());
+  return faults == 0 ? tools::exit_done : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return tools::run("fuzz", argc, argv, fuzz_tools); }

@@ -1,0 +1,54 @@
+// The first seeds of the fuzzer, in process: whatever the file, a remesh or one line that says why not.
+
+#include "tests/fuzz/mutator.h"
+
+#include "doctest.h"
+#include "fpo/pipeline.h"
+#include "io/mesh_io.h"
+#include "tests/io/sample_meshes.h"
+#include "tests/io/scratch_folder.h"
+
+namespace {
+
+fpo::RemeshOptions small_job(fpo::Engine engine) {
+  fpo::RemeshOptions options;
+  options.num_samples = 50;
+  options.surface.engine = engine;
+  options.optimize.max_iterations = 2;
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("fuzz: a seed gives the same file again, other seeds other files") {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    CHECK(fuzz::mutant(seed).bytes == fuzz::mutant(seed).bytes);
+    CHECK(fuzz::mutant(seed).bytes != fuzz::mutant(seed + 1).bytes);
+  }
+}
+
+TEST_CASE("fuzz: spoilt surfaces are remeshed or refused in one line, alike by both engines") {
+  const fixtures::ScratchFolder folder;
+  int remeshed = 0, refused = 0;
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    CAPTURE(seed);
+    const fuzz::Mutant mutant = fuzz::mutant(seed);
+    const auto path = folder.write(mutant.name, mutant.bytes);
+    fpo::RemeshResult a, b;
+    const std::string fault = fixtures::complaint([&] {
+      const geom::TriMesh input = io::read_mesh(path);
+      a = fpo::remesh(input, small_job(fpo::Engine::search));
+      b = fpo::remesh(input, small_job(fpo::Engine::triangulation));
+    });
+    if (fault.empty()) {
+      ++remeshed;
+      CHECK(a.mesh.num_vertices() == 50);
+      CHECK(fixtures::identical(a.mesh, b.mesh));
+    } else {
+      ++refused;
+      CHECK(fault.find('\n') == fault.npos);
+    }
+  }
+  CHECK(remeshed > 50);
+  CHECK(refused > 10);
+}

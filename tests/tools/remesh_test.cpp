@@ -1,0 +1,173 @@
+// The built fpo-remesh as its users meet it: exit codes, messages, files.
+
+#include <csignal>
+#include <functional>
+#include <map>
+
+#include "doctest.h"
+#include "geom/shapes.h"
+#include "io/mesh_io.h"
+#include "tests/fixtures/program.h"
+#include "tests/io/sample_meshes.h"
+#include "tests/io/scratch_folder.h"
+
+using fixtures::ProgramResult;
+using fixtures::ScratchFolder;
+
+namespace {
+
+/// A folder with a sound surface in it, and the program run there.
+struct Place {
+  Place() { io::write_mesh(folder / "torus.obj", geom::make_shape("torus")); }
+
+  ProgramResult run(const std::vector<std::string>& arguments,
+                    const fixtures::Interruption& interruption = {}) const {
+    return fixtures::run_program("fpo-remesh", arguments, folder.path(), 60, interruption);
+  }
+  /// Every file, by name.
+  std::map<std::string, std::string> files() const {
+    std::map<std::string, std::string> result;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+      if (entry.is_regular_file())
+        result[entry.path().filename().string()] = ScratchFolder::read(entry.path());
+    return result;
+  }
+  ScratchFolder folder;
+};
+
+/// Exit code 2, one line on stderr that contains `reason`, nothing on stdout, no file written or touched.
+void check_refused(const Place& place, const std::vector<std::string>& arguments, const std::string& reason) {
+  std::string line;
+  for (const std::string& argument : arguments) line += argument + " ";
+  CAPTURE(line);
+  const auto before = place.files();
+  const ProgramResult result = place.run(arguments);
+  CHECK(result.code == 2);
+  CHECK(result.out == "");
+  CHECK(result.err.starts_with("fpo-remesh: "));
+  CHECK(result.lines_on_stderr() == 1);
+  CHECK_MESSAGE(result.err.find(reason) != std::string::npos, result.err);
+  CHECK(place.files() == before);
+}
+
+void check_mesh_refused(const Place& place, const std::string& name, const std::string& bytes,
+                        const std::string& reason) {
+  place.folder.write(name, bytes);
+  check_refused(place, {name, "-n", "50", "-o", "out.obj"}, reason);
+}
+
+const std::string header = "property float x\nproperty float y\nproperty float z\n";
+
+}  // namespace
+
+TEST_CASE("fpo-remesh: bad input is refused in one line, and nothing is written") {
+  const Place place;
+  const auto tetrahedron = fixtures::tetrahedron();
+  check_refused(place, {"none.obj", "-n", "50", "-o", "out.obj"}, "none.obj: no such file");
+  check_mesh_refused(place, "empty.ply", "", "empty.ply: the file is empty");
+  check_mesh_refused(place, "odd.xyz", "0 0 0\n", "unknown extension '.xyz'");
+  check_mesh_refused(place, "cut.ply",
+                     "ply\nformat ascii 1.0\nelement vertex 3\n" + header +
+                         "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n",
+                     "cut.ply:");
+  io::write_mesh(place.folder / "whole.ply", tetrahedron);
+  const std::string binary = ScratchFolder::read(place.folder / "whole.ply");
+  for (const std::size_t left : {binary.size() - 1, binary.size() - 20, binary.size() / 2})
+    check_mesh_refused(place, "part.ply", binary.substr(0, left), "part.ply");
+  check_mesh_refused(place, "nan.obj", "v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n", "nan.obj:2:");
+  check_mesh_refused(place, "inf.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 inf 0\n3 0 1 2\n", "inf.off:5:");
+  check_mesh_refused(place, "range.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "range.obj:4:");
+  check_mesh_refused(place, "bare.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "bare.obj: no facets");
+  check_mesh_refused(place, "line.obj", "v 0 0 0\nv 1 2 3\nv 2 4 6\nf 1 2 3\n", "the surface has no area");
+}
+
+TEST_CASE(
+    "fpo-remesh: a facet no wider than rounding is refused for what its samples make, not for bad data") {
+  const Place place;  // three times .1 is not .3
+  check_mesh_refused(place, "line.obj", "v 0 0 0\nv .1 .2 .7\nv .3 .6 2.1\nf 1 2 3\n",
+                     "line.obj: 50 samples are too few");
+}
+
+TEST_CASE("fpo-remesh: bad use is refused in one line, and nothing is written") {
+  const Place place;
+  const auto refused = [&](std::vector<std::string> arguments, const std::string& reason) {
+    check_refused(place, arguments, reason);
+  };
+  refused({"torus.obj", "-n", "0", "-o", "out.obj"}, "-n: 0 is not between 1 and");
+  refused({"torus.obj", "-n", "1000000000", "-o", "out.obj"}, "-n: 1000000000 is not between 1 and");
+  refused({"torus.obj", "-n", "many", "-o", "out.obj"}, "-n: 'many' is not a whole number");
+  refused({"torus.obj", "-n", "1", "-o", "out.obj"}, "1 samples are too few");
+  refused({"torus.obj", "-n", "50", "-o", "none/out.obj"}, "cannot write none/out.obj: ");
+  refused({"torus.obj", "-n", "50", "-o", "."}, ".");
+  refused({"torus.obj", "-n", "50", "-o", "/proc/out.obj"}, "cannot write /proc/out.obj: ");
+  refused({"torus.obj", "-n", "50", "-o", "out.obj", "--rpd", "none/rpd.obj"}, "cannot write none/rpd.obj: ");
+  refused({"torus.obj", "-n", "50", "-o", "out.xyz"}, "unknown extension '.xyz'");
+  refused({"torus.obj", "-n", "50", "-o", "out"}, "no extension");
+  refused({"torus.obj", "-n", "50", "-o", "out.obj", "--points", "p.txt"}, "p.txt: use .xyz or .ply");
+  refused({"torus.obj", "-n", "50", "-o", "out.obj", "--bluer"}, "unknown option --bluer");
+  refused({"torus.obj", "-n", "50", "-o", "out.obj", "--engine", "guess"}, "--engine: 'guess' is none of");
+  refused({"torus.obj", "-n", "50", "-o", "out.obj", "--threads", "0"}, "--threads: 0 is not between");
+  refused({"torus.obj", "-n", "50"}, "-o OUT is missing");
+  refused({"-n", "50", "-o", "out.obj"}, "INPUT is missing");
+}
+
+TEST_CASE("fpo-remesh: an output of a failed run keeps what was there before") {
+  const Place place;
+  place.folder.write("out.obj", "precious");
+  check_refused(place, {"none.obj", "-n", "50", "-o", "out.obj"}, "no such file");
+  check_refused(place, {"torus.obj", "-n", "1", "-o", "out.obj"}, "too few");
+}
+
+TEST_CASE("fpo-remesh: interrupted in the middle, it writes a mesh of exactly n vertices") {
+  const Place place;
+  for (const int signal : {SIGINT, SIGTERM}) {
+    CAPTURE(signal);
+    const ProgramResult result = place.run({"torus.obj", "-n", "500", "-o", "out.ply", "--points", "out.xyz",
+                                            "--iterations", "1000000", "--target-delta", "2"},
+                                           {signal, 0.2});
+    CHECK(result.code == 130);
+    CHECK(result.out.find("stopped interrupted") != std::string::npos);
+    const geom::TriMesh mesh = io::read_mesh(place.folder / "out.ply");
+    CHECK(mesh.num_vertices() == 500);
+    CHECK(geom::topology(mesh).unreferenced_vertices == 0);
+    const std::string points = ScratchFolder::read(place.folder / "out.xyz");
+    CHECK(std::ranges::count(points, '\n') == 500);
+    CHECK(place.files().size() == 3);  // the input and two outputs: no temporary is left
+    std::filesystem::remove(place.folder / "out.ply");
+    std::filesystem::remove(place.folder / "out.xyz");
+  }
+}
+
+TEST_CASE("fpo-remesh: the same bytes again, from either engine and with any number of threads") {
+  const Place place;
+  const auto outputs = [&](std::vector<std::string> extra) {
+    std::vector<std::string> arguments{"torus.obj", "-n",        "250",      "--iterations", "8",
+                                       "-o",        "out.obj",   "--points", "p.xyz",        "--rpd",
+                                       "rpd.obj",   "--picture", "out.svg",  "--log",        "log.csv"};
+    arguments.insert(arguments.end(), extra.begin(), extra.end());
+    const ProgramResult result = place.run(arguments);
+    CHECK(result.code == 0);
+    CHECK(result.err == "");
+    auto files = place.files();
+    // The last column of the log is a time.
+    std::string log;
+    for (std::size_t at = 0; at < files["log.csv"].size();) {
+      const std::size_t end = files["log.csv"].find('\n', at);
+      log += files["log.csv"].substr(at, files["log.csv"].rfind(',', end) - at) + "\n";
+      at = end + 1;
+    }
+    files["log.csv"] = log;
+    CHECK(files.size() == 6);
+    for (const char* name : {"out.obj", "p.xyz", "rpd.obj", "out.svg", "log.csv"})
+      std::filesystem::remove(place.folder / name);
+    return files;
+  };
+  const auto once = outputs({});
+  CHECK(once.at("rpd.obj").find("g cell_249\n") != std::string::npos);
+  CHECK(outputs({}) == once);
+  CHECK(outputs({"--engine", "triangulation"}) == once);
+  CHECK(outputs({"--engine", "triangulation", "--threads", "2"}) == once);
+  CHECK(outputs({"--threads", "1"}) == once);
+  CHECK(outputs({"--threads", "2"}) == once);
+  CHECK(outputs({"--seed", "2"}) != once);
+}

@@ -1,0 +1,77 @@
+#include "tools/bounded_plane.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "fpo/pipeline.h"
+#include "fpo/quality.h"
+#include "fpo/rectangle.h"
+#include "io/atomic_file.h"
+#include "io/points.h"
+#include "tools/plane_sizing_source.h"
+#include "tools/run_log.h"
+
+namespace tools {
+namespace {
+
+/// Along the longer side, if adaptive: h is linear on each half of a cell. About four samples a cell, for
+/// many facets cost time.
+int cells_for(std::size_t num_samples) {
+  return static_cast<int>(std::clamp(std::sqrt(static_cast<double>(num_samples)) / 2, 8.0, 128.0));
+}
+
+fpo::RemeshOptions remesh_options(const PlaneArguments& a, std::uint64_t seed, const fpo::PlaneSizing& sizing,
+                                  const geom::TriMesh& rectangle) {
+  fpo::RemeshOptions options;
+  options.num_samples = a.num_samples;
+  options.seed = seed;
+  if (!sizing.is_uniform()) {
+    options.sizing = fpo::SizingKind::given;
+    options.rho = fpo::rho_at_vertices(rectangle, sizing);
+    options.limits = {.gradation = 10, .smallest = 1e-3, .largest = 1e3};  // the sizing has its own
+  }
+  options.optimize = a.optimize;
+  options.optimize.scope = a.scope.value_or(sizing.is_uniform() ? fpo::Scope::global : fpo::Scope::two_ring);
+  options.surface.weight_factor = a.weight_factor.value_or(fpo::best_weight_factor(options.optimize.scope));
+  options.surface.corners = a.corners;
+  options.shortest_edge_removal = a.ser;
+  options.optimize_angles = a.optimize_angles;
+  options.keep_cells = a.picture.cells || a.picture.colour;
+  return options;
+}
+
+void write_outputs(const PlaneArguments& a, const fpo::RemeshResult& result, const std::string& log) {
+  if (a.writes_svg()) {
+    draw_rectangle(result, a.period, a.picture).save(a.output);
+  } else {
+    std::vector<geom::WeightedPoint2> points;
+    for (const fpo::SurfaceSample& sample : result.samples) points.push_back({sample.position.head<2>(), 0});
+    io::write_points(a.output, points);
+  }
+  if (!a.log.empty()) io::write_file(a.log, log);
+}
+
+}  // namespace
+
+int run_bounded_plane(PlaneArguments& a, std::uint64_t seed, bool quiet) {
+  const geom::FlatTorus torus(a.period);
+  const auto sizing = make_plane_sizing(a, torus);
+  const geom::TriMesh rectangle =
+      fpo::rectangle_mesh(torus.period(), sizing->is_uniform() ? 1 : cells_for(a.num_samples));
+  RunLog log(quiet);
+  log.attach(a.optimize, a.num_samples);
+  const fpo::RemeshResult result = fpo::remesh(rectangle, remesh_options(a, seed, *sizing, rectangle));
+  write_outputs(a, result, log.csv());
+  const fpo::Quality q = fpo::quality(result.mesh, rectangle.area());
+  std::printf(
+      "samples %zu\niterations %d\nmoves %zu\ndelta %.6f\nmean_delta %.6f\nsize_slope %.4f\nsize_cv "
+      "%.4f\ntheta_min %.3f\ntheta_min_avg %.3f\ntheta_max %.3f\nhidden %zu\nseconds %.3f\nwrote %s\n",
+      a.num_samples, result.optimization.last.iteration, result.optimization.moves,
+      result.optimization.last.delta, result.optimization.last.mean_delta, result.fit.slope, result.fit.cv,
+      q.theta_min, q.theta_min_avg, q.theta_max, result.hidden, result.optimization.last.seconds,
+      a.output.c_str());
+  return result.optimization.reason == fpo::StopReason::interrupted ? exit_interrupted : exit_done;
+}
+
+}  // namespace tools

@@ -1,0 +1,50 @@
+#include "tools/plane_sizing_source.h"
+
+#include "fpo/curve_feature_size.h"
+#include "fpo/image_sizing.h"
+#include "io/extension.h"
+#include "io/pgm.h"
+#include "io/polylines.h"
+
+namespace tools {
+namespace {
+
+/// What is wrong with the content of a file is said with its name.
+template <class Make>
+auto about_file(const std::string& name, Make&& make) {
+  try {
+    return make();
+  } catch (const geom::InputError& error) {
+    throw geom::InputError(name + ": " + error.what());
+  }
+}
+
+std::unique_ptr<fpo::PlaneSizing> image_sizing(const PlaneArguments& a, const geom::FlatTorus& torus) {
+  io::GrayImage image = io::read_pgm(a.sizing);
+  for (float& value : image.value) value = 1 - value;
+  return about_file(a.sizing, [&] {
+    return fpo::image_sizing({image.width, image.height, std::move(image.value)}, torus, a.num_samples,
+                             {.gradation = a.gradation});
+  });
+}
+
+std::unique_ptr<fpo::PlaneSizing> curve_sizing(const PlaneArguments& a, const geom::FlatTorus& torus) {
+  const std::vector<fpo::Polyline> curves = io::read_polylines(a.sizing);
+  return about_file(a.sizing, [&] {
+    const auto points = fpo::curve_feature_size(curves, torus, torus.period().minCoeff() / 1024);
+    return fpo::feature_sizing(points, torus, a.num_samples, {.gradation = a.gradation});
+  });
+}
+
+}  // namespace
+
+std::unique_ptr<fpo::PlaneSizing> make_plane_sizing(const PlaneArguments& a, const geom::FlatTorus& torus) {
+  if (auto named = fpo::named_sizing(a.sizing, torus)) return named;
+  const std::string extension = io::lower_extension(a.sizing);
+  geom::require(extension == ".pgm" || extension == ".txt",
+                "--sizing: '" + a.sizing +
+                    "' is neither a .pgm image, a .txt file of curves, nor the name of a field (see --help)");
+  return extension == ".pgm" ? image_sizing(a, torus) : curve_sizing(a, torus);
+}
+
+}  // namespace tools
