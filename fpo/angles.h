@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "fpo/surface_domain.h"
+#include "fpo/flaws.h"
 
 namespace fpo {
 
@@ -26,6 +26,9 @@ struct AngleResult {
   std::size_t tried = 0, mended = 0;          ///< attempts, and those that were kept
   std::size_t reweighted = 0;                 ///< samples whose weight is still smaller at the end
 };
+
+/// The square of the degrees beyond the bounds. Keeps a reference to the domain.
+FlawMeasure bad_angles(const SurfaceDomain& domain, const AngleOptions& options);
 
 /// Takes the worst triangle first: lowers the weights of the two corners that do not have the bad angle, then
 /// resamples (Algorithm 1 in the 2-ring) the corner that has it and the other two. What makes things worse

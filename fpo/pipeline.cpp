@@ -116,6 +116,11 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
   }
   result.optimization = optimize(domain, optimization);
   if (options.optimize_angles) result.angles = optimize_angles(domain, angle_options(options));
+  if (options.improve_fidelity) {
+    FidelityOptions fidelity;
+    fidelity.interrupted = optimization.interrupted;
+    result.fidelity = improve_fidelity(domain, angle_options(options), fidelity);
+  }
   result.hidden = domain.num_hidden();
   Dual dual = mended_dual(domain, options, result.brought);
   result.localization = dual.localization;

@@ -116,17 +116,20 @@ void parse(CommandLine& cli, RemeshArguments& a) {
             .help = "the wanted length at each vertex of INPUT; .ply: INPUT coloured by it"},
            a.sizing_out);
   set_features(a, "auto");
-  cli.custom({.name = "features",
-              .value = "auto|none|ANGLE",
-              .help = "keep borders, corners and creases: those of machined parts, or folds by more than ANGLE "
-                      "degrees",
-              .standard = "auto"},
-             [&](const std::string& text) { set_features(a, text); });
+  cli.custom(
+      {.name = "features",
+       .value = "auto|none|ANGLE",
+       .help = "keep borders, corners and creases: those of machined parts, or folds by more than ANGLE "
+               "degrees",
+       .standard = "auto"},
+      [&](const std::string& text) { set_features(a, text); });
   cli.path({.name = "fixed", .value = "FILE", .help = "points of the surface to be vertices: .xyz .ply"},
            a.fixed_file);
   bool local = false, global = false;
   cli.toggle({.name = "ser", .help = "shortest edge removal first"}, a.remesh.shortest_edge_removal);
   cli.toggle({.name = "optimize-angles", .help = "angle optimization afterwards"}, a.remesh.optimize_angles);
+  cli.toggle({.name = "improve-fidelity", .help = "mend triangles that are far from the surface"},
+             a.remesh.improve_fidelity);
   cli.toggle({.name = "mend", .help = "bring samples to where the remesh is no surface"}, a.remesh.mend);
   cli.flag({.name = "local", .help = "look for farthest points nearby only"}, local);
   cli.flag({.name = "global", .help = "look for them everywhere"}, global);
