@@ -163,6 +163,12 @@ std::vector<double> spread(double length, bool loop, std::size_t count, std::uin
   options.seed = seed;
   optimize(domain, options);
   for (std::size_t i = 0; i < count; ++i) positions[i] = domain.position(SiteId(i));
+  // Even spacing, where this ends: in closed form, so that stretches side by side have samples side by side.
+  const double gap = length / static_cast<double>(count + (loop ? 0 : 1));
+  const double first = loop ? *std::ranges::min_element(positions) : gap;
+  for (std::size_t i = 0; i < count; ++i) positions[i] = first + gap * static_cast<double>(i);
+  for (double& t : positions)
+    if (t >= length) t -= length;
   std::ranges::sort(positions);
   return positions;
 }

@@ -13,6 +13,8 @@ using geom::Vec3;
 
 namespace {
 
+constexpr std::size_t iterations = 10;        // as many moves as they take, and some for small numbers
+constexpr std::size_t least_moves = 2000;
 constexpr double least_gain = 0.5;  // of a triangle's badness: else attempts nibble at it for ever
 
 /// Distances between the surface and triangles of samples on it.
@@ -87,18 +89,20 @@ FidelityResult improve_fidelity(SurfaceDomain& domain, const AngleOptions& angle
   });
   Flaws bad(domain, bad_angles(domain, angles));
   LocalResampling resampling(domain, {&far, &bad});
-  const auto interrupted = [&] {
-    return options.interrupted && options.interrupted->load(std::memory_order_relaxed);
+  const std::size_t most_moves = least_moves + iterations * domain.num_samples();
+  const auto enough = [&] {
+    return resampling.moves() > most_moves ||
+           (options.interrupted && options.interrupted->load(std::memory_order_relaxed));
   };
-  for (std::size_t before = 1; before > 0 && result.tried < options.max_attempts && !interrupted();) {
-    before = result.mended;
+  for (bool progress = true; progress && !enough();) {
+    progress = false;
     far.try_all_again();
-    for (CircleId c; result.tried < options.max_attempts && !interrupted() && (c = far.take_worst()).valid();
-         ++result.tried) {
+    for (CircleId c; !enough() && (c = far.take_worst()).valid(); ++result.tried) {
       resampling.require_gain(least_gain * far.badness(c));
-      result.mended += mend(domain, resampling, distances, c);
+      const bool mended = mend(domain, resampling, distances, c);
+      result.mended += mended;
+      progress |= mended;
     }
-    before = result.mended - before;
   }
   result.largest_after = distances.largest();
   return result;

@@ -14,7 +14,6 @@ struct FidelityOptions {
   /// A triangle is far if its distance is more than this share of the largest one at the start: where the
   /// surface is folded or narrow in comparison with the spacing.
   double share_of_largest = 0.7;
-  std::size_t max_attempts = 200;
   const std::atomic<bool>* interrupted = nullptr;  ///< looked at before each triangle
 };
 
@@ -29,7 +28,7 @@ struct FidelityResult {
 /// far. What does not lessen the sum over all far triangles of the square of what they exceed the bound by,
 /// in units of it, is undone, and so is what makes angles worse (`angles`) or, with uniform sizing, samples
 /// closer than any. The number of samples stays; fixed ones stay where they are. Deterministic. Some closest
-/// points a triangle.
+/// points a triangle, and about as many moves as ten iterations of the optimization, at most.
 FidelityResult improve_fidelity(SurfaceDomain& domain, const AngleOptions& angles,
                                 const FidelityOptions& options = {});
 

@@ -73,6 +73,7 @@ void LocalResampling::follow() {
 }
 
 void LocalResampling::move(const Backup& x) {
+  ++moves_;
   domain_.remove(x.id);
   follow();
   domain_.insert_at(x.id, x.place, x.weight_share);
@@ -82,6 +83,7 @@ void LocalResampling::move(const Backup& x) {
 /// To the farthest point nearby, if that is farther than where it is.
 void LocalResampling::resample(const Backup& x) {
   if (domain_.is_fixed(x.id)) return;
+  ++moves_;
   const double d = domain_.separation(x.id);
   SurfaceSample place = domain_.sample(x.id);
   domain_.remove(x.id);

@@ -68,6 +68,8 @@ class LocalResampling {
   bool attempt_at(std::span<const SiteId> samples, const SurfaceSample& place);
   /// Gives x its full weight back unless that makes the first flaws worse. Whether it has it now.
   bool restore_weight(SiteId x);
+  /// Removals with an insertion so far: what it has cost.
+  std::size_t moves() const { return moves_; }
 
  private:
   /// A sample as it was, to go back to.
@@ -90,6 +92,7 @@ class LocalResampling {
   std::vector<Flaws*> flaws_;
   std::vector<double> before_;  ///< badness of each at the start of the attempt
   double gain_ = 0;
+  std::size_t moves_ = 0;
   double delta_;  ///< the smallest normalized spacing at the start
 };
 
