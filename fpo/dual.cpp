@@ -175,7 +175,7 @@ std::size_t refine_at(SurfaceDomain& domain, const std::vector<Defect>& defects)
     if (next == donors.end()) break;
     const SiteId donor = next->second;
     const SurfaceSample target = farthest_corner(domain, place);
-    const double least = (domain.is_fixed(place.at) ? closest / 2 : closest) * domain.sizing().at(target);
+    const double least = closest * domain.sizing().at(target);
     const SiteId nearest = domain.source().nearest(target.position, SiteId(), place.at).site;
     if ((domain.sample(nearest).position - target.position).norm() < least) continue;
     domain.neighbours(donor, around);

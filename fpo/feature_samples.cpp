@@ -54,8 +54,7 @@ class Layout {
     measure_vertices();
     for (const SurfaceSample& x : fixed) add(x, 1);
     num_fixed_ = samples_.size();
-    for (const VertexId v : features.corners)
-      corner_[v] = add({mesh.position(v), facet_[v]}, shares_[v]);
+    for (const VertexId v : features.corners) corner_[v] = add({mesh.position(v), facet_[v]}, shares_[v]);
     for (std::size_t c = 0; c < features.curves.size(); ++c) divide(c);
     require_simplicial();
   }
@@ -92,8 +91,8 @@ class Layout {
 
   /// A sample at a place that has one already is that one.
   SiteId add(const SurfaceSample& x, double share) {
-    const auto [at, is_new] = at_.try_emplace({x.position.x(), x.position.y(), x.position.z()},
-                                              SiteId(samples_.size()));
+    const auto [at, is_new] =
+        at_.try_emplace({x.position.x(), x.position.y(), x.position.z()}, SiteId(samples_.size()));
     if (is_new) {
       samples_.push_back(x);
       missing_shares_ += 1 - share;
@@ -117,8 +116,8 @@ class Layout {
     std::ranges::sort(stops);
     if (stops.empty()) stretches_.push_back({c, 0, length, SiteId(), SiteId()});
     for (std::size_t i = 0; i + 1 < stops.size(); ++i)
-      stretches_.push_back({c, stops[i].first, stops[i + 1].first - stops[i].first, stops[i].second,
-                            stops[i + 1].second});
+      stretches_.push_back(
+          {c, stops[i].first, stops[i + 1].first - stops[i].first, stops[i].second, stops[i + 1].second});
     if (curve.loop && !stops.empty())
       stretches_.push_back({c, stops.back().first, length - stops.back().first + stops.front().first,
                             stops.back().second, stops.front().second});
@@ -265,7 +264,8 @@ std::size_t num_broken_edges(const TriMesh& remesh, const FeatureSamples& featur
   for (const TriMesh::Facet& f : remesh.facets())
     for (std::size_t e = 0; e < 3; ++e) edges.insert(std::minmax(f[e].value, f[(e + 1) % 3].value));
   std::size_t broken = 0;
-  for_each_edge(features, [&](SiteId a, SiteId b) { broken += !edges.contains(std::minmax(a.value, b.value)); });
+  for_each_edge(features,
+                [&](SiteId a, SiteId b) { broken += !edges.contains(std::minmax(a.value, b.value)); });
   return broken;
 }
 

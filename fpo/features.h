@@ -26,8 +26,9 @@ struct FeatureOptions {
   /// no corners but those seen at this scale. 0: between mesh edges.
   double turn_scale = 0;
   /// A vertex with a smaller sum of facet angles around it is a corner though no curve passes: an apex. 0:
-  /// none is.
-  double apex_angle = 150;
+  /// none is. A sample there needs three neighbours around it, closer together than the spacing if the sum is
+  /// below 155 degrees, so that no optimization puts them there: apexes are left to type A corners.
+  double apex_angle = 0;
 };
 
 /// A chain of feature edges between corners, or a loop without corner.

@@ -13,7 +13,7 @@ using geom::Vec3;
 
 namespace {
 
-constexpr std::size_t iterations = 10;        // as many moves as they take, and some for small numbers
+constexpr std::size_t iterations = 10;  // as many moves as they take, and some for small numbers
 constexpr std::size_t least_moves = 2000;
 constexpr double least_gain = 0.5;  // of a triangle's badness: else attempts nibble at it for ever
 

@@ -144,7 +144,7 @@ bool LocalResampling::attempt_at(std::span<const SiteId> samples, const SurfaceS
 
 bool LocalResampling::restore_weight(SiteId x) {
   const Backup lowered = backup(x);
-  if (lowered.weight_share == 1) return true;
+  if (lowered.weight_share == 1 || domain_.is_fixed(x)) return true;
   const double before = flaws_[0]->badness();
   move({x, lowered.place, 1});
   if (flaws_[0]->badness() <= before + rounding) return true;

@@ -80,16 +80,21 @@ AngleOptions angle_options(const RemeshOptions& options) {
 }
 
 /// The remesh, after some rounds of refinement where it is no surface: the one with the fewest defects.
-Dual mended_dual(SurfaceDomain& domain, const RemeshOptions& options, std::size_t& brought) {
+Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const RemeshOptions& options,
+                 RemeshResult& counts) {
   const auto interrupted = [&] { return options.optimize.interrupted && *options.optimize.interrupted; };
-  Dual best = dual_of(domain, options.keep_cells);
+  const auto next_dual = [&] {
+    if (options.mend) counts.protection += protect_chains(domain, features);
+    return dual_of(domain, options.keep_cells);
+  };
+  Dual best = next_dual();
   std::vector<Defect> defects = best.defects;
   for (int futile = 0; futile < futile_mending_rounds && options.mend && !defects.empty() && !interrupted();
        ++futile) {
     const std::size_t moved = refine_at(domain, defects);
     if (moved == 0) break;
-    brought += moved;
-    Dual next = dual_of(domain, options.keep_cells);
+    counts.brought += moved;
+    Dual next = next_dual();
     defects = next.defects;
     if (next.defects.size() >= best.defects.size()) continue;
     best = std::move(next);
@@ -115,6 +120,7 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
     result.shortest_edges = remove_shortest_edges(domain, removal);
   }
   result.optimization = optimize(domain, optimization);
+  if (options.mend) result.protection = protect_chains(domain, shared.features);
   if (options.optimize_angles) result.angles = optimize_angles(domain, angle_options(options));
   if (options.improve_fidelity) {
     FidelityOptions fidelity;
@@ -122,7 +128,7 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
     result.fidelity = improve_fidelity(domain, angle_options(options), fidelity);
   }
   result.hidden = domain.num_hidden();
-  Dual dual = mended_dual(domain, options, result.brought);
+  Dual dual = mended_dual(domain, shared.features, options, result);
   result.localization = dual.localization;
   result.mesh = std::move(dual.mesh);
   result.samples = std::move(dual.samples);

@@ -10,6 +10,7 @@
 #include "fpo/feature_samples.h"
 #include "fpo/fidelity.h"
 #include "fpo/optimize.h"
+#include "fpo/protect.h"
 #include "fpo/quality.h"
 #include "fpo/shortest_edge.h"
 #include "fpo/sizing.h"
@@ -46,6 +47,7 @@ struct RemeshResult {
   SizingFit fit;                         ///< of the mesh's edges to them
   std::size_t feature_samples = 0;       ///< fixed points, corners and samples on curves
   std::size_t feature_edges = 0;         ///< between neighbours on curves
+  Protection protection;                 ///< of those edges
   std::size_t broken_feature_edges = 0;  ///< those that are no edges of the mesh
   ShortestEdgeResult shortest_edges;
   OptimizeResult optimization;

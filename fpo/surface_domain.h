@@ -58,9 +58,11 @@ class SurfaceDomain final : public Domain {
   void neighbours(SiteId x, std::vector<SiteId>& out) override;
   void check() const override;
 
-  /// Puts the removed sample at a place, its weight to be `weight_share` (in [0, 1]) of what the sizing
-  /// gives, there and wherever it goes (angle optimization, section 5).
+  /// Puts the removed sample at a place, its weight to be `weight_share` of what the sizing gives, there and
+  /// wherever it goes: less in angle optimization (section 5), more to protect features.
   void insert_at(SiteId x, const SurfaceSample& place, double weight_share);
+  /// What the sizing gives x: (c h)^2, also if it is uniform.
+  double full_weight(SiteId x) const;
   double weight_share(SiteId x) const { return weight_share_[x]; }
   /// Samples with an empty cell.
   std::size_t num_hidden() const;

@@ -77,7 +77,9 @@ void print_sizing(const fpo::RemeshResult& result) {
   for (const auto& [exponent, samples] : decades) std::printf("samples_with_h_1e%d %zu\n", exponent, samples);
 }
 
-void warn_if_not_homeomorphic(const geom::TriMesh& input, const geom::TriMesh& output) {
+/// Compares what the remesh is with what it should be: whether it is a 2-manifold with the input's Euler
+/// number, components and boundary loops. Warnings say what differs.
+bool is_homeomorphic(const geom::TriMesh& input, const geom::TriMesh& output) {
   const geom::Topology in = geom::topology(input), out = geom::topology(output);
   if (!out.manifold())
     std::fprintf(stderr,
@@ -85,12 +87,14 @@ void warn_if_not_homeomorphic(const geom::TriMesh& input, const geom::TriMesh& o
                  out.nonmanifold_edges, out.nonmanifold_vertices);
   if (out.unreferenced_vertices > 0)
     std::fprintf(stderr, "warning: %zu samples have no triangle\n", out.unreferenced_vertices);
-  if (in.manifold() &&
-      (in.euler != out.euler || in.components != out.components || in.boundary_loops != out.boundary_loops))
+  const bool same_type =
+      in.euler == out.euler && in.components == out.components && in.boundary_loops == out.boundary_loops;
+  if (in.manifold() && !same_type)
     std::fprintf(
         stderr,
         "warning: Euler number %ld, %zu components, %zu boundary loops; the input has %ld, %zu, %zu\n",
         out.euler, out.components, out.boundary_loops, in.euler, in.components, in.boundary_loops);
+  return out.manifold() && out.unreferenced_vertices == 0 && same_type;
 }
 
 void warn_if_features_are_broken(const fpo::RemeshResult& result) {
@@ -142,7 +146,7 @@ int remesh(tools::CommandLine& cli) {
   progress.erase();
 
   write_outputs(a, input, result, log);
-  warn_if_not_homeomorphic(input, result.mesh);
+  const bool homeomorphic = is_homeomorphic(input, result.mesh);
   warn_if_features_are_broken(result);
   const fpo::OptimizeResult& o = result.optimization;
   std::printf(
@@ -153,13 +157,15 @@ int remesh(tools::CommandLine& cli) {
   if (a.remesh.sizing != fpo::SizingKind::uniform) print_sizing(result);
   if (result.brought > 0) std::printf("samples_moved_to_mend %zu\n", result.brought);
   if (result.feature_samples > 0)
-    std::printf("feature_samples %zu\nfeature_edges %zu\nbroken_feature_edges %zu\n", result.feature_samples,
-                result.feature_edges, result.broken_feature_edges);
+    std::printf("feature_samples %zu\nfeature_edges %zu\nbroken_feature_edges %zu\nprotected_samples %zu\n",
+                result.feature_samples, result.feature_edges, result.broken_feature_edges,
+                result.protection.weighted);
   if (a.remesh.optimize_angles)
     std::printf("bad_triangles_before %zu\nbad_triangles_after %zu\nmended %zu of %zu, %zu reweighted\n",
                 result.angles.bad_before, result.angles.bad_after, result.angles.mended, result.angles.tried,
                 result.angles.reweighted);
-  return o.reason == fpo::StopReason::interrupted ? tools::exit_interrupted : tools::exit_done;
+  if (o.reason == fpo::StopReason::interrupted) return tools::exit_interrupted;
+  return a.strict && !homeomorphic ? tools::exit_other_topology : tools::exit_done;
 }
 
 }  // namespace

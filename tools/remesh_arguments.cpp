@@ -125,6 +125,8 @@ void parse(CommandLine& cli, RemeshArguments& a) {
       [&](const std::string& text) { set_features(a, text); });
   cli.path({.name = "fixed", .value = "FILE", .help = "points of the surface to be vertices: .xyz .ply"},
            a.fixed_file);
+  cli.flag({.name = "strict", .help = "exit code 3 if the remesh is not of INPUT's topological type"},
+           a.strict);
   bool local = false, global = false;
   cli.toggle({.name = "ser", .help = "shortest edge removal first"}, a.remesh.shortest_edge_removal);
   cli.toggle({.name = "optimize-angles", .help = "angle optimization afterwards"}, a.remesh.optimize_angles);

@@ -12,6 +12,7 @@ struct RemeshArguments {
   std::filesystem::path input, output, points, rpd, log, picture, sizing_out, map;
   std::filesystem::path fixed_file;
   std::filesystem::path sizing_file;  ///< if the sizing is given
+  bool strict = false;                ///< another topology is a failure
   fpo::RemeshOptions remesh;
 };
 
