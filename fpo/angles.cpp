@@ -64,8 +64,11 @@ AngleResult optimize_angles(SurfaceDomain& domain, const AngleOptions& options) 
   while (result.tried < most && !interrupted()) {
     const std::size_t mended_before = result.mended;
     bad.try_all_again();
-    for (CircleId c; result.tried < most && !interrupted() && (c = bad.take_worst()).valid(); ++result.tried)
-      result.mended += mend(domain, resampling, c, options);
+    for (CircleId c; result.tried < most && !interrupted() && (c = bad.take_worst()).valid();
+         ++result.tried) {
+      const std::array<SiteId, 3> corners = domain.diagram().circle(c).sites;  // c may come back as another
+      result.mended += mend(domain, resampling, c, options) || resampling.nudge(corners);
+    }
     if (result.mended == mended_before) break;
   }
   for (std::size_t i = 0; i < domain.num_samples(); ++i)

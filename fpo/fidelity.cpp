@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geom/aabb_tree.h"
+#include "geom/scaling.h"
 
 namespace fpo {
 
@@ -38,7 +39,7 @@ class Distances {
     for (const Vec3& middle : middles) {
       const geom::AabbTree::Closest closest = tree_.closest(middle, circle.facet);
       if (closest.distance2 > result.distance * result.distance)
-        result = {std::sqrt(closest.distance2), {closest.point, closest.facet}};
+        result = {std::sqrt(closest.distance2), {geom::snapped(closest.point), closest.facet}};
     }
     return result;
   }

@@ -1,18 +1,25 @@
 #include "fpo/flaws.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "fpo/optimize.h"
+#include "geom/scaling.h"
 
 namespace fpo {
 
 using geom::EmptyCircle;
+using geom::Vec3;
 
 namespace {
 
 constexpr int passes = 4;          // of resampling in an attempt
 constexpr std::size_t crowd = 24;  // samples: twice those around a triangle of a manifold
 constexpr double rounding = 1e-9;  // badness is a running sum
+constexpr std::array<double, 4> nudges = {0.01, 0.02, 0.04, 0.08};  // in units of h
+constexpr int directions = 12;
+constexpr double least_nudge_gain = 1e-3;  // of the badness
 
 }  // namespace
 
@@ -140,6 +147,41 @@ bool LocalResampling::attempt_at(std::span<const SiteId> samples, const SurfaceS
   const std::vector<Backup> backups = backups_of(samples);
   move({samples[0], place, backups[0].weight_share});
   return settle(backups, std::span(backups).subspan(1));
+}
+
+bool LocalResampling::nudge(const std::array<SiteId, 3>& corners) {
+  double least = (1 - least_nudge_gain) * flaws_[0]->badness();
+  std::optional<Backup> best;
+  for (const SiteId x : corners) {
+    if (domain_.is_fixed(x)) continue;
+    const Backup home = backup(x);
+    for (const SurfaceSample& place : places_around(home.place)) {
+      move({x, place, home.weight_share});
+      if (flaws_[0]->badness() >= least || !wide_enough(x)) continue;
+      least = flaws_[0]->badness();
+      best = backup(x);
+    }
+    move(home);
+  }
+  if (best) move(*best);
+  return best.has_value();
+}
+
+/// Points of the surface on small circles about x.
+std::vector<SurfaceSample> LocalResampling::places_around(const SurfaceSample& x) {
+  if (!tree_) tree_.emplace(domain_.mesh());
+  const Vec3 normal = domain_.mesh().normal(x.facet).normalized();
+  const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
+  const double h = domain_.sizing().at(x);
+  std::vector<SurfaceSample> places;
+  for (const double step : nudges)
+    for (int k = 0; k < directions; ++k) {
+      const double angle = 2 * std::numbers::pi * k / directions;
+      const Vec3 away = x.position + step * h * (std::cos(angle) * u + std::sin(angle) * v);
+      const geom::AabbTree::Closest closest = tree_->closest(away, x.facet);
+      places.push_back({geom::snapped(closest.point), closest.facet});
+    }
+  return places;
 }
 
 bool LocalResampling::restore_weight(SiteId x) {

@@ -4,11 +4,13 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <set>
 #include <span>
 #include <vector>
 
 #include "fpo/surface_domain.h"
+#include "geom/aabb_tree.h"
 #include "geom/indexed_heap.h"
 
 namespace fpo {
@@ -66,6 +68,9 @@ class LocalResampling {
   bool attempt(std::span<const SiteId> samples, double weight_share);
   /// The same with samples[0] put at a place first, where it stays.
   bool attempt_at(std::span<const SiteId> samples, const SurfaceSample& place);
+  /// Moves a corner of a triangle by a small step to where the first badness is least, if that is less than
+  /// now: what no empty circle mends this often does, for farthest points do not have the best angles.
+  bool nudge(const std::array<SiteId, 3>& corners);
   /// Gives x its full weight back unless that makes the first flaws worse. Whether it has it now.
   bool restore_weight(SiteId x);
   /// Removals with an insertion so far: what it has cost.
@@ -87,13 +92,15 @@ class LocalResampling {
   bool settle(std::span<const Backup> samples, std::span<const Backup> moving);
   bool better() const;
   bool wide_enough(SiteId x);
+  std::vector<SurfaceSample> places_around(const SurfaceSample& x);
 
   SurfaceDomain& domain_;
   std::vector<Flaws*> flaws_;
   std::vector<double> before_;  ///< badness of each at the start of the attempt
   double gain_ = 0;
   std::size_t moves_ = 0;
-  double delta_;  ///< the smallest normalized spacing at the start
+  std::optional<geom::AabbTree> tree_;  ///< made when first needed
+  double delta_;                        ///< the smallest normalized spacing at the start
 };
 
 /// The corners of a triangle and, ring by ring, those around them: larger and larger sets to resample, until

@@ -345,8 +345,9 @@ SurfaceDistance surface_distance(const TriMesh& mesh, const TriMesh& reference, 
   const double diagonal = reference.diagonal();
   const OneSided::Range first = out.maximum(std::max(s.max, r.max), diagonal);
   const OneSided::Range both = back.maximum(first.attained, diagonal);
-  return {both.attained, std::max(first.bound, both.bound),
-          std::sqrt(std::max(s.mean_square, r.mean_square))};
+  const double bound = std::max(first.bound, both.bound);
+  const double rms = std::sqrt(std::max(s.mean_square, r.mean_square));
+  return {both.attained, bound, std::min(rms, bound)};  // sums round
 }
 
 }  // namespace fpo

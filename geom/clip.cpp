@@ -83,13 +83,11 @@ RoundedPoint Clipper::meet(const FacetPolygon& polygon, EdgeLabel label, SiteId 
   return exact_corner_in_facet(q0, q1, q2, ranked(polygon.owner), ranked(first), ranked(second), extent_);
 }
 
-//                  beaten                    The polygon is convex and the bisector a line: the beaten
-//                  corners are
-//            x-----------x                   consecutive. `out` is the last kept corner before them, `in` the
-//            first kept
-//           /             \                  one after them.
-//   --j--- n ------------- m ---- j --
-//         /                 \                kept: in ... out, then n (edge j starts... m), then m.
+//               beaten               The polygon is convex and the bisector a line: the beaten corners are
+//            x-----------x           consecutive. `out` is the last kept corner before them, `in` the first
+//           /             \          one after them.
+//   --j--- m ------------- n --j--
+//         /                 \        The new polygon: in ... out, then n, where the edge j starts, then m.
 //       in                  out
 void Clipper::cut(FacetPolygon& polygon, SiteId j, const Bisector& b, const std::vector<char>& beaten) {
   const std::vector<PolygonCorner>& old = polygon.corners;

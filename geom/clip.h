@@ -2,15 +2,12 @@
 // A facet of the surface clipped to one power cell: a convex polygon whose edges are labelled, decided
 // exactly.
 //
-//            k (site)                 The polygon is known by its labels alone: each edge lies on an edge of
-//            the facet or
-//          o---------o                on the bisector of the owner with a site. A corner is the meeting of
-//          two labels:
-//         /   owner   \  j (site)       type A  facet edge, facet edge   a vertex of the surface
-//        o-------------o                type B  facet edge, site         an edge of the surface and a
-//        bisector
-//          facet edge                   type C  site, site               an edge of the power diagram (paper,
-//          section 4.1)
+//            k (site)             The polygon is known by its labels alone: each edge lies on an edge of the
+//          o---------o            facet or on the bisector of the owner with a site. A corner is the meeting of
+//         /   owner   \  j        two labels (paper, section 4.1):
+//        o-------------o            type A  facet edge, facet edge   a vertex of the surface
+//          facet edge               type B  facet edge, site         an edge of the surface and a bisector
+//                                   type C  site, site               an edge of the power diagram
 //
 // Positions are rounded and carry their error bound; they serve as filter, never as the judge.
 

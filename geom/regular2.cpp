@@ -16,8 +16,7 @@ constexpr double u = 0x1p-53;                   // unit roundoff
 
 }  // namespace
 
-// ----------------------------------------------------------------------------------------------------
-// construction
+// --- construction --------------------------------------------------------------------------------
 
 // Insertion needs a triangulation to start from: a lattice of auxiliary sites, removed at the end. Their ids
 // and places leave no trace, since the triangulation is a function of its sites. Their weight is the least of
@@ -92,8 +91,7 @@ void Regular2::admit(SiteId id, const WeightedPoint2& point) {
   weight_allowance_ = std::max(weight_allowance_, 3 * std::abs(point.weight));
 }
 
-// ----------------------------------------------------------------------------------------------------
-// triangles
+// --- triangles -----------------------------------------------------------------------------------
 
 CellId Regular2::create(const Corner& a, const Corner& b, const Corner& c) {
   CellId id;
@@ -189,8 +187,7 @@ bool Regular2::in_conflict_exactly(const Cell& t, SiteId e, int corner) const {
                     {&center, e.value});
 }
 
-// ----------------------------------------------------------------------------------------------------
-// queries
+// --- queries -------------------------------------------------------------------------------------
 
 Vec2 Regular2::difference(SiteId a, SiteId b) const {
   return torus_.shortest({sites_[b].x - sites_[a].x, sites_[b].y - sites_[a].y});

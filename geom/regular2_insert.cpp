@@ -143,8 +143,7 @@ void Regular2::settle_displaced() {
   for (const SiteId v : displaced_) hide(v, locate(v, recent_));
 }
 
-// ----------------------------------------------------------------------------------------------------
-// hidden sites
+// --- hidden sites --------------------------------------------------------------------------------
 
 void Regular2::hide(SiteId id, CellId witness) {
   sites_[id].at = Side(witness, 0);

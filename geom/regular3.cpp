@@ -79,8 +79,7 @@ void Regular3::triangulate_guards() {
   recent_ = created_.front();
 }
 
-// ----------------------------------------------------------------------------------------------------
-// queries
+// --- queries -------------------------------------------------------------------------------------
 
 bool Regular3::contains(SiteId id) const {
   return id.valid() && slot(id) < sites_.size() && site(id).state != State::absent;
@@ -186,8 +185,7 @@ bool Regular3::in_conflict(CellId t, SiteId e) const {
   return conflicts3(ranked(a), ranked(b), ranked(c), ranked(d), ranked(e));
 }
 
-// --------------------------------------------------------------------------------------- pieces of both
-// updates
+// --- pieces of both updates ----------------------------------------------------------------------
 
 void Regular3::begin_change() {
   destroyed_.clear();
@@ -269,8 +267,7 @@ void Regular3::take_hidden_of(CellId t) {
   for (SiteId h = cells_[t].first_hidden; h.valid(); h = site(h).next_hidden) displaced_.push_back(h);
 }
 
-// ------------------------------------------------------------------------------------------------
-// verification
+// --- verification --------------------------------------------------------------------------------
 
 void Regular3::check() const {
   std::size_t live = 0;

@@ -53,8 +53,7 @@ double RestrictedPower::bound_radius2(const FacetPolygon& polygon) const {
   return result;
 }
 
-// --- fragments and their circles
-// -------------------------------------------------------------------------------------
+// --- fragments and their circles -----------------------------------------------------------------
 
 /// Gives fragment f (created if none) this polygon; returns the bound of its power.
 double RestrictedPower::commit(FragmentId f, FacetPolygon& polygon) {
@@ -182,8 +181,7 @@ bool RestrictedPower::circle_before(CircleId a, CircleId b) const {
   return std::tie(x.facet, x.place, x.sites) < std::tie(y.facet, y.place, y.sites);
 }
 
-// --- for tests
-// -------------------------------------------------------------------------------------------------------
+// --- for tests -----------------------------------------------------------------------------------
 
 std::vector<RestrictedPower::Canonical> RestrictedPower::canonical() const {
   std::vector<Canonical> result;

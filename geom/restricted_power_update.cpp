@@ -36,8 +36,7 @@ void RestrictedPower::touch_cell(SiteId j) {
   change_.cells.push_back(j);
 }
 
-// --- insertion
-// -------------------------------------------------------------------------------------------------------
+// --- insertion -----------------------------------------------------------------------------------
 
 // The power of p less that of the owner is affine on a fragment, so p takes a part of it iff it beats the
 // owner at a corner. First the fragments of all rivals are cut; then p's own fragment on each facet touched
@@ -127,8 +126,7 @@ void RestrictedPower::occupy_everything(SiteId p) {
   }
 }
 
-// --- removal
-// ---------------------------------------------------------------------------------------------------------
+// --- removal -------------------------------------------------------------------------------------
 
 // The sites on the other side of the cell's boundary are known from the labels; nearly always they are all
 // the heirs. The vacancy is divided among them, and then the source is asked for others that could beat the
@@ -288,14 +286,11 @@ void RestrictedPower::find_fragments_of_heirs(FragmentId vacated) {
   for (std::size_t i = 0; i < heirs_.size(); ++i) heirs_fragments_[i] = store_.find(heirs_[i], t);
 }
 
-//      old fragment of k            Both are convex and share the edge between k and p, so their union
-//      (convex again, a
-//    b ___________ a               fragment of the new diagram) is the old polygon with that edge replaced by
-//    the rest of
-//   . \_____p_____/ .              the share: its edges from a to b. The lines of a and b go on across the
-//   corners where
-//    . \   share  / .              they met p, so these corners vanish.
-//      . \__x1__/ .
+//     old fragment of k        Both are convex and share the edge between k and p, so their union (convex
+//    b ___________ a           again, a fragment of the new diagram) is the old polygon with that edge replaced
+//     \_____p_____/            by the rest of the share: its edges from a to b. The lines of a and b go on
+//      \  share  /             across the corners where they met p, so these corners vanish.
+//       \__x1___/
 RestrictedPower::Seam RestrictedPower::seam_of(FragmentId old, const FacetPolygon& share, SiteId p) const {
   const EdgeLabel border = EdgeLabel::bisector(p);
   const std::span<const PolygonCorner> corners = store_.corners(old);

@@ -170,7 +170,10 @@ void SiteTree::heirs(const Vacancy& vacancy, std::vector<SiteId>& out) const {
 NeighbourSource::Nearest SiteTree::nearest(const Vec3& x, SiteId without, SiteId) const {
   Nearest best{SiteId(), infinity};
   visit(
-      x, [&](const Node& node, double distance2) { return distance2 * (1 - 1e-12) - node.max_weight <= best.radius2; },
+      x,
+      [&](const Node& node, double distance2) {
+        return distance2 * (1 - 1e-12) - node.max_weight <= best.radius2;
+      },
       [&](const Entry& e) {
         const double radius2 = power(x, {e.position, e.weight});
         const bool better = radius2 < best.radius2 || (radius2 == best.radius2 && e.site < best.site);

@@ -1,6 +1,7 @@
 // Time against quality: shortest edge removal or not, global or local farthest points.
 //   bench-adaptive MODEL N [SIZING-FILE|-] [WEIGHT-SCALE, 0: best] [GRADATION] [SEED] [ITERATIONS]
-// One row per method and checkpoint; seconds are CPU time since the samples were drawn.
+// Two rows per method and checkpoint, without and with (+) angle optimization; seconds are CPU time since the
+// samples were drawn.
 
 #include <time.h>
 
@@ -8,6 +9,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "fpo/angles.h"
 #include "fpo/extract.h"
 #include "fpo/optimize.h"
 #include "fpo/quality.h"
@@ -32,16 +34,25 @@ struct Job {
   fpo::Sizing sizing;
 };
 
-void row(const Job& job, fpo::SurfaceDomain& domain, int iteration, double seconds) {
+void row(const Job& job, fpo::SurfaceDomain& domain, const char* mark, int iteration, double seconds) {
   const geom::TriMesh remesh = fpo::extract(domain.diagram(), job.n);
   const fpo::Quality q = fpo::quality(remesh, job.mesh.area());
   const fpo::IterationReport r = fpo::measure(domain);
   geom::Table<geom::VertexId, double> h;
   for (std::size_t i = 0; i < job.n; ++i) h.push_back(job.sizing.at(domain.sample(geom::SiteId(i))));
   const fpo::SizingFit fit = fpo::sizing_fit(remesh, h);
-  std::printf("  %4d %7.2f  %.4f %.4f  %.3f %.4f %5.2f %5.2f %6.2f %7.4f %6.2f  %.3f %.3f %.3f %zu\n",
+  std::printf("%s %4d %7.2f  %.4f %.4f  %.3f %.4f %5.2f %5.2f %6.2f %7.4f %6.2f  %.3f %.3f %.3f %zu\n", mark,
               iteration, seconds, r.delta, r.mean_delta, q.q_min, q.q_avg, q.theta_min, q.theta_min_avg,
               q.theta_max, q.theta_lt30_pct, q.v567_pct, fit.slope, fit.mean, fit.cv, domain.num_hidden());
+}
+
+void rows(const Job& job, fpo::SurfaceDomain& domain, int iteration, double seconds) {
+  row(job, domain, " ", iteration, seconds);
+  if (iteration == 0) return;
+  fpo::SurfaceDomain copy = domain.rebuilt();
+  const double start = cpu_seconds();
+  fpo::optimize_angles(copy, {});
+  row(job, copy, "+", iteration, seconds + cpu_seconds() - start);
 }
 
 void measure(const Job& job, bool shortest_edges, fpo::Scope scope, int iterations) {
@@ -61,7 +72,7 @@ void measure(const Job& job, bool shortest_edges, fpo::Scope scope, int iteratio
     const double now = cpu_seconds();
     const int i = r.iteration;
     if (i == 0 || i == 5 || i == 10 || i == 20 || i == 30 || i == 60 || i == 100)
-      row(job, domain, i, now - start);
+      rows(job, domain, i, now - start);
     start += cpu_seconds() - now;
   };
   fpo::optimize(domain, options);
@@ -70,7 +81,10 @@ void measure(const Job& job, bool shortest_edges, fpo::Scope scope, int iteratio
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 3) return 0;
+  if (argc < 3) {
+    std::puts("skipped: bench-adaptive wants MODEL N");
+    return 0;
+  }
   const auto number = [&](int i, double standard) { return argc > i ? std::atof(argv[i]) : standard; };
   Job job{io::read_mesh(argv[1]), std::strtoull(argv[2], nullptr, 10), 1, number(4, 0),
           fpo::Sizing::uniform(1)};

@@ -6,6 +6,7 @@
 #include "fpo/extract.h"
 #include "fpo/optimize.h"
 #include "fpo/quality.h"
+#include "geom/aabb_tree.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
@@ -118,4 +119,32 @@ TEST_CASE("angles: interrupted before the start, nothing changes") {
   options.interrupted = &stop;
   CHECK(optimize_angles(domain, options).tried == 0);
   CHECK(domain.diagram().canonical() == before);
+}
+
+TEST_CASE("angles: small steps mend what resampling does not, and never lower delta") {
+  const TriMesh mesh = fixtures::blob(8);
+  const Sizing sizing = Sizing::uniform(hexagonal_spacing(mesh.area(), 500));
+  std::size_t steps = 0;
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    SurfaceDomain domain(mesh, sizing, random_samples(mesh, sizing, 500, seed));
+    OptimizeOptions options;
+    options.max_iterations = 12;
+    optimize(domain, options);
+    std::vector<SurfaceSample> before;
+    for (std::size_t i = 0; i < 500; ++i) before.push_back(domain.sample(SiteId(i)));
+    const double delta = measure(domain).delta;
+    AngleOptions strict;  // more than can be had
+    strict.smallest = 38;
+    strict.largest = 104;
+    optimize_angles(domain, strict);
+    CHECK(measure(domain).delta >= delta);
+    const geom::AabbTree tree(mesh);
+    for (std::size_t i = 0; i < 500; ++i) {
+      const SurfaceSample& x = domain.sample(SiteId(i));
+      const double way = (x.position - before[i].position).norm() / sizing.at(x);
+      steps += way > 0 && way < 0.09;
+      CHECK(tree.closest(x.position).distance2 < 1e-24);
+    }
+  }
+  CHECK(steps > 0);
 }

@@ -59,8 +59,7 @@ CellSet brute_force(const Regular3& t, const std::vector<SiteId>& present) {
   return canonical(cells);
 }
 
-// ------------------------------------------------------------------------------------- inputs, all in [-1,
-// 1]^3
+// --- inputs, all in [-1, 1]^3 --------------------------------------------------------------------
 
 Vec3 random_position(Rng& rng) { return {rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)}; }
 
