@@ -32,7 +32,7 @@ class CurveMetric {
     geom::Vec3 from, to;
     double h_from, h_to;
     geom::FacetId facet;
-    double share_at(double t) const;   ///< of the piece's length, t from its start
+    double share_at(double t) const;  ///< of the piece's length, t from its start
     double length_to(double share) const;
     double scale() const { return (to - from).norm(); }
   };
