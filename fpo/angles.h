@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "fpo/surface_domain.h"
+#include "fpo/flaws.h"
 
 namespace fpo {
 
@@ -27,13 +27,16 @@ struct AngleResult {
   std::size_t reweighted = 0;                 ///< samples whose weight is still smaller at the end
 };
 
+/// The square of the degrees beyond the bounds. Keeps a reference to the domain.
+FlawMeasure bad_angles(const SurfaceDomain& domain, const AngleOptions& options);
+
 /// Takes the worst triangle first: lowers the weights of the two corners that do not have the bad angle, then
 /// resamples (Algorithm 1 in the 2-ring) the corner that has it and the other two, in the end with those
 /// around them. Where that does not help a corner is moved a little, at most .08 h. What makes things worse
 /// (the sum over all bad triangles of the square of the degrees beyond the bounds) is undone, and if the
 /// sizing is uniform what makes delta smaller. Ends when no triangle is bad or a round mends nothing. At last
-/// weights are restored where that makes nothing worse. The number of samples stays. Deterministic. O(1)
-/// expected an attempt.
+/// weights are restored where that makes nothing worse. The number of samples stays; fixed ones stay where
+/// they are. Deterministic. O(1) expected an attempt.
 AngleResult optimize_angles(SurfaceDomain& domain, const AngleOptions& options);
 
 }  // namespace fpo

@@ -31,6 +31,9 @@ class Domain {
 
   virtual std::size_t num_samples() const = 0;
 
+  /// A sample that stays where it is: on a feature (section 5), or the user's. It is never moved.
+  virtual bool is_fixed(SiteId) const { return false; }
+
   /// d_x of Algorithm 1, line 4, as a power: min over j != x of |x - p_j|^2 - w_j, to be compared with
   /// Circle::radius2 (the sample's own weight is left out on both sides). +infinity if x is alone.
   virtual double separation(SiteId x) = 0;

@@ -136,6 +136,7 @@ std::set<SiteId> neighbourhood(SurfaceDomain& domain, const std::vector<SiteId>&
 constexpr double closest = 0.2;  // no sample is brought nearer to another one, in units of h
 
 void move_to_farthest_point_nearby(SurfaceDomain& domain, SiteId x) {
+  if (domain.is_fixed(x)) return;
   const double d = domain.separation(x);
   domain.remove(x);
   const Circle c = domain.largest_empty(Scope::two_ring);
@@ -162,7 +163,8 @@ std::size_t refine_at(SurfaceDomain& domain, const std::vector<Defect>& defects)
   std::vector<std::pair<double, SiteId>> donors;
   std::set<SiteId> kept = neighbourhood(domain, all, 2);
   for (std::size_t i = 0; i < domain.num_samples(); ++i)
-    if (!kept.contains(SiteId(i))) donors.emplace_back(domain.normalized_spacing(SiteId(i)), SiteId(i));
+    if (!kept.contains(SiteId(i)) && !domain.is_fixed(SiteId(i)))
+      donors.emplace_back(domain.normalized_spacing(SiteId(i)), SiteId(i));
   std::ranges::sort(donors);
 
   std::size_t brought = 0;

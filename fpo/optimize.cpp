@@ -28,10 +28,11 @@ bool move_to_farthest_point(Domain& domain, SiteId x, Scope scope) {
   return false;
 }
 
-std::vector<SiteId> all_samples(const Domain& domain) {
+std::vector<SiteId> movable_samples(const Domain& domain) {
   std::vector<SiteId> samples;
   samples.reserve(domain.num_samples());
-  for (std::size_t i = 0; i < domain.num_samples(); ++i) samples.emplace_back(i);
+  for (std::size_t i = 0; i < domain.num_samples(); ++i)
+    if (!domain.is_fixed(SiteId(i))) samples.emplace_back(i);
   return samples;
 }
 
@@ -51,19 +52,22 @@ IterationReport measure(Domain& domain) {
   IterationReport report;
   report.delta = std::numeric_limits<double>::infinity();
   double sum = 0;
-  for (const SiteId x : all_samples(domain)) {
+  std::vector<SiteId> samples = movable_samples(domain);
+  if (samples.empty())
+    for (std::size_t i = 0; i < domain.num_samples(); ++i) samples.emplace_back(i);
+  for (const SiteId x : samples) {
     const double spacing = domain.normalized_spacing(x);
     report.delta = std::min(report.delta, spacing);
     sum += spacing;
   }
-  report.mean_delta = sum / static_cast<double>(std::max<std::size_t>(domain.num_samples(), 1));
+  report.mean_delta = sum / static_cast<double>(std::max<std::size_t>(samples.size(), 1));
   return report;
 }
 
 OptimizeResult optimize(Domain& domain, const OptimizeOptions& options) {
   const Stopwatch watch;
   geom::Rng rng(options.seed);
-  std::vector<SiteId> order = all_samples(domain);
+  std::vector<SiteId> order = movable_samples(domain);
   OptimizeResult result;
 
   const auto report = [&](int iteration, std::size_t moved) {

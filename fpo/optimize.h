@@ -9,7 +9,7 @@
 
 namespace fpo {
 
-/// The state after an iteration, in which every sample was removed and inserted once.
+/// The state after an iteration, in which every sample that is not fixed was removed and inserted once.
 struct IterationReport {
   int iteration = 0;      ///< 1, 2, ...; 0: the initial set
   std::size_t moved = 0;  ///< samples that went to a new position
@@ -49,7 +49,8 @@ struct OptimizeResult {
 /// does.
 OptimizeResult optimize(Domain& domain, const OptimizeOptions& options);
 
-/// delta and mean delta of the samples as they are (the other fields are 0). O(n) spacings.
+/// delta and mean delta of the samples as they are (the other fields are 0), those left out that are fixed
+/// unless all are. O(n) spacings.
 IterationReport measure(Domain& domain);
 
 }  // namespace fpo

@@ -43,10 +43,34 @@ VertexField wanted_sizes(const geom::TriMesh& surface, const RemeshOptions& opti
   }
 }
 
-Sizing sizing_of(const geom::TriMesh& surface, const RemeshOptions& options) {
+/// The sizing, and the samples that stay.
+SharedSizing sizing_and_features(const geom::TriMesh& surface, const RemeshOptions& options) {
   const double spacing = hexagonal_spacing(surface.area(), options.num_samples);
-  if (options.sizing == SizingKind::uniform) return Sizing::uniform(spacing);
-  return fit_sizing(surface, wanted_sizes(surface, options, spacing), options.num_samples, options.limits);
+  Features features;
+  if (options.features) {
+    FeatureOptions feature_options = *options.features;
+    feature_options.turn_scale = spacing / 2;
+    features = find_features(surface, feature_options);
+  }
+  const VertexField rho =
+      options.sizing == SizingKind::uniform ? VertexField() : wanted_sizes(surface, options, spacing);
+  const auto sizing_for = [&](std::size_t n) {
+    if (options.sizing == SizingKind::uniform) return Sizing::uniform(hexagonal_spacing(surface.area(), n));
+    return fit_sizing(surface, rho, n, options.limits);
+  };
+  return share_sizing(surface, features, points_on_surface(surface, options.fixed), options.num_samples,
+                      sizing_for, options.seed);
+}
+
+/// Those that stay, then random ones.
+std::vector<SurfaceSample> initial_samples(const geom::TriMesh& surface, const SharedSizing& shared,
+                                           const RemeshOptions& options) {
+  std::vector<SurfaceSample> samples = shared.features.samples;
+  if (samples.size() == options.num_samples) return samples;
+  const std::vector<SurfaceSample> inner =
+      random_samples(surface, shared.sizing, options.num_samples - samples.size(), options.seed);
+  samples.insert(samples.end(), inner.begin(), inner.end());
+  return samples;
 }
 
 AngleOptions angle_options(const RemeshOptions& options) {
@@ -56,16 +80,21 @@ AngleOptions angle_options(const RemeshOptions& options) {
 }
 
 /// The remesh, after some rounds of refinement where it is no surface: the one with the fewest defects.
-Dual mended_dual(SurfaceDomain& domain, const RemeshOptions& options, std::size_t& brought) {
+Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const RemeshOptions& options,
+                 RemeshResult& counts) {
   const auto interrupted = [&] { return options.optimize.interrupted && *options.optimize.interrupted; };
-  Dual best = dual_of(domain, options.keep_cells);
+  const auto next_dual = [&] {
+    if (options.mend) counts.protection += protect_chains(domain, features);
+    return dual_of(domain, options.keep_cells);
+  };
+  Dual best = next_dual();
   std::vector<Defect> defects = best.defects;
   for (int futile = 0; futile < futile_mending_rounds && options.mend && !defects.empty() && !interrupted();
        ++futile) {
     const std::size_t moved = refine_at(domain, defects);
     if (moved == 0) break;
-    brought += moved;
-    Dual next = dual_of(domain, options.keep_cells);
+    counts.brought += moved;
+    Dual next = next_dual();
     defects = next.defects;
     if (next.defects.size() >= best.defects.size()) continue;
     best = std::move(next);
@@ -76,11 +105,12 @@ Dual mended_dual(SurfaceDomain& domain, const RemeshOptions& options, std::size_
 
 RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {
   RemeshResult result;
-  const Sizing sizing = sizing_of(surface, options);
+  const SharedSizing shared = sizing_and_features(surface, options);
+  const Sizing& sizing = shared.sizing;
   SurfaceOptions surface_options = options.surface;
   surface_options.seed = options.seed;
-  SurfaceDomain domain(surface, sizing, random_samples(surface, sizing, options.num_samples, options.seed),
-                       surface_options);
+  surface_options.num_fixed = shared.features.samples.size();
+  SurfaceDomain domain(surface, sizing, initial_samples(surface, shared, options), surface_options);
   OptimizeOptions optimization = options.optimize;
   optimization.seed = options.seed;
   optimization.order = VisitOrder::in_turn;  // the initial samples are in random order already
@@ -90,13 +120,22 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
     result.shortest_edges = remove_shortest_edges(domain, removal);
   }
   result.optimization = optimize(domain, optimization);
+  if (options.mend) result.protection = protect_chains(domain, shared.features);
   if (options.optimize_angles) result.angles = optimize_angles(domain, angle_options(options));
+  if (options.improve_fidelity) {
+    FidelityOptions fidelity;
+    fidelity.interrupted = optimization.interrupted;
+    result.fidelity = improve_fidelity(domain, angle_options(options), fidelity);
+  }
   result.hidden = domain.num_hidden();
-  Dual dual = mended_dual(domain, options, result.brought);
+  Dual dual = mended_dual(domain, shared.features, options, result);
   result.localization = dual.localization;
   result.mesh = std::move(dual.mesh);
   result.samples = std::move(dual.samples);
   result.cells = std::move(dual.cells);
+  result.feature_samples = shared.features.samples.size();
+  result.feature_edges = num_edges(shared.features);
+  result.broken_feature_edges = num_broken_edges(result.mesh, shared.features);
   for (std::size_t v = 0; v < surface.num_vertices(); ++v)
     result.sizing.push_back(sizing.at(geom::VertexId(v)));
   for (const SurfaceSample& sample : result.samples) result.wanted.push_back(sizing.at(sample));
@@ -111,7 +150,9 @@ RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options) tr
   const double factor = geom::factor_to_unit_box(input);
   const geom::TriMesh surface = geom::scaled_to_unit_box(input, factor);
   geom::require(surface.area() > 0, "the surface has no area");
-  RemeshResult result = remesh_in_unit_box(surface, options);
+  RemeshOptions scaled_options = options;
+  for (geom::Vec3& point : scaled_options.fixed) point *= factor;
+  RemeshResult result = remesh_in_unit_box(surface, scaled_options);
   result.mesh = geom::scaled(result.mesh, 1 / factor);
   for (SurfaceSample& sample : result.samples) sample.position /= factor;
   for (double& h : result.sizing) h /= factor;

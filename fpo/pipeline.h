@@ -2,11 +2,15 @@
 // Blue-noise remeshing from input surface to output mesh: the paper as one straight-line function.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "fpo/angles.h"
 #include "fpo/dual.h"
+#include "fpo/feature_samples.h"
+#include "fpo/fidelity.h"
 #include "fpo/optimize.h"
+#include "fpo/protect.h"
 #include "fpo/quality.h"
 #include "fpo/shortest_edge.h"
 #include "fpo/sizing.h"
@@ -21,25 +25,34 @@ struct RemeshOptions {
   std::size_t num_samples = 0;
   std::uint64_t seed = 1;  ///< of the initial samples, which are then moved in turn
   SizingKind sizing = SizingKind::uniform;
-  VertexField rho;         ///< if given: wanted edge lengths up to a factor, per vertex of the input
-  SizingLimits limits;     ///< unless uniform
-  SurfaceOptions surface;  ///< its seed is overruled
+  VertexField rho;      ///< if given: wanted edge lengths up to a factor, per vertex of the input
+  SizingLimits limits;  ///< unless uniform
+  /// If given: features are found, sampled and kept. The scale of turns is overruled: half the even spacing.
+  std::optional<FeatureOptions> features;
+  std::vector<geom::Vec3> fixed;       ///< points of the surface, which become vertices exactly
+  SurfaceOptions surface;              ///< its seed and number of fixed samples are overruled
   bool shortest_edge_removal = false;  ///< before the optimization (section 4.3)
   OptimizeOptions optimize;            ///< its seed and order are overruled
   bool mend = true;                    ///< bring samples to where the remesh is no surface
   bool optimize_angles = true;         ///< afterwards (section 5)
+  bool improve_fidelity = true;        ///< where the remesh is farthest from the input (fidelity.h)
   bool keep_cells = false;             ///< fill RemeshResult::cells
 };
 
 struct RemeshResult {
-  geom::TriMesh mesh;                  ///< vertex i is sample i
-  std::vector<SurfaceSample> samples;  ///< position and facet of the input
-  VertexField sizing;                  ///< the wanted edge length at each vertex of the input
-  VertexField wanted;                  ///< and at each vertex of the mesh
-  SizingFit fit;                       ///< of the mesh's edges to them
+  geom::TriMesh mesh;                    ///< vertex i is sample i; fixed points and features first
+  std::vector<SurfaceSample> samples;    ///< position and facet of the input
+  VertexField sizing;                    ///< the wanted edge length at each vertex of the input
+  VertexField wanted;                    ///< and at each vertex of the mesh
+  SizingFit fit;                         ///< of the mesh's edges to them
+  std::size_t feature_samples = 0;       ///< fixed points, corners and samples on curves
+  std::size_t feature_edges = 0;         ///< between neighbours on curves
+  Protection protection;                 ///< of those edges
+  std::size_t broken_feature_edges = 0;  ///< those that are no edges of the mesh
   ShortestEdgeResult shortest_edges;
   OptimizeResult optimization;
   AngleResult angles;
+  FidelityResult fidelity;
   std::size_t brought = 0;  ///< samples that mending has moved
   Localization localization;
   std::size_t hidden = 0;          ///< samples without a cell, hence without a triangle
@@ -50,7 +63,8 @@ struct RemeshResult {
 /// done. Computes on a copy of the input that is scaled by a power of two and snapped to multiples of 2^-160
 /// of its size, so that no product in a predicate over- or underflows (geom/scaling.h), and scales back,
 /// which is exact. Throws geom::InputError on an unusable input (no area, or a largest coordinate beyond
-/// 2^-900 to 2^900) or number of samples, geom::Bug with seed and move number.
+/// 2^-900 to 2^900) or number of samples (also too few for the features), geom::Bug with seed and move
+/// number.
 RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options);
 
 }  // namespace fpo

@@ -27,14 +27,16 @@ ShortestEdgeResult remove_shortest_edges(Domain& domain, const ShortestEdgeOptio
   // The heap's largest entry is the sample of least spacing.
   geom::IndexedHeap<SiteId, std::less<SiteId>> samples;
   for (std::size_t i = 0; i < domain.num_samples(); ++i)
-    samples.push(SiteId(i), -domain.normalized_spacing(SiteId(i)));
+    if (!domain.is_fixed(SiteId(i))) samples.push(SiteId(i), -domain.normalized_spacing(SiteId(i)));
 
   std::vector<SiteId> before, after;
-  const auto refresh = [&](SiteId y) { samples.update(y, -domain.normalized_spacing(y)); };
+  const auto refresh = [&](SiteId y) {
+    if (!domain.is_fixed(y)) samples.update(y, -domain.normalized_spacing(y));
+  };
   ShortestEdgeResult result;
   int stayed = 0;  // moves in a row
   const std::size_t most = options.max_moves_per_sample * domain.num_samples();
-  while (result.moves < most) {
+  while (result.moves < most && !samples.empty()) {
     if (options.interrupted && options.interrupted->load(std::memory_order_relaxed)) break;
     if (options.on_move) options.on_move(result.moves);
     const SiteId x = samples.top().slot;

@@ -56,11 +56,15 @@ SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,
   for (const SiteId x : order) insert(x, SiteId());
 }
 
+double SurfaceDomain::full_weight(SiteId x) const {
+  const double radius = options_.weight_factor * sizing_.at(samples_[x]);
+  return radius * radius;
+}
+
 /// A uniform diagram is that of equal weights, whatever these are: 0. A smaller weight is negative then.
 double SurfaceDomain::weight_at(SiteId x) const {
   if (sizing_.is_uniform() && weight_share_[x] == 1) return 0;
-  const double radius = options_.weight_factor * sizing_.at(samples_[x]);
-  return geom::snapped((weight_share_[x] - (sizing_.is_uniform() ? 1 : 0)) * radius * radius, weight_unit);
+  return geom::snapped((weight_share_[x] - (sizing_.is_uniform() ? 1 : 0)) * full_weight(x), weight_unit);
 }
 
 double SurfaceDomain::separation(SiteId x) { return source_->nearest(samples_[x].position, x, x).radius2; }
@@ -106,7 +110,7 @@ void SurfaceDomain::insert_at(SiteId x, const Circle& c) {
 }
 
 void SurfaceDomain::insert_at(SiteId x, const SurfaceSample& place, double weight_share) {
-  geom::ensure(weight_share >= 0 && weight_share <= 1, "the share of a weight must be in [0, 1]");
+  geom::ensure(weight_share >= 0, "the share of a weight must not be negative");
   samples_[x] = place;
   weight_share_[x] = weight_share;
   unweighted_ &= weight_share == 1;

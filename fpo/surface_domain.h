@@ -29,6 +29,7 @@ struct SurfaceOptions {
   double weight_factor = best_weight_factor(Scope::two_ring);  ///< c
   Engine engine = Engine::search;
   geom::CornerTypes corners = geom::CornerTypes::c_only;
+  std::size_t num_fixed = 0;  ///< the samples with smaller ids stay where they are
   std::uint64_t seed =
       1;  ///< of the order in which the first diagram is built (the result does not depend on it)
 };
@@ -44,6 +45,7 @@ class SurfaceDomain final : public Domain {
                 const SurfaceOptions& options = {});
 
   std::size_t num_samples() const override { return samples_.size(); }
+  bool is_fixed(SiteId x) const override { return x.index() < options_.num_fixed; }
   double separation(SiteId x) override;
   void remove(SiteId x) override;
   Circle largest_empty(Scope scope) override;
@@ -56,9 +58,11 @@ class SurfaceDomain final : public Domain {
   void neighbours(SiteId x, std::vector<SiteId>& out) override;
   void check() const override;
 
-  /// Puts the removed sample at a place, its weight to be `weight_share` (in [0, 1]) of what the sizing
-  /// gives, there and wherever it goes (angle optimization, section 5).
+  /// Puts the removed sample at a place, its weight to be `weight_share` of what the sizing gives, there and
+  /// wherever it goes: less in angle optimization (section 5), more to protect features.
   void insert_at(SiteId x, const SurfaceSample& place, double weight_share);
+  /// What the sizing gives x: (c h)^2, also if it is uniform.
+  double full_weight(SiteId x) const;
   double weight_share(SiteId x) const { return weight_share_[x]; }
   /// Samples with an empty cell.
   std::size_t num_hidden() const;

@@ -25,7 +25,8 @@
 namespace tools {
 
 /// Exit codes of every tool.
-inline constexpr int exit_done = 0, exit_bad_input = 2, exit_bug = 70, exit_interrupted = 130;
+inline constexpr int exit_done = 0, exit_bad_input = 2, exit_other_topology = 3, exit_bug = 70,
+                     exit_interrupted = 130;
 
 /// Bad use of the command line: run() adds a hint to --help.
 struct UsageError : geom::InputError {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "fpo/pipeline.h"
+#include "geom/aabb_tree.h"
 #include "io/atomic_file.h"
 #include "io/coloured_ply.h"
 #include "io/extension.h"
@@ -14,6 +15,7 @@
 #include "io/mesh_picture.h"
 #include "io/points.h"
 #include "io/polygons.h"
+#include "io/surface_map.h"
 #include "io/values.h"
 #include "tools/cli.h"
 #include "tools/interrupt.h"
@@ -30,6 +32,17 @@ void write_sizing(const std::filesystem::path& path, const geom::TriMesh& input,
     io::write_values(path, values);
 }
 
+void write_map(const std::filesystem::path& path, const geom::TriMesh& input,
+               const fpo::RemeshResult& result) {
+  std::vector<io::MappedPoint> points;
+  for (const fpo::SurfaceSample& x : result.samples) {
+    const std::array<geom::Vec3, 3> triangle{input.corner(x.facet, 0), input.corner(x.facet, 1),
+                                             input.corner(x.facet, 2)};
+    points.push_back({x.facet, geom::closest_point(x.position, triangle).barycentric});
+  }
+  io::write_surface_map(path, points);
+}
+
 void write_outputs(const tools::RemeshArguments& a, const geom::TriMesh& input,
                    const fpo::RemeshResult& result, const std::string& log) {
   io::write_mesh(a.output, result.mesh);
@@ -38,6 +51,7 @@ void write_outputs(const tools::RemeshArguments& a, const geom::TriMesh& input,
     for (const fpo::SurfaceSample& sample : result.samples) points.push_back({sample.position, 0});
     io::write_points(a.points, points);
   }
+  if (!a.map.empty()) write_map(a.map, input, result);
   if (!a.rpd.empty()) {
     std::vector<io::GroupedPolygon> cells;
     for (const fpo::CellPolygon& cell : result.cells) cells.push_back({cell.site.value, cell.corners});
@@ -63,7 +77,9 @@ void print_sizing(const fpo::RemeshResult& result) {
   for (const auto& [exponent, samples] : decades) std::printf("samples_with_h_1e%d %zu\n", exponent, samples);
 }
 
-void warn_if_not_homeomorphic(const geom::TriMesh& input, const geom::TriMesh& output) {
+/// Compares what the remesh is with what it should be: whether it is a 2-manifold with the input's Euler
+/// number, components and boundary loops. Warnings say what differs.
+bool is_homeomorphic(const geom::TriMesh& input, const geom::TriMesh& output) {
   const geom::Topology in = geom::topology(input), out = geom::topology(output);
   if (!out.manifold())
     std::fprintf(stderr,
@@ -71,12 +87,20 @@ void warn_if_not_homeomorphic(const geom::TriMesh& input, const geom::TriMesh& o
                  out.nonmanifold_edges, out.nonmanifold_vertices);
   if (out.unreferenced_vertices > 0)
     std::fprintf(stderr, "warning: %zu samples have no triangle\n", out.unreferenced_vertices);
-  if (in.manifold() &&
-      (in.euler != out.euler || in.components != out.components || in.boundary_loops != out.boundary_loops))
+  const bool same_type =
+      in.euler == out.euler && in.components == out.components && in.boundary_loops == out.boundary_loops;
+  if (in.manifold() && !same_type)
     std::fprintf(
         stderr,
         "warning: Euler number %ld, %zu components, %zu boundary loops; the input has %ld, %zu, %zu\n",
         out.euler, out.components, out.boundary_loops, in.euler, in.components, in.boundary_loops);
+  return out.manifold() && out.unreferenced_vertices == 0 && same_type;
+}
+
+void warn_if_features_are_broken(const fpo::RemeshResult& result) {
+  if (result.broken_feature_edges > 0)
+    std::fprintf(stderr, "warning: %zu of %zu feature edges are no edges of the remesh\n",
+                 result.broken_feature_edges, result.feature_edges);
 }
 
 const char* name_of(fpo::StopReason reason) {
@@ -103,7 +127,7 @@ fpo::RemeshResult remesh_named(const geom::TriMesh& input, const tools::RemeshAr
 int remesh(tools::CommandLine& cli) {
   tools::RemeshArguments a = tools::parse_remesh_arguments(cli);
   const geom::TriMesh input = io::read_mesh(a.input);
-  tools::read_sizing(a, input);
+  tools::read_files(a, input);
 
   std::string log = "iteration,moved,delta,mean_delta,seconds\n";
   tools::Progress progress("optimizing", cli.quiet());
@@ -122,7 +146,8 @@ int remesh(tools::CommandLine& cli) {
   progress.erase();
 
   write_outputs(a, input, result, log);
-  warn_if_not_homeomorphic(input, result.mesh);
+  const bool homeomorphic = is_homeomorphic(input, result.mesh);
+  warn_if_features_are_broken(result);
   const fpo::OptimizeResult& o = result.optimization;
   std::printf(
       "samples %zu\niterations %d\nmoves %zu\nstopped %s\ndelta %.6f\nmean_delta %.6f\nseconds %.3f\nwrote "
@@ -131,11 +156,16 @@ int remesh(tools::CommandLine& cli) {
       o.last.seconds, a.output.c_str());
   if (a.remesh.sizing != fpo::SizingKind::uniform) print_sizing(result);
   if (result.brought > 0) std::printf("samples_moved_to_mend %zu\n", result.brought);
+  if (result.feature_samples > 0)
+    std::printf("feature_samples %zu\nfeature_edges %zu\nbroken_feature_edges %zu\nprotected_samples %zu\n",
+                result.feature_samples, result.feature_edges, result.broken_feature_edges,
+                result.protection.weighted);
   if (a.remesh.optimize_angles)
     std::printf("bad_triangles_before %zu\nbad_triangles_after %zu\nmended %zu of %zu, %zu reweighted\n",
                 result.angles.bad_before, result.angles.bad_after, result.angles.mended, result.angles.tried,
                 result.angles.reweighted);
-  return o.reason == fpo::StopReason::interrupted ? tools::exit_interrupted : tools::exit_done;
+  if (o.reason == fpo::StopReason::interrupted) return tools::exit_interrupted;
+  return a.strict && !homeomorphic ? tools::exit_other_topology : tools::exit_done;
 }
 
 }  // namespace

@@ -8,15 +8,7 @@
 namespace tools {
 namespace {
 
-/// An option whose issue has not come yet: the values in `today` are accepted and change nothing.
-void declare_later(CommandLine& cli, Option option, std::string today) {
-  option.help += " (not yet: only '" + today + "')";
-  option.standard = today;
-  cli.custom(option, [today](const std::string& text) {
-    geom::require(text == today, text + " does not work yet; only '" + today + "' does");
-  });
-}
-
+/// An option whose issue has not come yet.
 void declare_later(CommandLine& cli, const std::string& name, const std::string& help) {
   cli.custom({.name = name, .value = "FILE", .help = help + " (not yet)"},
              [](const std::string&) { throw geom::InputError("does not work yet"); });
@@ -33,6 +25,15 @@ void set_sizing(RemeshArguments& a, const std::string& text) {
     a.remesh.sizing = fpo::SizingKind::given;
     a.sizing_file = text;
   }
+}
+
+void set_features(RemeshArguments& a, const std::string& text) {
+  a.remesh.features.reset();
+  if (text == "none") return;
+  a.remesh.features = fpo::automatic_features();
+  if (text == "auto") return;
+  const double angle = parse_number(text, 1, 180);
+  a.remesh.features = fpo::FeatureOptions{.crease_angle = angle, .weak_crease_angle = angle};
 }
 
 /// Unless the user says otherwise: with uniform sizing the whole surface is searched for farthest points,
@@ -61,6 +62,10 @@ void parse(CommandLine& cli, RemeshArguments& a) {
             .required = true},
            a.output);
   cli.path({.name = "points", .value = "OUT", .help = "the samples: .xyz .ply"}, a.points);
+  cli.path({.name = "map",
+            .value = "OUT.txt",
+            .help = "a line per vertex: facet of INPUT (from 1) and three barycentric coordinates"},
+           a.map);
   cli.path({.name = "rpd", .value = "OUT.obj", .help = "the restricted power diagram, a group a cell"},
            a.rpd);
   cli.path({.name = "picture", .value = "OUT.svg", .help = "a drawing of the remesh"}, a.picture);
@@ -110,10 +115,23 @@ void parse(CommandLine& cli, RemeshArguments& a) {
             .value = "FILE",
             .help = "the wanted length at each vertex of INPUT; .ply: INPUT coloured by it"},
            a.sizing_out);
-  declare_later(cli, {.name = "features", .value = "KIND", .help = "creases and borders to keep"}, "none");
+  set_features(a, "auto");
+  cli.custom(
+      {.name = "features",
+       .value = "auto|none|ANGLE",
+       .help = "keep borders, corners and creases: those of machined parts, or folds by more than ANGLE "
+               "degrees",
+       .standard = "auto"},
+      [&](const std::string& text) { set_features(a, text); });
+  cli.path({.name = "fixed", .value = "FILE", .help = "points of the surface to be vertices: .xyz .ply"},
+           a.fixed_file);
+  cli.flag({.name = "strict", .help = "exit code 3 if the remesh is not of INPUT's topological type"},
+           a.strict);
   bool local = false, global = false;
   cli.toggle({.name = "ser", .help = "shortest edge removal first"}, a.remesh.shortest_edge_removal);
   cli.toggle({.name = "optimize-angles", .help = "angle optimization afterwards"}, a.remesh.optimize_angles);
+  cli.toggle({.name = "improve-fidelity", .help = "mend triangles that are far from the surface"},
+             a.remesh.improve_fidelity);
   cli.toggle({.name = "mend", .help = "bring samples to where the remesh is no surface"}, a.remesh.mend);
   cli.flag({.name = "local", .help = "look for farthest points nearby only"}, local);
   cli.flag({.name = "global", .help = "look for them everywhere"}, global);
@@ -133,7 +151,7 @@ void check_outputs(const RemeshArguments& a) {
   if (!a.points.empty())
     geom::require(io::point_format(a.points) != io::PointFormat::txt,
                   a.points.string() + ": use .xyz or .ply");
-  for (const std::filesystem::path& path : {a.output, a.points, a.rpd, a.log, a.picture, a.sizing_out})
+  for (const std::filesystem::path& path : {a.output, a.points, a.rpd, a.log, a.picture, a.sizing_out, a.map})
     if (!path.empty()) io::require_writable(path);
 }
 
@@ -146,7 +164,10 @@ RemeshArguments parse_remesh_arguments(CommandLine& cli) {
   return a;
 }
 
-void read_sizing(RemeshArguments& a, const geom::TriMesh& input) {
+void read_files(RemeshArguments& a, const geom::TriMesh& input) {
+  if (!a.fixed_file.empty())
+    for (const geom::WeightedPoint3& point : io::read_points3(a.fixed_file))
+      a.remesh.fixed.push_back(point.position);
   if (a.remesh.sizing != fpo::SizingKind::given) return;
   const std::vector<double> values = io::read_positive_values(a.sizing_file, input.num_vertices());
   a.remesh.rho.assign(values.begin(), values.end());

@@ -9,15 +9,17 @@
 namespace tools {
 
 struct RemeshArguments {
-  std::filesystem::path input, output, points, rpd, log, picture, sizing_out;
+  std::filesystem::path input, output, points, rpd, log, picture, sizing_out, map;
+  std::filesystem::path fixed_file;
   std::filesystem::path sizing_file;  ///< if the sizing is given
+  bool strict = false;                ///< another topology is a failure
   fpo::RemeshOptions remesh;
 };
 
 /// Reads it, and refuses output names that cannot be written before any work starts. Throws geom::InputError.
 RemeshArguments parse_remesh_arguments(CommandLine& cli);
 
-/// Reads a.remesh.rho if it is given by a file. Throws geom::InputError.
-void read_sizing(RemeshArguments& a, const geom::TriMesh& input);
+/// Reads a.remesh.rho and the fixed points if they are given by files. Throws geom::InputError.
+void read_files(RemeshArguments& a, const geom::TriMesh& input);
 
 }  // namespace tools

@@ -1,0 +1,89 @@
+// The built fpo-remesh: features, fixed points, maps, strictness.
+
+#include <sstream>
+
+#include "doctest.h"
+#include "geom/shapes.h"
+#include "io/mesh_io.h"
+#include "tests/fixtures/program.h"
+#include "tests/io/scratch_folder.h"
+
+using fixtures::ProgramResult;
+using fixtures::ScratchFolder;
+
+namespace {
+
+struct Place {
+  Place() {
+    for (const char* name : {"cube", "thin-plate"})
+      io::write_mesh(folder / (std::string(name) + ".obj"), geom::make_shape(name));
+  }
+  ProgramResult run(std::vector<std::string> arguments) const {
+    for (const char* more : {"--iterations", "4", "-o", "out.obj"}) arguments.push_back(more);
+    return fixtures::run_program("fpo-remesh", arguments, folder.path());
+  }
+  void refused(const std::vector<std::string>& arguments, const std::string& reason) const {
+    const ProgramResult result = run(arguments);
+    CHECK(result.code == 2);
+    CHECK(result.lines_on_stderr() == 1);
+    CHECK_MESSAGE(result.err.find(reason) != std::string::npos, result.err);
+    CHECK(!std::filesystem::exists(folder / "out.obj"));
+  }
+  ScratchFolder folder;
+};
+
+}  // namespace
+
+TEST_CASE("fpo-remesh: too few samples for the features and bad values are refused in one line") {
+  const Place place;
+  place.folder.write("bad.xyz", "0 0 zero\n");
+  place.folder.write("off.xyz", "0 0 0\n.5 .5 .5\n");
+  place.refused({"cube.obj", "-n", "7"}, "7 samples are too few: the features need at least 8");
+  place.refused({"cube.obj", "-n", "50", "--features", "some"}, "--features: 'some'");
+  place.refused({"cube.obj", "-n", "50", "--features", "181"}, "--features: 181");
+  place.refused({"cube.obj", "-n", "50", "--fixed", "none.xyz"}, "none.xyz: no such file");
+  place.refused({"cube.obj", "-n", "50", "--fixed", "bad.xyz"}, "bad.xyz:1:");
+  place.refused({"cube.obj", "-n", "50", "--fixed", "off.xyz"}, "point 2 does not lie on the surface");
+}
+
+TEST_CASE("fpo-remesh: fixed points are kept bit for bit, the map gives back every position") {
+  const Place place;
+  place.folder.write("fixed.xyz", ".1 .7 0\n.3 0 0\n");
+  const ProgramResult result =
+      place.run({"cube.obj", "-n", "90", "--fixed", "fixed.xyz", "--map", "map.txt"});
+  REQUIRE_MESSAGE(result.code == 0, result.err);
+  CHECK(result.out.find("broken_feature_edges 0\n") != std::string::npos);
+  const geom::TriMesh cube = io::read_mesh(place.folder / "cube.obj"),
+                      mesh = io::read_mesh(place.folder / "out.obj");
+  CHECK(mesh.num_vertices() == 90);
+  CHECK(mesh.position(geom::VertexId(0)) == geom::Vec3(.1, .7, 0));
+  CHECK(mesh.position(geom::VertexId(1)) == geom::Vec3(.3, 0, 0));
+  std::istringstream map(ScratchFolder::read(place.folder / "map.txt"));
+  std::string heading;
+  std::getline(map, heading);
+  for (const geom::Vec3& x : mesh.vertices()) {
+    std::size_t facet = 0;
+    geom::Vec3 u;
+    map >> facet >> u.x() >> u.y() >> u.z();
+    REQUIRE((map && facet >= 1 && facet <= cube.num_facets()));
+    geom::Vec3 y(0, 0, 0);
+    for (int i = 0; i < 3; ++i) y += u[i] * cube.corner(geom::FacetId(facet - 1), i);
+    CHECK((x - y).norm() < 1e-12);
+  }
+}
+
+TEST_CASE("fpo-remesh: another topology is a warning, with --strict exit code 3; the mesh is written") {
+  const Place place;
+  const std::vector<std::string> crude{"thin-plate.obj", "-n", "300", "--features", "none", "--no-mend"};
+  const ProgramResult lenient = place.run(crude);
+  REQUIRE(lenient.err.find("warning: ") != std::string::npos);
+  CHECK(lenient.code == 0);
+  std::filesystem::remove(place.folder / "out.obj");
+  std::vector<std::string> strict = crude;
+  strict.push_back("--strict");
+  CHECK(place.run(strict).code == 3);
+  CHECK(std::filesystem::exists(place.folder / "out.obj"));
+  const ProgramResult good = place.run({"cube.obj", "-n", "60", "--strict"});
+  CHECK(good.code == 0);
+  CHECK(good.err == "");
+}
