@@ -60,12 +60,12 @@ AngleResult optimize_angles(SurfaceDomain& domain, const AngleOptions& options) 
   const auto interrupted = [&] {
     return options.interrupted && options.interrupted->load(std::memory_order_relaxed);
   };
-  const std::size_t most = options.max_attempts + domain.num_samples() / 10;
-  while (result.tried < most && !interrupted()) {
+  const std::size_t most_moves = options.max_moves + 20 * domain.num_samples();
+  const auto enough = [&] { return resampling.moves() > most_moves || interrupted(); };
+  while (!enough()) {
     const std::size_t mended_before = result.mended;
     bad.try_all_again();
-    for (CircleId c; result.tried < most && !interrupted() && (c = bad.take_worst()).valid();
-         ++result.tried) {
+    for (CircleId c; !enough() && (c = bad.take_worst()).valid(); ++result.tried) {
       const std::array<SiteId, 3> corners = domain.diagram().circle(c).sites;  // c may come back as another
       result.mended += mend(domain, resampling, c, options) || resampling.nudge(corners);
     }

@@ -62,14 +62,16 @@ SharedSizing sizing_and_features(const geom::TriMesh& surface, const RemeshOptio
                       sizing_for, options.seed);
 }
 
-/// Those that stay, then random ones.
+/// Those that stay, then random ones; all in the exact range of the predicates, like the surface.
 std::vector<SurfaceSample> initial_samples(const geom::TriMesh& surface, const SharedSizing& shared,
                                            const RemeshOptions& options) {
   std::vector<SurfaceSample> samples = shared.features.samples;
-  if (samples.size() == options.num_samples) return samples;
-  const std::vector<SurfaceSample> inner =
-      random_samples(surface, shared.sizing, options.num_samples - samples.size(), options.seed);
-  samples.insert(samples.end(), inner.begin(), inner.end());
+  if (samples.size() < options.num_samples) {
+    const std::vector<SurfaceSample> inner =
+        random_samples(surface, shared.sizing, options.num_samples - samples.size(), options.seed);
+    samples.insert(samples.end(), inner.begin(), inner.end());
+  }
+  for (SurfaceSample& x : samples) x.position = geom::snapped(x.position);
   return samples;
 }
 

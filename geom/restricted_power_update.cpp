@@ -53,6 +53,7 @@ const RestrictedPower::Change& RestrictedPower::after_insert(SiteId p, const Wei
   } else {
     candidates_.clear();
     neighbours_.rivals(p, candidates_);
+    std::ranges::sort(candidates_);  // one order of changes, whatever the source
     for (const SiteId j : candidates_)
       if (take_from(j, p)) touch_cell(j);
     for (const TouchedFacet& touched : touched_facets_) {
@@ -363,6 +364,7 @@ bool RestrictedPower::add_missing_heirs(SiteId p, const NeighbourSource& source)
   const double radius2 = std::max(reach(p) + sites_[p].weight, 0.0);
   candidates_.clear();
   source.heirs({p, sites_[p].position, std::sqrt(radius2), max_radius2}, candidates_);
+  std::ranges::sort(candidates_);
   const auto beats_the_division = [&](SiteId j) {
     const EdgeLabel own = EdgeLabel::bisector(j);
     for (std::size_t i = 0; i < num_pending_; ++i) {

@@ -78,7 +78,7 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   cli.integer({.name = "iterations",
                .value = "MAX",
                .help = "at most so many",
-               .standard = "100; 30 unless the sizing is uniform"},
+               .standard = "100; 40 unless the sizing is uniform"},
               iterations, 0, 1'000'000);
   cli.number({.name = "target-delta", .value = "D", .help = "stop when delta exceeds it"},
              a.remesh.optimize.target_delta, 0, 2);
@@ -137,10 +137,10 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   cli.flag({.name = "global", .help = "look for them everywhere"}, global);
   a.input = cli.parse(1, 1).front();
   choose_scope(a, local, global, weight_scale);
-  // By measurement (bench-adaptive) local iterations past 30 change nothing.
+  // By measurement (bench-adaptive) local iterations past 40 change nothing.
   a.remesh.optimize.max_iterations = iterations >= 0                               ? iterations
                                      : a.remesh.sizing == fpo::SizingKind::uniform ? 100
-                                                                                   : 30;
+                                                                                   : 40;
   a.remesh.seed = cli.seed();
   a.remesh.keep_cells = !a.rpd.empty();
 }

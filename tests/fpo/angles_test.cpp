@@ -83,7 +83,7 @@ TEST_CASE("angles: what cannot be mended is put back") {
   AngleOptions hard;
   hard.smallest = 50;
   hard.largest = 75;
-  hard.max_attempts = 0;  // one for every ten samples is left
+  hard.max_moves = 0;  // twenty for every sample are left
   const auto badness = [&] {
     const TriMesh remesh = extract(domain.diagram(), 300);
     double sum = 0;
@@ -103,7 +103,8 @@ TEST_CASE("angles: what cannot be mended is put back") {
   };
   const double before = badness();
   const AngleResult result = optimize_angles(domain, hard);
-  CHECK(result.tried == 30);
+  CHECK(result.tried > 30);
+  CHECK(result.tried < 1000);
   CHECK(result.bad_after > 0);
   CHECK(badness() <= before * (1 + 1e-9));
   domain.check();
