@@ -61,13 +61,19 @@ AngleResult optimize_angles(SurfaceDomain& domain, const AngleOptions& options) 
     return options.interrupted && options.interrupted->load(std::memory_order_relaxed);
   };
   const std::size_t most_moves = options.max_moves + 20 * domain.num_samples();
-  const auto enough = [&] { return resampling.moves() > most_moves || interrupted(); };
+  const std::size_t most_futile = 16 + domain.num_samples() / 100;  // attempts in a row
+  std::size_t futile = 0;
+  const auto enough = [&] {
+    return resampling.moves() > most_moves || futile > most_futile || interrupted();
+  };
   while (!enough()) {
     const std::size_t mended_before = result.mended;
     bad.try_all_again();
     for (CircleId c; !enough() && (c = bad.take_worst()).valid(); ++result.tried) {
       const std::array<SiteId, 3> corners = domain.diagram().circle(c).sites;  // c may come back as another
-      result.mended += mend(domain, resampling, c, options) || resampling.nudge(corners);
+      const bool mended = mend(domain, resampling, c, options) || resampling.nudge(corners);
+      result.mended += mended;
+      futile = mended ? 0 : futile + 1;
     }
     if (result.mended == mended_before) break;
   }

@@ -169,8 +169,9 @@ bool LocalResampling::nudge(const std::array<SiteId, 3>& corners) {
 
 /// Points of the surface on small circles about x.
 std::vector<SurfaceSample> LocalResampling::places_around(const SurfaceSample& x) {
-  if (!tree_) tree_.emplace(domain_.mesh());
   const Vec3 normal = domain_.mesh().normal(x.facet).normalized();
+  if (normal.isZero()) return {};
+  if (!tree_) tree_.emplace(domain_.mesh());
   const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
   const double h = domain_.sizing().at(x);
   std::vector<SurfaceSample> places;
