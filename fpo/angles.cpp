@@ -54,7 +54,7 @@ FlawMeasure bad_angles(const SurfaceDomain& domain, const AngleOptions& options)
 
 AngleResult optimize_angles(SurfaceDomain& domain, const AngleOptions& options) {
   Flaws bad(domain, bad_angles(domain, options));
-  LocalResampling resampling(domain, {&bad});
+  LocalResampling resampling(domain, {&bad}, options.enough_delta);
   AngleResult result;
   result.bad_before = bad.number();
   const auto interrupted = [&] {

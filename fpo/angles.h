@@ -17,7 +17,8 @@ struct AngleOptions {
   double largest = 112;
   /// The c of the paper, tried in turn: the weight of a corner becomes c times what the sizing gives.
   std::vector<double> weight_shares = {0.8, 0.6, 0.4};
-  std::size_t max_moves = 4'000;                   ///< to begin something after; and twenty a sample
+  double enough_delta = 0.915;    ///< with uniform sizing delta is not made smaller than this
+  std::size_t max_moves = 4'000;  ///< to begin something after; and twenty a sample
   const std::atomic<bool>* interrupted = nullptr;  ///< looked at before each triangle
 };
 
@@ -34,7 +35,7 @@ FlawMeasure bad_angles(const SurfaceDomain& domain, const AngleOptions& options)
 /// resamples (Algorithm 1 in the 2-ring) the corner that has it and the other two, in the end with those
 /// around them. Where that does not help a corner is moved a little, at most .08 h. What makes things worse
 /// (the sum over all bad triangles of the square of the degrees beyond the bounds) is undone, and if the
-/// sizing is uniform what makes delta smaller. Ends when no triangle is bad or a round mends nothing, or after so many moves or futile attempts in a row. At last
+/// sizing is uniform what makes delta smaller and not enough. Ends when no triangle is bad or a round mends nothing, or after so many moves or futile attempts in a row. At last
 /// weights are restored where that makes nothing worse. The number of samples stays; fixed ones stay where
 /// they are. Deterministic. O(1) expected an attempt.
 AngleResult optimize_angles(SurfaceDomain& domain, const AngleOptions& options);

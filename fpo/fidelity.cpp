@@ -89,7 +89,7 @@ FidelityResult improve_fidelity(SurfaceDomain& domain, const AngleOptions& angle
     return beyond * beyond;
   });
   Flaws bad(domain, bad_angles(domain, angles));
-  LocalResampling resampling(domain, {&far, &bad});
+  LocalResampling resampling(domain, {&far, &bad}, options.enough_delta);
   const std::size_t most_moves = least_moves + iterations * domain.num_samples();
   const auto enough = [&] {
     return resampling.moves() > most_moves ||

@@ -13,7 +13,8 @@ namespace fpo {
 struct FidelityOptions {
   /// A triangle is far if its distance is more than this share of the largest one at the start: where the
   /// surface is folded or narrow in comparison with the spacing.
-  double share_of_largest = 0.7;
+  double share_of_largest = 0.5;
+  double enough_delta = 0.915;  ///< with uniform sizing delta is not made smaller than this
   const std::atomic<bool>* interrupted = nullptr;  ///< looked at before each triangle
 };
 
@@ -26,8 +27,8 @@ struct FidelityResult {
 
 /// Takes the farthest triangle first: resamples around it, or puts a corner of it to where the surface is
 /// far. What does not lessen the sum over all far triangles of the square of what they exceed the bound by,
-/// in units of it, is undone, and so is what makes angles worse (`angles`) or, with uniform sizing, samples
-/// closer than any. The number of samples stays; fixed ones stay where they are. Deterministic. Some closest
+/// in units of it, is undone, and so is what makes angles worse (`angles`) or, with uniform sizing, delta
+/// smaller and not enough. The number of samples stays; fixed ones stay where they are. Deterministic. Some closest
 /// points a triangle, and about as many moves as ten iterations of the optimization, at most.
 FidelityResult improve_fidelity(SurfaceDomain& domain, const AngleOptions& angles,
                                 const FidelityOptions& options = {});

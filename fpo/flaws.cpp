@@ -72,8 +72,11 @@ void Flaws::forget(CircleId c) {
   if (untried_.contains(c)) untried_.erase(c);
 }
 
-LocalResampling::LocalResampling(SurfaceDomain& domain, std::vector<Flaws*> flaws)
-    : domain_(domain), flaws_(std::move(flaws)), before_(flaws_.size(), 0.0), delta_(measure(domain).delta) {}
+LocalResampling::LocalResampling(SurfaceDomain& domain, std::vector<Flaws*> flaws, double enough)
+    : domain_(domain),
+      flaws_(std::move(flaws)),
+      before_(flaws_.size(), 0.0),
+      delta_(std::min(measure(domain).delta, enough)) {}
 
 void LocalResampling::follow() {
   for (Flaws* flaws : flaws_) flaws->follow(domain_.last_change());

@@ -56,15 +56,16 @@ class Flaws {
 /// Moves some samples and keeps that only if it betters things.
 class LocalResampling {
  public:
-  /// The first flaws are to become fewer, the others must not become more. Keeps references.
-  LocalResampling(SurfaceDomain& domain, std::vector<Flaws*> flaws);
+  /// The first flaws are to become fewer, the others must not become more. With uniform sizing no sample may
+  /// come closer to another than any is now, and closer than `enough` (normalized). Keeps references.
+  LocalResampling(SurfaceDomain& domain, std::vector<Flaws*> flaws, double enough);
 
   /// Things are better if the first badness is smaller by more than this: 0 at first.
   void require_gain(double gain) { gain_ = gain; }
 
   /// Multiplies the weights of samples[1] and [2] by `weight_share`, then resamples all in turn (Algorithm 1
-  /// in the 2-ring), some times over, until things are better and, with uniform sizing, no sample is closer
-  /// to another than any was at the start: true. Else puts everything back. Fixed samples stay.
+  /// in the 2-ring), some times over, until things are better and, with uniform sizing, no sample is too
+  /// close to another: true. Else puts everything back. Fixed samples stay.
   bool attempt(std::span<const SiteId> samples, double weight_share);
   /// The same with samples[0] put at a place first, where it stays.
   bool attempt_at(std::span<const SiteId> samples, const SurfaceSample& place);
@@ -100,7 +101,7 @@ class LocalResampling {
   double gain_ = 0;
   std::size_t moves_ = 0;
   std::optional<geom::AabbTree> tree_;  ///< made when first needed
-  double delta_;                        ///< the smallest normalized spacing at the start
+  double delta_;                        ///< no normalized spacing becomes smaller
 };
 
 /// The corners of a triangle and, ring by ring, those around them: larger and larger sets to resample, until

@@ -12,7 +12,8 @@
 namespace fpo {
 namespace {
 
-constexpr int futile_mending_rounds = 10;  // in a row, without fewer defects
+constexpr double delta_with_features = 0.9;  // samples on features, which stay, keep delta from more anyway
+constexpr int futile_mending_rounds = 10;    // in a row, without fewer defects
 
 /// Some ten surface points a sample. On needles, which have edges but no area, the estimate knows no bound:
 /// there the points lie farther apart.
@@ -127,6 +128,7 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
   if (options.improve_fidelity) {
     FidelityOptions fidelity;
     fidelity.interrupted = optimization.interrupted;
+    if (!shared.features.samples.empty()) fidelity.enough_delta = delta_with_features;
     result.fidelity = improve_fidelity(domain, angle_options(options), fidelity);
   }
   result.hidden = domain.num_hidden();

@@ -160,6 +160,9 @@ int remesh(tools::CommandLine& cli) {
     std::printf("feature_samples %zu\nfeature_edges %zu\nbroken_feature_edges %zu\nprotected_samples %zu\n",
                 result.feature_samples, result.feature_edges, result.broken_feature_edges,
                 result.protection.weighted);
+  if (a.remesh.improve_fidelity)
+    std::printf("far_triangles_tried %zu\nfar_triangles_mended %zu\n", result.fidelity.tried,
+                result.fidelity.mended);
   if (a.remesh.optimize_angles)
     std::printf("bad_triangles_before %zu\nbad_triangles_after %zu\nmended %zu of %zu, %zu reweighted\n",
                 result.angles.bad_before, result.angles.bad_after, result.angles.mended, result.angles.tried,
