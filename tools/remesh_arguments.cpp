@@ -1,5 +1,8 @@
 #include "tools/remesh_arguments.h"
 
+#include <set>
+
+#include "fpo/feature_samples.h"
 #include "io/atomic_file.h"
 #include "io/mesh_io.h"
 #include "io/points.h"
@@ -8,7 +11,7 @@
 namespace tools {
 namespace {
 
-/// An option whose issue has not come yet.
+/// An option that does not work yet.
 void declare_later(CommandLine& cli, const std::string& name, const std::string& help) {
   cli.custom({.name = name, .value = "FILE", .help = help + " (not yet)"},
              [](const std::string&) { throw geom::InputError("does not work yet"); });
@@ -151,8 +154,14 @@ void check_outputs(const RemeshArguments& a) {
   if (!a.points.empty())
     geom::require(io::point_format(a.points) != io::PointFormat::txt,
                   a.points.string() + ": use .xyz or .ply");
-  for (const std::filesystem::path& path : {a.output, a.points, a.rpd, a.log, a.picture, a.sizing_out, a.map})
-    if (!path.empty()) io::require_writable(path);
+  std::set<std::filesystem::path> taken;
+  for (const std::filesystem::path& path :
+       {a.output, a.points, a.rpd, a.log, a.picture, a.sizing_out, a.map}) {
+    if (path.empty()) continue;
+    io::require_writable(path);
+    geom::require(taken.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(path))).second,
+                  path.string() + ": named for two outputs");
+  }
 }
 
 }  // namespace
@@ -165,9 +174,15 @@ RemeshArguments parse_remesh_arguments(CommandLine& cli) {
 }
 
 void read_files(RemeshArguments& a, const geom::TriMesh& input) {
-  if (!a.fixed_file.empty())
+  if (!a.fixed_file.empty()) {
     for (const geom::WeightedPoint3& point : io::read_points3(a.fixed_file))
       a.remesh.fixed.push_back(point.position);
+    try {
+      fpo::points_on_surface(input, a.remesh.fixed);
+    } catch (const geom::InputError& error) {
+      throw geom::InputError(a.fixed_file.string() + ": " + error.what());
+    }
+  }
   if (a.remesh.sizing != fpo::SizingKind::given) return;
   const std::vector<double> values = io::read_positive_values(a.sizing_file, input.num_vertices());
   a.remesh.rho.assign(values.begin(), values.end());
