@@ -13,7 +13,7 @@ namespace fpo {
 struct FidelityOptions {
   /// A triangle is far if its distance is more than this share of the largest one at the start: where the
   /// surface is folded or narrow in comparison with the spacing.
-  double share_of_largest = 0.5;
+  double share_of_largest = 0.7;
   double enough_delta = 0.915;  ///< with uniform sizing delta is not made smaller than this
   const std::atomic<bool>* interrupted = nullptr;  ///< looked at before each triangle
 };

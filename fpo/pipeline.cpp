@@ -12,8 +12,7 @@
 namespace fpo {
 namespace {
 
-constexpr double delta_with_features = 0.9;  // samples on features, which stay, keep delta from more anyway
-constexpr int futile_mending_rounds = 10;    // in a row, without fewer defects
+constexpr int futile_mending_rounds = 10;  // in a row, without fewer defects
 
 /// Some ten surface points a sample. On needles, which have edges but no area, the estimate knows no bound:
 /// there the points lie farther apart.
@@ -128,7 +127,10 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
   if (options.improve_fidelity) {
     FidelityOptions fidelity;
     fidelity.interrupted = optimization.interrupted;
-    if (!shared.features.samples.empty()) fidelity.enough_delta = delta_with_features;
+    if (!shared.features.samples.empty()) {  // fixed samples keep delta from more, and shape matters more
+      fidelity.share_of_largest = 0.5;
+      fidelity.enough_delta = 0.9;
+    }
     result.fidelity = improve_fidelity(domain, angle_options(options), fidelity);
   }
   result.hidden = domain.num_hidden();
