@@ -13,6 +13,7 @@ using geom::Vec3;
 namespace {
 
 constexpr int rounds = 10;
+constexpr double most_share = 8;  // of the usual weight: larger disks would swallow all around them
 
 using Edge = std::pair<SiteId, SiteId>;
 
@@ -28,10 +29,10 @@ std::vector<Edge> missing_edges(const SurfaceDomain& domain, const FeatureSample
   return missing;
 }
 
-/// So that its disk reaches the middle of an edge of this length. False if it does already.
+/// So that its disk reaches the middle of an edge of this length. False if it does already or never may.
 bool raise_weight(SurfaceDomain& domain, SiteId x, double length2) {
   const double share = 1 + length2 / 4 / domain.full_weight(x);
-  if (!(share > domain.weight_share(x))) return false;
+  if (!(share > domain.weight_share(x)) || share > most_share) return false;
   const SurfaceSample place = domain.sample(x);
   domain.remove(x);
   domain.insert_at(x, place, share);

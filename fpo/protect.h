@@ -20,7 +20,8 @@ struct Protection {
   }
 };
 
-/// Mends the chain edges that the RRT lacks: raises the weights of both ends by the square of half the edge;
+/// Mends the chain edges that the RRT lacks: raises the weights of both ends by the square of half the edge,
+/// to eight times the usual one at most;
 /// if that is done already, moves the inner sample nearest to the edge's middle to the farthest point of the
 /// surface. Repeats that, up to ten times, while edges are missing. Nothing changes if none is. The features'
 /// samples must be the fixed ones of the domain. Deterministic. O(features) a round.
