@@ -30,7 +30,7 @@ using geom::VertexId;
 namespace {
 
 constexpr double relative_gap = 1e-3, absolute_gap = 1e-6;  // the latter in diagonals
-constexpr std::size_t max_cells = 1'000'000;                // besides two a facet
+constexpr std::size_t max_cells = 300'000;                  // besides two a facet
 constexpr std::size_t grain = 128;                          // facets or cells a thread takes at a time
 constexpr std::size_t batch_size = 2048;  // cells divided before the largest distance is looked at again
 

@@ -13,11 +13,11 @@ struct SurfaceDistance {
 };
 
 /// Compares the surfaces and not only samples of them: max_bound exceeds max by at most 0.1% or, if that is
-/// more, 1e-6 of the reference's diagonal (unless a million triangles do not suffice for that: then
-/// max_bound is farther off, but still a bound). The mean is by a quadrature of degree 2, with about
-/// 100,000 points a surface and at least three a facet; a surface without area has all facets equal weight.
-/// The result does not depend on the number of threads. Throws geom::InputError if a mesh has no facet. Cost:
-/// some queries of closest points a facet, more where the distance is near its maximum.
+/// more, 1e-6 of the reference's diagonal (unless 300,000 triangles, besides two a facet, do not suffice for
+/// that: then max_bound is farther off, but still a bound). The mean is by a quadrature of degree 2, with
+/// about 100,000 points a surface and at least three a facet; a surface without area has all facets equal
+/// weight. The result does not depend on the number of threads. Throws geom::InputError if a mesh has no
+/// facet. Cost: some queries of closest points a facet, more where the distance is near its maximum.
 SurfaceDistance surface_distance(const geom::TriMesh& mesh, const geom::TriMesh& reference, int threads = 1);
 
 }  // namespace fpo
