@@ -26,8 +26,8 @@ struct FeatureOptions {
   /// no corners but those seen at this scale. 0: between mesh edges.
   double turn_scale = 0;
   /// A vertex with a smaller sum of facet angles around it is a corner though no curve passes: an apex. 0:
-  /// none is. A sample there needs three neighbours around it, closer together than the spacing if the sum is
-  /// below 155 degrees, so that no optimization puts them there: apexes are left to type A corners.
+  /// none is, for a sample on a sharp tip has too few neighbours to make good angles, or any triangle: apexes
+  /// are left to type A corners.
   double apex_angle = 0;
 };
 
