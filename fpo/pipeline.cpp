@@ -3,6 +3,9 @@
 #include <cmath>
 #include <string>
 
+#include "fpo/baselines/cps.h"
+#include "fpo/baselines/cvt.h"
+#include "fpo/baselines/mps.h"
 #include "fpo/curvature.h"
 #include "fpo/local_feature_size.h"
 #include "fpo/surface_cover.h"
@@ -105,14 +108,18 @@ Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const Re
   return best;
 }
 
-RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {
-  RemeshResult result;
-  const SharedSizing shared = sizing_and_features(surface, options);
-  const Sizing& sizing = shared.sizing;
-  SurfaceOptions surface_options = options.surface;
-  surface_options.seed = options.seed;
-  surface_options.num_fixed = shared.features.samples.size();
-  SurfaceDomain domain(surface, sizing, initial_samples(surface, shared, options), surface_options);
+SurfaceOptions surface_options(const SharedSizing& shared, const RemeshOptions& options) {
+  SurfaceOptions result = options.surface;
+  result.seed = options.seed;
+  result.num_fixed = shared.features.samples.size();
+  return result;
+}
+
+/// Farthest point optimization.
+SurfaceDomain optimized_samples(const geom::TriMesh& surface, const SharedSizing& shared,
+                                const RemeshOptions& options, RemeshResult& result) {
+  SurfaceDomain domain(surface, shared.sizing, initial_samples(surface, shared, options),
+                       surface_options(shared, options));
   OptimizeOptions optimization = options.optimize;
   optimization.seed = options.seed;
   optimization.order = VisitOrder::in_turn;  // the initial samples are in random order already
@@ -122,11 +129,44 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
     result.shortest_edges = remove_shortest_edges(domain, removal);
   }
   result.optimization = optimize(domain, optimization);
+  return domain;
+}
+
+/// One of the methods that the paper compares with. A Voronoi cell is a power cell without weights; disks have
+/// their squared radii as weights.
+SurfaceDomain baseline_samples(const geom::TriMesh& surface, const SharedSizing& shared,
+                               const RemeshOptions& options, RemeshResult& result) {
+  std::vector<SurfaceSample> fixed = shared.features.samples;
+  for (SurfaceSample& x : fixed) x.position = geom::snapped(x.position);
+  const BaselineTask task{surface, shared.sizing, fixed, options.num_samples, options.seed, options.threads};
+  const BaselineResult baseline =
+      options.method == Method::cvt   ? centroidal_tessellation(task, options.optimize)
+      : options.method == Method::mps ? maximal_poisson_disks(task, options.optimize)
+                                      : constrained_poisson_disks(task, options.optimize);
+  result.optimization = baseline.run;
+  result.radius_factor = baseline.radius_factor;
+  SurfaceOptions diagram = surface_options(shared, options);
+  diagram.weighted = baseline.radius_factor > 0;
+  if (diagram.weighted) diagram.weight_factor = baseline.radius_factor;
+  return SurfaceDomain(surface, shared.sizing, baseline.samples, diagram);
+}
+
+SurfaceDomain distributed_samples(const geom::TriMesh& surface, const SharedSizing& shared,
+                                  const RemeshOptions& options, RemeshResult& result) {
+  return options.method == Method::fpo ? optimized_samples(surface, shared, options, result)
+                                       : baseline_samples(surface, shared, options, result);
+}
+
+RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {
+  RemeshResult result;
+  const SharedSizing shared = sizing_and_features(surface, options);
+  const Sizing& sizing = shared.sizing;
+  SurfaceDomain domain = distributed_samples(surface, shared, options, result);
   if (options.mend) result.protection = protect_chains(domain, shared.features);
   if (options.optimize_angles) result.angles = optimize_angles(domain, angle_options(options));
   if (options.improve_fidelity) {
     FidelityOptions fidelity;
-    fidelity.interrupted = optimization.interrupted;
+    fidelity.interrupted = options.optimize.interrupted;
     if (!shared.features.samples.empty()) {  // fixed samples keep delta from more, and shape matters more
       fidelity.share_of_largest = 0.5;
       fidelity.enough_delta = 0.9;

@@ -18,10 +18,14 @@
 
 namespace fpo {
 
+/// How samples are distributed: the paper's way, or one of those it compares with (table 1; fpo/baselines).
+enum class Method { fpo, cvt, mps, cps };
+
 /// What the wanted edge lengths are made of.
 enum class SizingKind { uniform, local_feature_size, curvature, given };
 
 struct RemeshOptions {
+  Method method = Method::fpo;
   std::size_t num_samples = 0;
   std::uint64_t seed = 1;  ///< of the initial samples, which are then moved in turn
   SizingKind sizing = SizingKind::uniform;
@@ -31,12 +35,15 @@ struct RemeshOptions {
   std::optional<FeatureOptions> features;
   std::vector<geom::Vec3> fixed;       ///< points of the surface, which become vertices exactly
   SurfaceOptions surface;              ///< its seed and number of fixed samples are overruled
-  bool shortest_edge_removal = false;  ///< before the optimization (section 4.3)
-  OptimizeOptions optimize;            ///< its seed and order are overruled
-  bool mend = true;                    ///< bring samples to where the remesh is no surface
-  bool optimize_angles = true;         ///< afterwards (section 5)
-  bool improve_fidelity = true;        ///< where the remesh is farthest from the input (fidelity.h)
-  bool keep_cells = false;             ///< fill RemeshResult::cells
+  bool shortest_edge_removal = false;  ///< before the optimization (section 4.3); fpo only
+  /// Its seed and order are overruled. Other methods than fpo heed the greatest number of iterations (of radii
+  /// tried, with mps and cps), the interruption and the callbacks.
+  OptimizeOptions optimize;
+  int threads = 1;               ///< of cvt; no matter to the result
+  bool mend = true;              ///< bring samples to where the remesh is no surface
+  bool optimize_angles = true;   ///< afterwards (section 5)
+  bool improve_fidelity = true;  ///< where the remesh is farthest from the input (fidelity.h)
+  bool keep_cells = false;       ///< fill RemeshResult::cells
 };
 
 struct RemeshResult {
@@ -51,6 +58,7 @@ struct RemeshResult {
   std::size_t broken_feature_edges = 0;  ///< those that are no edges of the mesh
   ShortestEdgeResult shortest_edges;
   OptimizeResult optimization;
+  double radius_factor = 0;  ///< mps and cps: a disk's radius in units of the wanted edge length
   AngleResult angles;
   FidelityResult fidelity;
   std::size_t brought = 0;  ///< samples that mending has moved
@@ -59,7 +67,8 @@ struct RemeshResult {
   std::vector<CellPolygon> cells;  ///< the restricted power diagram
 };
 
-/// Remeshes with exactly num_samples vertices. Deterministic. If interrupted, the result is that of the moves
+/// Remeshes with exactly num_samples vertices; with mps and cps, whose parameter is a radius, with about as
+/// many. Deterministic. If interrupted, the result is that of the moves
 /// done. Computes on a copy of the input that is scaled by a power of two and snapped to multiples of 2^-160
 /// of its size, so that no product in a predicate over- or underflows (geom/scaling.h), and scales back,
 /// which is exact. Throws geom::InputError on an unusable input (no area, or a largest coordinate beyond

@@ -45,7 +45,7 @@ SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,
       options_(options),
       samples_(samples.begin(), samples.end()),
       weight_share_(std::move(weight_shares)),
-      unweighted_(sizing.is_uniform() && std::ranges::count(weight_share_, 1.0) == std::ssize(weight_share_)),
+      unweighted_(equal_weights() && std::ranges::count(weight_share_, 1.0) == std::ssize(weight_share_)),
       source_(make_source(options.engine, mesh.box())),
       diagram_(std::make_unique<geom::RestrictedPower>(mesh, *source_, options.corners)),
       circles_(CircleOrder{diagram_.get()}) {
@@ -63,8 +63,8 @@ double SurfaceDomain::full_weight(SiteId x) const {
 
 /// A uniform diagram is that of equal weights, whatever these are: 0. A smaller weight is negative then.
 double SurfaceDomain::weight_at(SiteId x) const {
-  if (sizing_.is_uniform() && weight_share_[x] == 1) return 0;
-  return geom::snapped((weight_share_[x] - (sizing_.is_uniform() ? 1 : 0)) * full_weight(x), weight_unit);
+  if (equal_weights() && weight_share_[x] == 1) return 0;
+  return geom::snapped((weight_share_[x] - (equal_weights() ? 1 : 0)) * full_weight(x), weight_unit);
 }
 
 double SurfaceDomain::separation(SiteId x) { return source_->nearest(samples_[x].position, x, x).radius2; }

@@ -3,7 +3,7 @@
 // and the heap of empty circles.
 //
 // A sample where the sizing wants edges of length h has weight (c h)^2 (section 3.2 with k chosen so that the
-// weight is a squared length), or 0 if the sizing is uniform: equal weights do nothing. The weight is that of
+// weight is a squared length), or 0 if the sizing is uniform (or on request): equal weights do nothing. The weight is that of
 // the sample's own place: it changes as the sample moves.
 
 #include <memory>
@@ -27,6 +27,7 @@ inline double best_weight_factor(Scope scope) { return scope == Scope::global ? 
 
 struct SurfaceOptions {
   double weight_factor = best_weight_factor(Scope::two_ring);  ///< c
+  bool weighted = true;  ///< else the diagram is the Voronoi diagram even if the sizing is not uniform
   Engine engine = Engine::search;
   geom::CornerTypes corners = geom::CornerTypes::c_only;
   std::size_t num_fixed = 0;  ///< the samples with smaller ids stay where they are
@@ -89,6 +90,7 @@ class SurfaceDomain final : public Domain {
                 geom::Table<SiteId, double> weight_shares, const SurfaceOptions& options);
   void insert(SiteId x, SiteId hint);
   double weight_at(SiteId x) const;
+  bool equal_weights() const { return sizing_.is_uniform() || !options_.weighted; }
   Circle largest_in_two_ring();
   bool larger(CircleId a, CircleId b) const;
   void apply(const geom::RestrictedPower::Change& change);

@@ -98,6 +98,10 @@ void CommandLine::toggle(Option option, bool& target) {
   declare(std::move(option), Kind::toggle, [&target](const std::string& text) { target = text == "yes"; });
 }
 
+void CommandLine::toggle(Option option, std::optional<bool>& target) {
+  declare(std::move(option), Kind::toggle, [&target](const std::string& text) { target = text == "yes"; });
+}
+
 void CommandLine::declare_choice(Option option, std::vector<std::string> words,
                                  std::function<void(std::size_t)> assign) {
   custom(std::move(option), [words = std::move(words), assign = std::move(assign)](const std::string& text) {

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -72,6 +73,8 @@ class CommandLine {
   void flag(Option option, bool& target);
   /// --name makes the target true, --no-name false.
   void toggle(Option option, bool& target);
+  /// The same; not given, the target stays as it is.
+  void toggle(Option option, std::optional<bool>& target);
   /// One of several words, each with the value that it stands for.
   template <class E>
   void choice(Option option, E& target, std::vector<std::pair<std::string, std::type_identity_t<E>>> words);

@@ -154,6 +154,7 @@ int remesh(tools::CommandLine& cli) {
       "%s\n",
       result.samples.size(), o.last.iteration, o.moves, name_of(o.reason), o.last.delta, o.last.mean_delta,
       o.last.seconds, a.output.c_str());
+  if (result.radius_factor > 0) std::printf("disk_radius_over_h %.6f\n", result.radius_factor);
   if (a.remesh.sizing != fpo::SizingKind::uniform) print_sizing(result);
   if (result.brought > 0) std::printf("samples_moved_to_mend %zu\n", result.brought);
   if (result.feature_samples > 0)

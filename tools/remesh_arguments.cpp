@@ -1,5 +1,6 @@
 #include "tools/remesh_arguments.h"
 
+#include <optional>
 #include <set>
 
 #include "fpo/feature_samples.h"
@@ -49,15 +50,34 @@ void choose_scope(RemeshArguments& a, bool local, bool global, double weight_sca
       weight_scale > 0 ? weight_scale : fpo::best_weight_factor(a.remesh.optimize.scope);
 }
 
+constexpr int most_radii = 20;
+
+/// By measurement (bench-adaptive) local iterations past 40 change nothing.
+int usual_iterations(const fpo::RemeshOptions& remesh) {
+  if (remesh.method == fpo::Method::mps || remesh.method == fpo::Method::cps) return most_radii;
+  const bool uniform = remesh.sizing == fpo::SizingKind::uniform;
+  return uniform || remesh.method == fpo::Method::cvt ? 100 : 40;
+}
+
+/// The other methods are compared as they are: what the paper does after its own is for that one, unless asked
+/// for.
+void choose_improvements(RemeshArguments& a, std::optional<bool> angles, std::optional<bool> fidelity) {
+  const bool ours = a.remesh.method == fpo::Method::fpo;
+  geom::require(ours || !a.remesh.shortest_edge_removal, "--ser: works with --method fpo only");
+  a.remesh.optimize_angles = angles.value_or(ours);
+  a.remesh.improve_fidelity = fidelity.value_or(ours);
+}
+
 void parse(CommandLine& cli, RemeshArguments& a) {
   cli.describe("INPUT", "Remeshes a surface (obj, off, ply, stl) with COUNT samples of blue noise.");
   cli.group("Result");
-  cli.integer({.name = "count",
-               .letter = 'n',
-               .value = "COUNT",
-               .help = "number of samples: exactly the vertices of OUT",
-               .required = true},
-              a.remesh.num_samples, 1, 20'000'000);
+  cli.integer(
+      {.name = "count",
+       .letter = 'n',
+       .value = "COUNT",
+       .help = "number of samples: exactly the vertices of OUT (with --method mps or cps about as many)",
+       .required = true},
+      a.remesh.num_samples, 1, 20'000'000);
   cli.path({.name = "output",
             .letter = 'o',
             .value = "OUT",
@@ -77,12 +97,24 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   declare_later(cli, "report", "a report in one file");
 
   cli.group("Optimization");
+  cli.choice({.name = "method",
+              .value = "fpo|cvt|mps|cps",
+              .help = "farthest point optimization, or what the paper compares it with: centroidal Voronoi "
+                      "tessellation, maximal or constrained Poisson-disk sampling (these without angle "
+                      "optimization and improvement of fidelity unless asked for)"},
+             a.remesh.method,
+             {{"fpo", fpo::Method::fpo},
+              {"cvt", fpo::Method::cvt},
+              {"mps", fpo::Method::mps},
+              {"cps", fpo::Method::cps}});
   int iterations = -1;
-  cli.integer({.name = "iterations",
-               .value = "MAX",
-               .help = "at most so many",
-               .standard = "100; 40 unless the sizing is uniform"},
-              iterations, 0, 1'000'000);
+  cli.integer(
+      {.name = "iterations",
+       .value = "MAX",
+       .help = "at most so many: of FPO; with cvt 5 of Lloyd's, then of L-BFGS; with mps and cps radii "
+               "tried to come near COUNT",
+       .standard = "100; 40 unless the sizing is uniform; cvt 100; mps, cps 20"},
+      iterations, 0, 1'000'000);
   cli.number({.name = "target-delta", .value = "D", .help = "stop when delta exceeds it"},
              a.remesh.optimize.target_delta, 0, 2);
   cli.choice({.name = "corners",
@@ -132,19 +164,22 @@ void parse(CommandLine& cli, RemeshArguments& a) {
            a.strict);
   bool local = false, global = false;
   cli.toggle({.name = "ser", .help = "shortest edge removal first"}, a.remesh.shortest_edge_removal);
-  cli.toggle({.name = "optimize-angles", .help = "angle optimization afterwards"}, a.remesh.optimize_angles);
-  cli.toggle({.name = "improve-fidelity", .help = "mend triangles that are far from the surface"},
-             a.remesh.improve_fidelity);
+  std::optional<bool> angles, fidelity;
+  cli.toggle({.name = "optimize-angles", .help = "angle optimization afterwards", .standard = "on with fpo"},
+             angles);
+  cli.toggle({.name = "improve-fidelity",
+              .help = "mend triangles that are far from the surface",
+              .standard = "on with fpo"},
+             fidelity);
   cli.toggle({.name = "mend", .help = "bring samples to where the remesh is no surface"}, a.remesh.mend);
   cli.flag({.name = "local", .help = "look for farthest points nearby only"}, local);
   cli.flag({.name = "global", .help = "look for them everywhere"}, global);
   a.input = cli.parse(1, 1).front();
   choose_scope(a, local, global, weight_scale);
-  // By measurement (bench-adaptive) local iterations past 40 change nothing.
-  a.remesh.optimize.max_iterations = iterations >= 0                               ? iterations
-                                     : a.remesh.sizing == fpo::SizingKind::uniform ? 100
-                                                                                   : 40;
+  choose_improvements(a, angles, fidelity);
+  a.remesh.optimize.max_iterations = iterations >= 0 ? iterations : usual_iterations(a.remesh);
   a.remesh.seed = cli.seed();
+  a.remesh.threads = cli.threads();
   a.remesh.keep_cells = !a.rpd.empty();
 }
 

@@ -1,0 +1,42 @@
+#pragma once
+// What the other methods of the paper's table 1 have in common here: each turns a surface, a sizing and a number
+// of samples into samples. Meshes are made of them as of those of farthest point optimization (pipeline.h).
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "fpo/optimize.h"
+#include "fpo/sizing.h"
+#include "fpo/surface_sample.h"
+
+namespace fpo {
+
+/// What is to be sampled. All references must outlive the call.
+struct BaselineTask {
+  const geom::TriMesh& surface;
+  const Sizing& sizing;
+  std::span<const SurfaceSample> fixed;  ///< samples that are there already and stay: the first of the result
+  std::size_t num_samples;               ///< wanted in all; at least those that are fixed
+  std::uint64_t seed = 1;
+  int threads = 1;  ///< no matter to the result
+
+  std::size_t num_inner() const { return num_samples - fixed.size(); }
+};
+
+struct BaselineResult {
+  std::vector<SurfaceSample> samples;  ///< their positions in the exact range (geom/scaling.h)
+  double radius_factor = 0;            ///< of Poisson disks: a sample's disk has this radius times h there
+  OptimizeResult run;                  ///< iterations, or radii tried
+};
+
+/// delta and mean delta (optimize.h) of samples without a diagram: distances over h to the nearest other sample
+/// in space, fixed ones left out unless all are. O(n log n).
+IterationReport measure(const BaselineTask& task, std::span<const SurfaceSample> samples);
+
+/// Whether somebody wants the end.
+inline bool interrupted(const OptimizeOptions& options) {
+  return options.interrupted && options.interrupted->load(std::memory_order_relaxed);
+}
+
+}  // namespace fpo

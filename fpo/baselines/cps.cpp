@@ -1,0 +1,36 @@
+#include "fpo/baselines/cps.h"
+
+#include <algorithm>
+
+#include "fpo/baselines/disks.h"
+#include "fpo/initial_samples.h"
+
+namespace fpo {
+namespace {
+
+constexpr std::size_t pool_per_sample = 20;
+constexpr std::size_t largest_pool = 20'000'000;
+
+}  // namespace
+
+// The pool is in random order: to pick a random one of those left is to take the next that is left, and a sample
+// is left as long as it is in no disk.
+BaselineResult constrained_poisson_disks(const BaselineTask& task, const OptimizeOptions& options) {
+  std::vector<SurfaceSample> pool;
+  if (task.num_inner() > 0) {
+    const std::size_t size =
+        std::max(task.num_samples, std::min(largest_pool, pool_per_sample * task.num_samples));
+    pool = random_samples(task.surface, task.sizing, size, task.seed);
+  }
+  return search_radius(task, options, [&](double radius_factor) {
+    Disks disks(task.sizing, radius_factor);
+    for (const SurfaceSample& x : task.fixed) disks.add(x);
+    for (const SurfaceSample& x : pool) {
+      if (disks.is_free(x.position)) disks.add(x);
+      if (interrupted(options)) break;
+    }
+    return disks.samples();
+  });
+}
+
+}  // namespace fpo

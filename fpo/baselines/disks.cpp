@@ -1,0 +1,60 @@
+#include "fpo/baselines/disks.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "geom/scaling.h"
+
+namespace fpo {
+
+SiteId Disks::add(const SurfaceSample& x) {
+  const SiteId id(samples_.size());
+  samples_.push_back(x);
+  tree_.insert(id, point(x));
+  return id;
+}
+
+geom::WeightedPoint3 Disks::point(const SurfaceSample& x) const {
+  const double radius = radius_factor_ * sizing_.at(x);
+  return {x.position, geom::snapped(radius * radius, geom::coordinate_unit * geom::coordinate_unit)};
+}
+
+namespace {
+
+std::size_t difference(std::size_t a, std::size_t b) { return a > b ? a - b : b - a; }
+
+}  // namespace
+
+BaselineResult search_radius(const BaselineTask& task, const OptimizeOptions& options,
+                             const DiskSampling& sample) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::size_t tolerance = task.num_samples / 1000;
+  BaselineResult best;
+  double c = usual_radius_factor;
+  for (int attempt = 1;; ++attempt) {
+    if (options.on_move) options.on_move(static_cast<std::size_t>(attempt - 1) * task.num_samples);
+    std::vector<SurfaceSample> samples = sample(c);
+    const bool stopped = interrupted(options);
+    const std::size_t number = samples.size();
+    if (attempt == 1 || (!stopped && difference(number, task.num_samples) <
+                                         difference(best.samples.size(), task.num_samples))) {
+      best.samples = std::move(samples);
+      best.radius_factor = c;
+      best.run.last = measure(task, best.samples);
+    }
+    best.run.last.iteration = attempt;
+    best.run.last.moved = number;
+    best.run.last.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (options.on_iteration) options.on_iteration(best.run.last);
+    best.run.moves += number;
+    if (stopped) return best.run.reason = StopReason::interrupted, best;
+    if (difference(number, task.num_samples) <= tolerance)
+      return best.run.reason = StopReason::target_reached, best;
+    if (attempt >= options.max_iterations) return best.run.reason = StopReason::iteration_cap, best;
+    const double inner = static_cast<double>(std::max<std::size_t>(number - task.fixed.size(), 1));
+    c *= std::sqrt(inner / static_cast<double>(std::max<std::size_t>(task.num_inner(), 1)));
+  }
+}
+
+}  // namespace fpo
