@@ -8,7 +8,7 @@
 namespace fpo {
 namespace {
 
-constexpr std::size_t pool_per_sample = 20;
+constexpr std::size_t pool_per_sample = 15;  // with it the quality is that of the tables (10: less, 20: more)
 constexpr std::size_t largest_pool = 20'000'000;
 
 }  // namespace

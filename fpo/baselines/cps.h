@@ -6,7 +6,7 @@
 
 namespace fpo {
 
-/// A dense pool of Monte-Carlo samples with density h^-2, twenty for each wanted; then again and again one of
+/// A dense pool of Monte-Carlo samples with density h^-2, fifteen for each wanted; then again and again one of
 /// those left is picked at random and all others in its disk are eliminated. The disk has radius c h; c is
 /// searched for the number of samples (search_radius in disks.h). What the pool leaves uncovered stays so. Picks
 /// are uniform over the samples left, where the publication first picks one of the cells of a grid. Distances
