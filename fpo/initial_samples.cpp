@@ -13,8 +13,6 @@ using geom::Vec2;
 
 namespace {
 
-constexpr std::size_t max_samples = 20'000'000;  // ids and memory: about 1 KB a sample
-
 /// Density proportional to h^-2 by rejection: at most one draw in three fails on a patch.
 SurfaceSample draw_in(const SizedPatch& patch, const TriMesh& mesh, const Sizing& sizing, geom::Rng& rng) {
   for (;;) {

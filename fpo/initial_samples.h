@@ -10,8 +10,11 @@
 
 namespace fpo {
 
+/// More are refused: ids and memory, about 1 KB a sample.
+inline constexpr std::size_t max_samples = 20'000'000;
+
 /// Exactly n independent samples with density proportional to h^-2 (uniform by area if h is); a function of
-/// mesh, sizing, n and seed. O(patches + n log patches). Throws InputError if n is 0 or absurd, or if the
+/// mesh, sizing, n and seed. O(patches + n log patches). Throws InputError if n is 0 or more than max_samples, or if the
 /// surface has no area.
 std::vector<SurfaceSample> random_samples(const geom::TriMesh& mesh, const Sizing& sizing, std::size_t n,
                                           std::uint64_t seed);

@@ -132,17 +132,16 @@ SurfaceDomain optimized_samples(const geom::TriMesh& surface, const SharedSizing
   return domain;
 }
 
-/// One of the methods that the paper compares with. A Voronoi cell is a power cell without weights; disks have
-/// their squared radii as weights.
-SurfaceDomain baseline_samples(const geom::TriMesh& surface, const SharedSizing& shared,
-                               const RemeshOptions& options, RemeshResult& result) {
+using BaselineMethod = BaselineResult (*)(const BaselineTask&, const OptimizeOptions&);
+
+/// Another method. Its disks have their squared radii as weights; without disks the cells are Voronoi cells.
+SurfaceDomain baseline_samples(BaselineMethod method, const geom::TriMesh& surface,
+                               const SharedSizing& shared, const RemeshOptions& options,
+                               RemeshResult& result) {
   std::vector<SurfaceSample> fixed = shared.features.samples;
   for (SurfaceSample& x : fixed) x.position = geom::snapped(x.position);
-  const BaselineTask task{surface, shared.sizing, fixed, options.num_samples, options.seed, options.threads};
-  const BaselineResult baseline =
-      options.method == Method::cvt   ? centroidal_tessellation(task, options.optimize)
-      : options.method == Method::mps ? maximal_poisson_disks(task, options.optimize)
-                                      : constrained_poisson_disks(task, options.optimize);
+  const BaselineResult baseline = method(
+      {surface, shared.sizing, fixed, options.num_samples, options.seed, options.threads}, options.optimize);
   result.optimization = baseline.run;
   result.radius_factor = baseline.radius_factor;
   SurfaceOptions diagram = surface_options(shared, options);
@@ -151,10 +150,19 @@ SurfaceDomain baseline_samples(const geom::TriMesh& surface, const SharedSizing&
   return SurfaceDomain(surface, shared.sizing, baseline.samples, diagram);
 }
 
+/// The samples by the method wanted, with their diagram.
 SurfaceDomain distributed_samples(const geom::TriMesh& surface, const SharedSizing& shared,
                                   const RemeshOptions& options, RemeshResult& result) {
-  return options.method == Method::fpo ? optimized_samples(surface, shared, options, result)
-                                       : baseline_samples(surface, shared, options, result);
+  switch (options.method) {
+    case Method::cvt:
+      return baseline_samples(centroidal_tessellation, surface, shared, options, result);
+    case Method::mps:
+      return baseline_samples(maximal_poisson_disks, surface, shared, options, result);
+    case Method::cps:
+      return baseline_samples(constrained_poisson_disks, surface, shared, options, result);
+    default:
+      return optimized_samples(surface, shared, options, result);
+  }
 }
 
 RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {

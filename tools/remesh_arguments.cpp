@@ -63,7 +63,6 @@ int usual_iterations(const fpo::RemeshOptions& remesh) {
 /// for.
 void choose_improvements(RemeshArguments& a, std::optional<bool> angles, std::optional<bool> fidelity) {
   const bool ours = a.remesh.method == fpo::Method::fpo;
-  geom::require(ours || !a.remesh.shortest_edge_removal, "--ser: works with --method fpo only");
   a.remesh.optimize_angles = angles.value_or(ours);
   a.remesh.improve_fidelity = fidelity.value_or(ours);
 }
@@ -176,6 +175,8 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   cli.flag({.name = "global", .help = "look for them everywhere"}, global);
   a.input = cli.parse(1, 1).front();
   choose_scope(a, local, global, weight_scale);
+  geom::require(a.remesh.method == fpo::Method::fpo || !(a.remesh.shortest_edge_removal || local || global),
+                "--ser, --local and --global work with --method fpo only");
   choose_improvements(a, angles, fidelity);
   a.remesh.optimize.max_iterations = iterations >= 0 ? iterations : usual_iterations(a.remesh);
   a.remesh.seed = cli.seed();

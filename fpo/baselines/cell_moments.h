@@ -33,6 +33,8 @@ class VoronoiMoments {
  public:
   /// Keeps references. h_0 = unit_length only scales the density. `threads` at least 1; no matter to the result.
   VoronoiMoments(const geom::TriMesh& surface, const Sizing& sizing, double unit_length, int threads);
+  VoronoiMoments(const VoronoiMoments&) = delete;
+  VoronoiMoments& operator=(const VoronoiMoments&) = delete;
 
   /// Of the restricted Voronoi diagram of these samples. Integrals are by the rule of edge midpoints on each
   /// triangle of a fragment: exact, up to rounding, if the density is constant. A hidden sample (one at the

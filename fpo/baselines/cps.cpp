@@ -9,7 +9,6 @@ namespace fpo {
 namespace {
 
 constexpr std::size_t pool_per_sample = 15;  // with it the quality is that of the tables (10: less, 20: more)
-constexpr std::size_t largest_pool = 20'000'000;
 
 }  // namespace
 
@@ -19,7 +18,7 @@ BaselineResult constrained_poisson_disks(const BaselineTask& task, const Optimiz
   std::vector<SurfaceSample> pool;
   if (task.num_inner() > 0) {
     const std::size_t size =
-        std::max(task.num_samples, std::min(largest_pool, pool_per_sample * task.num_samples));
+        std::max(task.num_samples, std::min(max_samples, pool_per_sample * task.num_samples));
     pool = random_samples(task.surface, task.sizing, size, task.seed);
   }
   return search_radius(task, options, [&](double radius_factor) {

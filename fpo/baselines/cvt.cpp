@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fpo/baselines/cell_moments.h"
+#include "fpo/baselines/disks.h"
 #include "fpo/baselines/lbfgs.h"
 #include "fpo/initial_samples.h"
 #include "geom/aabb_tree.h"
@@ -20,7 +21,27 @@ constexpr int lloyd_steps = 5;
 constexpr std::size_t memory_size = 7;
 constexpr double sufficient_decrease = 1e-4;  // Armijo's condition
 constexpr int most_halvings = 8;
+constexpr double room_of_fixed = 0.7;  // their cells reach half of h to both sides of a crease
+constexpr std::size_t draws_per_sample = 3;
 constexpr double largest_move = 0.5;  // of a sample in one step, in units of h
+
+/// Those that are fixed, then random ones, not too near to them as far as there is room: a sample that starts
+/// between two neighbours on a crease never gets out from between them.
+std::vector<SurfaceSample> first_samples(const BaselineTask& task) {
+  Disks samples(task.sizing, room_of_fixed);
+  for (const SurfaceSample& x : task.fixed) samples.add(x);
+  std::vector<SurfaceSample> result = samples.samples(), crowded;
+  if (task.num_inner() == 0) return result;
+  const std::size_t draws =
+      task.fixed.empty()
+          ? task.num_inner()
+          : std::max(task.num_inner(), std::min(max_samples, draws_per_sample * task.num_inner()));
+  for (const SurfaceSample& x : random_samples(task.surface, task.sizing, draws, task.seed))
+    (samples.is_free(x.position) ? result : crowded).push_back(x);
+  if (result.size() < task.num_samples) result.insert(result.end(), crowded.begin(), crowded.end());
+  result.resize(task.num_samples);
+  return result;
+}
 
 /// Samples with their energy and its derivatives.
 struct State {
@@ -119,14 +140,9 @@ bool step(Tessellation& tessellation, State& state, LbfgsMemory& memory, bool by
 
 BaselineResult centroidal_tessellation(const BaselineTask& task, const OptimizeOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  std::vector<SurfaceSample> samples(task.fixed.begin(), task.fixed.end());
-  if (task.num_inner() > 0) {
-    const auto inner = random_samples(task.surface, task.sizing, task.num_inner(), task.seed);
-    samples.insert(samples.end(), inner.begin(), inner.end());
-  }
   Tessellation tessellation(task);
   LbfgsMemory memory(memory_size);
-  State state = tessellation.evaluated(std::move(samples));
+  State state = tessellation.evaluated(first_samples(task));
   BaselineResult result;
   const auto report = [&](int iteration, std::size_t moved) {
     result.run.last = measure(task, state.samples);
@@ -151,10 +167,6 @@ BaselineResult centroidal_tessellation(const BaselineTask& task, const OptimizeO
   }
   result.samples = std::move(state.samples);
   return result;
-}
-
-double cvt_energy(const BaselineTask& task, const std::vector<SurfaceSample>& samples) {
-  return Tessellation(task).evaluated(samples).energy;
 }
 
 }  // namespace fpo

@@ -17,7 +17,6 @@ using geom::Vec3;
 namespace {
 
 constexpr std::size_t darts_per_sample = 10;
-constexpr std::size_t most_darts = 20'000'000;
 constexpr int first_depth = 1;
 constexpr int last_depth = 14;  // gaps that are smaller than a 2^-14th of their fragment get their corner
 
@@ -138,7 +137,7 @@ BaselineResult maximal_poisson_disks(const BaselineTask& task, const OptimizeOpt
   std::vector<SurfaceSample> darts;
   if (task.num_inner() > 0) {
     const std::size_t number =
-        std::max(task.num_samples, std::min(most_darts, darts_per_sample * task.num_samples));
+        std::max(task.num_samples, std::min(max_samples, darts_per_sample * task.num_samples));
     darts = random_samples(task.surface, task.sizing, number, task.seed);
   }
   return search_radius(task, options, [&](double radius_factor) {
@@ -151,19 +150,6 @@ BaselineResult maximal_poisson_disks(const BaselineTask& task, const OptimizeOpt
     if (task.num_inner() > 0) fill_gaps(disks, task, options);
     return disks.samples();
   });
-}
-
-double largest_gap(const BaselineTask& task, std::span<const SurfaceSample> samples, double radius_factor) {
-  DiskDiagram disks(task, radius_factor);
-  for (const SurfaceSample& x : samples) disks.add(x);
-  double largest = -radius_factor * radius_factor;
-  disks.for_each_gap([&](auto corners, const geom::WeightedPoint3& owner, FacetId t) {
-    for (const geom::PolygonCorner& corner : corners) {
-      const double h = task.sizing.at(SurfaceSample{corner.point.position, t});
-      largest = std::max(largest, geom::power(corner.point.position, owner) / (h * h));
-    }
-  });
-  return largest;
 }
 
 }  // namespace fpo

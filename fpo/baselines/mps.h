@@ -17,9 +17,4 @@ namespace fpo {
 /// geom::InputError like random_samples().
 BaselineResult maximal_poisson_disks(const BaselineTask& task, const OptimizeOptions& options);
 
-/// How far outside all disks the surface reaches: the largest power, in units of h^2 there, to the nearest of
-/// the disks of radius c h about the samples. Not positive: they cover the surface. Takes the samples' diagram:
-/// O(F + n log n) expected.
-double largest_gap(const BaselineTask& task, std::span<const SurfaceSample> samples, double radius_factor);
-
 }  // namespace fpo

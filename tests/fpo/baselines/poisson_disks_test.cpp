@@ -1,0 +1,124 @@
+// Maximal and constrained Poisson-disk sampling (mps, cps) against their definitions.
+
+#include <atomic>
+
+#include "doctest.h"
+#include "fpo/baselines/cps.h"
+#include "fpo/baselines/mps.h"
+#include "fpo/initial_samples.h"
+#include "fpo/surface_domain.h"
+#include "tests/fixtures/surfaces.h"
+
+using namespace fpo;
+using geom::TriMesh;
+using geom::Vec3;
+
+namespace {
+
+Sizing sizing_of(const TriMesh& mesh, std::size_t n, bool adaptive) {
+  if (!adaptive) return Sizing::uniform(hexagonal_spacing(mesh.area(), n));
+  VertexField rho;
+  for (const Vec3& p : mesh.vertices())
+    rho.push_back(1 + 2 * (p - mesh.box().min()).norm() / mesh.diagonal());
+  return fit_sizing(mesh, rho, n, {.gradation = 0.3});
+}
+
+/// No sample is in the disk of an earlier one.
+void check_distances(const BaselineResult& result, const Sizing& sizing, std::size_t num_fixed) {
+  for (std::size_t i = num_fixed; i < result.samples.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const double radius = result.radius_factor * sizing.at(result.samples[j]);
+      REQUIRE((result.samples[i].position - result.samples[j].position).norm() > radius * (1 - 1e-12));
+    }
+}
+
+/// The largest power of the surface to the disks, from the circles of all types of another diagram.
+double largest_gap(const TriMesh& mesh, const Sizing& sizing, const BaselineResult& result) {
+  SurfaceOptions options;
+  options.weight_factor = result.radius_factor;
+  options.corners = geom::CornerTypes::all;
+  SurfaceDomain domain(mesh, sizing, result.samples, options);
+  const double radius = sizing.is_uniform() ? result.radius_factor * sizing.at(result.samples[0]) : 0;
+  return domain.largest_empty(Scope::global).radius2 - radius * radius;  // equal weights are left out there
+}
+
+}  // namespace
+
+TEST_CASE("mps: disks keep their distance and cover every surface, borders and tips included") {
+  for (const auto& [name, mesh] : fixtures::surfaces())
+    for (const bool adaptive : {false, true})
+      for (const std::size_t n : {12, 250}) {
+        CAPTURE(name);
+        CAPTURE(adaptive);
+        CAPTURE(n);
+        const Sizing sizing = sizing_of(mesh, n, adaptive);
+        const BaselineResult result =
+            maximal_poisson_disks({mesh, sizing, {}, n, 5, 1}, {.max_iterations = 2});
+        check_distances(result, sizing, 0);
+        CHECK(largest_gap(mesh, sizing, result) <= 1e-12 * mesh.area());
+        // By brute force too.
+        for (const SurfaceSample& x : random_samples(mesh, 300, 9))
+          CHECK(std::ranges::any_of(result.samples, [&](const SurfaceSample& y) {
+            return (x.position - y.position).norm() <= result.radius_factor * sizing.at(y) * (1 + 1e-9);
+          }));
+      }
+}
+
+TEST_CASE("cps: the samples are those that elimination in a list leaves") {
+  for (const auto& [name, mesh] : fixtures::surfaces())
+    for (const bool adaptive : {false, true}) {
+      CAPTURE(name);
+      const Sizing sizing = sizing_of(mesh, 60, adaptive);
+      const BaselineResult result =
+          constrained_poisson_disks({mesh, sizing, {}, 60, 3, 1}, {.max_iterations = 3});
+      check_distances(result, sizing, 0);
+      std::vector<SurfaceSample> left = random_samples(mesh, sizing, 15 * 60, 3);
+      for (const SurfaceSample& x : result.samples) {
+        REQUIRE(!left.empty());
+        CHECK(left.front().position == x.position);
+        const double radius = result.radius_factor * sizing.at(left.front());
+        std::erase_if(left, [&, at = left.front().position](const SurfaceSample& y) {
+          return (y.position - at).norm() <= radius;
+        });
+      }
+      CHECK(left.empty());
+    }
+}
+
+TEST_CASE("mps, cps: about the number wanted; fixed samples come first; one seed, one result") {
+  const TriMesh mesh = fixtures::blob(8);
+  constexpr std::size_t n = 1000;
+  for (const auto method : {maximal_poisson_disks, constrained_poisson_disks})
+    for (const bool adaptive : {false, true}) {
+      const Sizing sizing = sizing_of(mesh, n, adaptive);
+      const auto fixed = random_samples(mesh, sizing, 5, 77);
+      const auto run = [&](std::uint64_t seed) {
+        return method({mesh, sizing, fixed, n, seed, 1}, {.max_iterations = 20});
+      };
+      const BaselineResult a = run(1), b = run(1), c = run(2);
+      CHECK(std::abs(double(a.samples.size()) - double(n)) <= 5);
+      check_distances(a, sizing, fixed.size());
+      for (std::size_t i = 0; i < fixed.size(); ++i) CHECK(a.samples[i].position == fixed[i].position);
+      const auto same = [](const SurfaceSample& x, const SurfaceSample& y) {
+        return x.position == y.position;
+      };
+      CHECK(std::ranges::equal(a.samples, b.samples, same));
+      CHECK(!std::ranges::equal(a.samples, c.samples, same));
+      const BaselineTask all_fixed{mesh, sizing, fixed, fixed.size(), 1, 1};
+      CHECK(method(all_fixed, {}).samples.size() == fixed.size());
+    }
+}
+
+TEST_CASE("mps, cps: interrupted, they give what they have") {
+  const TriMesh mesh = fixtures::blob(8);
+  const Sizing sizing = sizing_of(mesh, 500, false);
+  for (const auto method : {maximal_poisson_disks, constrained_poisson_disks}) {
+    std::atomic<bool> stop = true;
+    OptimizeOptions options;
+    options.interrupted = &stop;
+    const BaselineResult result = method({mesh, sizing, {}, 500, 1, 1}, options);
+    CHECK(result.run.reason == StopReason::interrupted);
+    CHECK(result.run.last.iteration == 1);
+    CHECK(!result.samples.empty());
+  }
+}

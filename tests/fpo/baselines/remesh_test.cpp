@@ -1,0 +1,80 @@
+// The other methods through the whole pipeline.
+
+#include "doctest.h"
+#include "fpo/pipeline.h"
+#include "geom/shapes.h"
+#include "tests/fixtures/surfaces.h"
+
+using namespace fpo;
+
+namespace {
+
+RemeshOptions raw(Method method, std::size_t n) {
+  RemeshOptions options;
+  options.method = method;
+  options.num_samples = n;
+  options.optimize.max_iterations = method == Method::cvt ? 60 : 20;
+  options.optimize_angles = options.improve_fidelity = false;
+  return options;
+}
+
+constexpr std::array others{Method::cvt, Method::mps, Method::cps};
+
+}  // namespace
+
+TEST_CASE("baselines: a closed smooth surface keeps its topology; each method has its quality") {
+  const geom::TriMesh mesh = geom::make_shape("double-torus");
+  double q_avg[3], mean_delta[3];
+  for (const Method method : others) {
+    const RemeshResult result = remesh(mesh, raw(method, 1500));
+    const geom::Topology t = geom::topology(result.mesh);
+    CHECK(t.manifold());
+    CHECK(t.euler == geom::topology(mesh).euler);
+    CHECK(t.unreferenced_vertices == 0);
+    CHECK(std::abs(double(result.samples.size()) - 1500) <= (method == Method::cvt ? 0 : 8));
+    const Quality q = quality(result.mesh, mesh.area());
+    const int i = method == Method::cvt ? 0 : method == Method::mps ? 1 : 2;
+    q_avg[i] = q.q_avg, mean_delta[i] = result.optimization.last.mean_delta;
+    if (method == Method::mps) CHECK(q.theta_min > 29.9);  // 30 in the plane: edges >= r, circles <= r
+    if (method == Method::mps) CHECK(q.theta_max < 120.2);
+  }
+  // The order of the paper's table 2.
+  CHECK(q_avg[0] > q_avg[1] + 0.1);
+  CHECK(q_avg[1] > q_avg[2] + 0.005);
+  CHECK(mean_delta[0] > mean_delta[1]);
+  CHECK(mean_delta[1] > mean_delta[2]);
+}
+
+TEST_CASE("baselines: edge lengths follow the sizing; both engines give the same bits") {
+  const geom::TriMesh mesh = fixtures::blob(10);
+  for (const Method method : others) {
+    RemeshOptions options = raw(method, 900);
+    options.sizing = SizingKind::given;
+    for (const geom::Vec3& p : mesh.vertices()) options.rho.push_back(2.2 + 1.6 * p.x());
+    const RemeshResult a = remesh(mesh, options);
+    options.surface.engine = Engine::triangulation;
+    options.threads = 3;
+    const RemeshResult b = remesh(mesh, options);
+    CHECK(a.fit.slope == doctest::Approx(1).epsilon(0.06));
+    CHECK(a.hidden == 0);
+    CHECK(a.mesh.vertices() == b.mesh.vertices());
+    CHECK(a.mesh.facets() == b.mesh.facets());
+  }
+}
+
+TEST_CASE("baselines: creases are kept") {
+  const geom::TriMesh mesh = geom::make_shape("l-block");
+  for (const Method method : others)
+    for (const bool adaptive : {false, true}) {
+      RemeshOptions options = raw(method, 600);
+      options.features = automatic_features();
+      if (adaptive) {
+        options.sizing = SizingKind::given;
+        for (const geom::Vec3& p : mesh.vertices()) options.rho.push_back(2 + p.x());
+      }
+      const RemeshResult result = remesh(mesh, options);
+      CHECK(result.feature_edges > 60);
+      CHECK(result.broken_feature_edges == 0);
+      CHECK(geom::topology(result.mesh).manifold());
+    }
+}
