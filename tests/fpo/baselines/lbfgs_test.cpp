@@ -5,13 +5,14 @@
 
 using namespace fpo;
 using Eigen::MatrixXd;
+using Eigen::Vector2d;
 using Eigen::VectorXd;
 
 namespace {
 
 VectorXd random_vector(int size, geom::Rng& rng) {
   VectorXd v(size);
-  for (double& x : v) x = rng.uniform(-1, 1);
+  for (int i = 0; i < size; ++i) v[i] = rng.uniform(-1, 1);
   return v;
 }
 
@@ -26,7 +27,7 @@ MatrixXd random_hessian(int size, geom::Rng& rng) {
 
 TEST_CASE("lbfgs: without memory the direction is that of steepest descent, scaled") {
   const LbfgsMemory memory(5);
-  CHECK(memory.direction(VectorXd{{1, -2}}, VectorXd{{0.5, 3}}) == VectorXd{{-0.5, 6}});
+  CHECK(memory.direction(Vector2d(1, -2), Vector2d(0.5, 3)) == Vector2d(-0.5, 6));
 }
 
 TEST_CASE("lbfgs: the last step is what the last change of the gradient calls for; descent in any case") {
@@ -35,7 +36,10 @@ TEST_CASE("lbfgs: the last step is what the last change of the gradient calls fo
     LbfgsMemory memory(4);
     const MatrixXd hessian = random_hessian(8, rng);
     VectorXd s;
-    for (int k = 0; k < 7; ++k) memory.push(s = random_vector(8, rng), hessian * s);
+    for (int k = 0; k < 7; ++k) {
+      s = random_vector(8, rng);
+      memory.push(s, hessian * s);
+    }
     const VectorXd scale = VectorXd::Constant(8, 0.3);
     CHECK((memory.direction(hessian * s, scale) + s).norm() < 1e-9 * s.norm());  // H y = s
     const VectorXd gradient = random_vector(8, rng);
@@ -45,13 +49,13 @@ TEST_CASE("lbfgs: the last step is what the last change of the gradient calls fo
 
 TEST_CASE("lbfgs: a step without positive curvature is not remembered, nor one too many") {
   LbfgsMemory memory(1);
-  memory.push(VectorXd{{1, 0}}, VectorXd{{-1, 0}});
-  memory.push(VectorXd{{1, 0}}, VectorXd{{0, 1}});
+  memory.push(Vector2d(1, 0), Vector2d(-1, 0));
+  memory.push(Vector2d(1, 0), Vector2d(0, 1));
   CHECK(memory.empty());
-  memory.push(VectorXd{{1, 0}}, VectorXd{{4, 0}});
-  memory.push(VectorXd{{0, 1}}, VectorXd{{0, 2}});
+  memory.push(Vector2d(1, 0), Vector2d(4, 0));
+  memory.push(Vector2d(0, 1), Vector2d(0, 2));
   // Only the second: a multiple 1/2 of the identity.
-  CHECK((memory.direction(VectorXd{{3, 5}}, VectorXd{{1, 1}}) - VectorXd{{-1.5, -2.5}}).norm() < 1e-12);
+  CHECK((memory.direction(Vector2d(3, 5), Vector2d(1, 1)) - Vector2d(-1.5, -2.5)).norm() < 1e-12);
 }
 
 TEST_CASE(
