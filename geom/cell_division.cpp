@@ -50,9 +50,14 @@ void CellDivision::prepare() {
   num_shares_ = 0;
   misfit_ = false;
   corners_.clear();
-  bisectors_.clear();
-  for (const SiteId k : heirs_)
-    for (const SiteId h : heirs_) bisectors_.push_back(clipper_.bisector_of(k, h));
+  const std::size_t n = heirs_.size();
+  bisectors_.resize(n * n);
+  for (Heir k = 0; k < n; ++k)
+    for (Heir h = 0; h < k; ++h) {
+      const Bisector b = clipper_.bisector_of(heirs_[k], heirs_[h]);
+      bisectors_[k * n + h] = b;
+      bisectors_[h * n + k] = {-b.normal, -b.offset, b.length, b.error};  // to the bit
+    }
 }
 
 CellDivision::Share& CellDivision::add_share() {

@@ -65,8 +65,14 @@ Clip Clipper::classify_corners(FacetId facet, SiteId owner, std::span<const Poly
                                const Bisector& b, std::vector<char>& beaten) const {
   beaten.resize(corners.size());
   std::size_t count = 0;
-  for (std::size_t k = 0; k < corners.size(); ++k)
-    count += beaten[k] = beats_at(cell_corner(facet, owner, corners, k), j, b);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const RoundedPoint& point = corners[k].point;
+    const double f = b(point.position), bound = b.error + b.length * point.tolerance;
+    const bool certain = f > bound || f < -bound;
+    const bool yes = certain ? f < 0 : beats_exactly(cell_corner(facet, owner, corners, k), j);
+    beaten[k] = yes;
+    count += yes;
+  }
   return count == 0 ? Clip::untouched : count == corners.size() ? Clip::swallowed : Clip::cut;
 }
 

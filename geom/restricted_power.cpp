@@ -42,15 +42,14 @@ RestrictedPower::RestrictedPower(const TriMesh& mesh, NeighbourSource& neighbour
 double RestrictedPower::bound_radius2(const FacetPolygon& polygon) const {
   const WeightedPoint3& owner = sites_[polygon.owner];
   constexpr double e = 1e-9;
-  double result = -infinity;
+  double a2 = 0, tolerance = 0;
   for (const PolygonCorner& corner : polygon.corners) {
-    const double b2 = 3 * corner.point.tolerance * corner.point.tolerance;
-    const double a2 = (corner.point.position - owner.position).squaredNorm();
-    result = std::max(result, a2 * (1 + e) + b2 * (1 + 1 / e) - owner.weight);
+    a2 = std::max(a2, (corner.point.position - owner.position).squaredNorm());
+    tolerance = std::max(tolerance, corner.point.tolerance);
   }
-  if (result < infinity) return result;
-  for (int i = 0; i < 3; ++i)
-    result = std::max(i == 0 ? -infinity : result, power(mesh_.corner(polygon.facet, i), owner));
+  if (tolerance < infinity) return a2 * (1 + e) + 3 * tolerance * tolerance * (1 + 1 / e) - owner.weight;
+  double result = -infinity;
+  for (int i = 0; i < 3; ++i) result = std::max(result, power(mesh_.corner(polygon.facet, i), owner));
   return result;
 }
 
@@ -88,37 +87,44 @@ void RestrictedPower::forget(FragmentId f) {
 }
 
 /// Each C corner is seen from three cells: the one of smallest id registers it. A B corner is registered by
-/// the smaller id in the smaller facet, an A corner in the first facet of the vertex. The place of a corner as
-/// in EmptyCircle, or -1: not to be registered here.
-std::int32_t RestrictedPower::place_to_register(const FacetPolygon& polygon, std::size_t k) const {
-  const EdgeLabel before = polygon.edge_before(k), after = polygon.corners[k].edge;
-  if (before.is_site() && after.is_site())
-    return polygon.owner < before.site() && polygon.owner < after.site() ? 0 : -1;
-  if (types_ == CornerTypes::c_only) return -1;
-  if (!before.is_site() && !after.is_site()) {
-    const VertexId v = mesh_.facet(polygon.facet)[static_cast<std::size_t>(after.edge())];
-    return first_facet_[v] == polygon.facet ? 4 + after.edge() : -1;
+/// the smaller id in the smaller facet, an A corner in the first facet of the vertex. Corners that have a
+/// circle keep it.
+void RestrictedPower::register_corners(FacetPolygon& polygon) {
+  EdgeLabel before = polygon.corners.back().edge;
+  for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
+    PolygonCorner& corner = polygon.corners[k];
+    const EdgeLabel after = corner.edge;
+    if (!corner.circle.valid()) {
+      if (before.is_site() && after.is_site()) {
+        if (polygon.owner < before.site() && polygon.owner < after.site())
+          corner.circle = create_circle(polygon, k, 0);
+      } else if (types_ == CornerTypes::all) {
+        if (before.is_site() || after.is_site())
+          register_on_edge(polygon, k);
+        else
+          register_at_vertex(polygon, k);
+      }
+    }
+    before = after;
   }
-  const EdgeLabel edge = before.is_site() ? after : before, site = before.is_site() ? before : after;
-  const FacetId across = mesh_.across(polygon.facet, edge.edge());
-  const bool ours = polygon.owner < site.site() && (!across.valid() || polygon.facet < across);
-  return ours ? 1 + edge.edge() : -1;
 }
 
-void RestrictedPower::register_corners(FacetPolygon& polygon) {
-  for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
-    if (polygon.corners[k].circle.valid()) continue;
-    const std::int32_t place = place_to_register(polygon, k);
-    if (place < 0) continue;
-    if (place < 4) {
-      polygon.corners[k].circle = create_circle(polygon, k, place);
-      continue;
-    }
-    CircleId& circle = vertex_circle_[mesh_.facet(polygon.facet)[static_cast<std::size_t>(place - 4)]];
-    if (circle.valid() && circles_[circle].sites[0] == polygon.owner) continue;
-    if (circle.valid()) erase_circle(circle);
-    circle = create_circle(polygon, k, place);
-  }
+void RestrictedPower::register_on_edge(FacetPolygon& polygon, std::size_t k) {
+  const EdgeLabel before = polygon.edge_before(k), after = polygon.corners[k].edge;
+  const EdgeLabel edge = before.is_site() ? after : before, site = before.is_site() ? before : after;
+  const FacetId across = mesh_.across(polygon.facet, edge.edge());
+  if (polygon.owner < site.site() && (!across.valid() || polygon.facet < across))
+    polygon.corners[k].circle = create_circle(polygon, k, 1 + edge.edge());
+}
+
+void RestrictedPower::register_at_vertex(const FacetPolygon& polygon, std::size_t k) {
+  const int i = polygon.corners[k].edge.edge();  // edges i - 1 and i meet in corner i
+  const VertexId v = mesh_.facet(polygon.facet)[static_cast<std::size_t>(i)];
+  CircleId& circle = vertex_circle_[v];
+  if (first_facet_[v] != polygon.facet || (circle.valid() && circles_[circle].sites[0] == polygon.owner))
+    return;
+  if (circle.valid()) erase_circle(circle);
+  circle = create_circle(polygon, k, 4 + i);
 }
 
 CircleId RestrictedPower::create_circle(const FacetPolygon& polygon, std::size_t corner, std::int32_t place) {
