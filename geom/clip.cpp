@@ -1,7 +1,8 @@
 #include "geom/clip.h"
 
+#include <algorithm>
+
 #include "geom/check.h"
-#include "geom/clip_predicates.h"
 
 namespace geom {
 namespace {
@@ -39,13 +40,11 @@ void Clipper::start(FacetPolygon& polygon, FacetId facet, SiteId owner) const {
         {mesh_.corner(facet, i), 0}, EdgeLabel::facet_edge(i), CircleId()};
 }
 
-bool Clipper::beats_exactly(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners,
-                            std::size_t k, SiteId j) const {
-  const EdgeLabel before = corners[k == 0 ? corners.size() - 1 : k - 1].edge, after = corners[k].edge;
-  if (before.is_site() && after.is_site()) {
-    const FacetCorners q{&mesh_.corner(facet, 0), &mesh_.corner(facet, 1), &mesh_.corner(facet, 2)};
-    return beats_in_facet(q, ranked(owner), ranked(before.site()), ranked(after.site()), ranked(j));
-  }
+bool Clipper::beats_exactly(const CellCorner& corner, SiteId j) const {
+  const auto& [facet, owner, before, after, point] = corner;
+  if (before.is_site() && after.is_site())
+    return beats_in_facet(corners_of(facet), ranked(owner), ranked(before.site()), ranked(after.site()),
+                          ranked(j));
   if (!before.is_site() && !after.is_site())  // edges e - 1 and e meet in corner e
     return beats_at_vertex(mesh_.corner(facet, after.edge()), ranked(owner), ranked(j));
   const EdgeLabel edge = before.is_site() ? after : before, site = before.is_site() ? before : after;
@@ -54,57 +53,89 @@ bool Clipper::beats_exactly(FacetId facet, SiteId owner, std::span<const Polygon
                        ranked(j));
 }
 
+int Clipper::orientation(FacetId facet, SiteId a, SiteId b, SiteId c) const {
+  return orientation_in_facet(corners_of(facet), sites_[a].position, sites_[b].position, sites_[c].position);
+}
+
+bool Clipper::beats_in_plane(FacetId facet, SiteId a, SiteId b, SiteId c, SiteId j) const {
+  return beats_in_facet(corners_of(facet), ranked(a), ranked(b), ranked(c), ranked(j));
+}
+
 Clip Clipper::classify_corners(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners, SiteId j,
                                const Bisector& b, std::vector<char>& beaten) const {
   beaten.resize(corners.size());
   std::size_t count = 0;
-  for (std::size_t k = 0; k < corners.size(); ++k)
-    count += beaten[k] = beats_at(facet, owner, corners, k, j, b);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const RoundedPoint& point = corners[k].point;
+    const double f = b(point.position), bound = b.error + b.length * point.tolerance;
+    const bool certain = f > bound || f < -bound;
+    const bool yes = certain ? f < 0 : beats_exactly(cell_corner(facet, owner, corners, k), j);
+    beaten[k] = yes;
+    count += yes;
+  }
   return count == 0 ? Clip::untouched : count == corners.size() ? Clip::swallowed : Clip::cut;
 }
 
-/// Where the bisector of the owner and j meets the line of `label` in the polygon's facet.
-RoundedPoint Clipper::meet(const FacetPolygon& polygon, EdgeLabel label, SiteId j, const Bisector& b) const {
+// bisector(p, q) and bisector(q, p) have the same bits but for the sign, so the owner does not matter on an
+// edge; in a facet the forms of the smallest id with the two others serve.
+RoundedPoint Clipper::corner(FacetId facet, EdgeLabel label, SiteId owner, SiteId j,
+                             const Bisector& b) const {
   const double uncertain = 0x1p-32 * extent_;
-  const Vec3 &q0 = mesh_.corner(polygon.facet, 0), &q1 = mesh_.corner(polygon.facet, 1),
-             &q2 = mesh_.corner(polygon.facet, 2);
   if (!label.is_site()) {
-    const auto [s, e] = edge_ends(mesh_.facet(polygon.facet), label.edge());
-    const Vec3 &ps = mesh_.corner(polygon.facet, s), &pe = mesh_.corner(polygon.facet, e);
+    const auto [s, e] = edge_ends(mesh_.facet(facet), label.edge());
+    const Vec3 &ps = mesh_.corner(facet, s), &pe = mesh_.corner(facet, e);
     const RoundedPoint point = corner_on_edge(ps, pe, b(ps), b(pe), b.error, extent_);
     if (point.tolerance <= uncertain) return point;
-    return exact_corner_on_edge(ps, pe, ranked(polygon.owner), ranked(j), extent_);
+    return exact_corner_on_edge(ps, pe, ranked(std::min(owner, j)), ranked(std::max(owner, j)), extent_);
   }
-  const SiteId first = std::min(j, label.site()), second = std::max(j, label.site());
-  const LinearForm fj = linear_form(b, q0, q1, q2);
-  const LinearForm fk = linear_form(bisector_of(polygon.owner, label.site()), q0, q1, q2);
-  const RoundedPoint point = corner_in_facet(q0, q1, q2, first == j ? fj : fk, first == j ? fk : fj, extent_);
+  const auto [q0, q1, q2] = corners_of(facet);
+  std::array<SiteId, 3> s{owner, j, label.site()};
+  if (s[2] < s[1]) std::swap(s[1], s[2]);
+  if (s[1] < s[0]) std::swap(s[0], s[1]);
+  if (s[2] < s[1]) std::swap(s[1], s[2]);
+  const RoundedPoint point =
+      corner_in_facet(*q0, *q1, *q2, linear_form(bisector_of(s[0], s[1]), *q0, *q1, *q2),
+                      linear_form(bisector_of(s[0], s[2]), *q0, *q1, *q2), extent_);
   if (point.tolerance <= uncertain) return point;
-  return exact_corner_in_facet(q0, q1, q2, ranked(polygon.owner), ranked(first), ranked(second), extent_);
+  return exact_corner_in_facet(*q0, *q1, *q2, ranked(s[0]), ranked(s[1]), ranked(s[2]), extent_);
 }
 
 //               beaten               The polygon is convex and the bisector a line: the beaten corners are
-//            x-----------x           consecutive. `out` is the last kept corner before them, `in` the first
-//           /             \          one after them.
+//            x-----------x           consecutive. `last` is the last kept corner before them, `first` the
+//           /             \          first one after them.
 //   --j--- m ------------- n --j--
-//         /                 \        The new polygon: in ... out, then n, where the edge j starts, then m.
-//       in                  out
-void Clipper::cut(FacetPolygon& polygon, SiteId j, const Bisector& b, const std::vector<char>& beaten) {
-  const std::vector<PolygonCorner>& old = polygon.corners;
-  const std::size_t n = old.size();
-  std::size_t in = 0;
-  while (!(beaten[in == 0 ? n - 1 : in - 1] && !beaten[in]))
-    ensure(++in < n, "clip: beaten corners are not consecutive");
-  scratch_.clear();
-  std::size_t k = in;
-  for (; !beaten[k]; k = next(k, n)) scratch_.push_back(old[k]);
-  const EdgeLabel leaving = scratch_.back().edge;  // the edge from the last kept corner into what j takes
-  std::size_t last_beaten = k;
+//         /                 \        The new polygon: first ... last, then n, where the edge j starts, then m.
+//     first                last
+CutPlace Clipper::place_of_cut(std::span<const PolygonCorner> corners, const std::vector<char>& beaten) {
+  const std::size_t n = corners.size();
+  CutPlace place{};
+  while (!(beaten[place.first == 0 ? n - 1 : place.first - 1] && !beaten[place.first]))
+    ensure(++place.first < n, "clip: beaten corners are not consecutive");
+  place.last = place.first;
+  while (!beaten[next(place.last, n)]) place.last = next(place.last, n);
+  std::size_t last_beaten = next(place.last, n);
   while (beaten[next(last_beaten, n)]) last_beaten = next(last_beaten, n);
-  ensure(next(last_beaten, n) == in, "clip: beaten corners are not consecutive");
-  const EdgeLabel entering = old[last_beaten].edge;
-  scratch_.push_back({meet(polygon, leaving, j, b), EdgeLabel::bisector(j), CircleId()});
-  scratch_.push_back({meet(polygon, entering, j, b), entering, CircleId()});
+  ensure(next(last_beaten, n) == place.first, "clip: beaten corners are not consecutive");
+  place.leaving = corners[place.last].edge;
+  place.entering = corners[last_beaten].edge;
+  return place;
+}
+
+void Clipper::cut(std::span<const PolygonCorner> old, const CutPlace& place, SiteId j,
+                  const std::array<RoundedPoint, 2>& leave_and_enter, std::vector<PolygonCorner>& out) {
+  out.clear();
+  for (std::size_t k = place.first;; k = next(k, old.size())) {
+    out.push_back(old[k]);
+    if (k == place.last) break;
+  }
+  out.push_back({leave_and_enter[0], EdgeLabel::bisector(j), CircleId()});
+  out.push_back({leave_and_enter[1], place.entering, CircleId()});
+}
+
+void Clipper::cut(FacetPolygon& polygon, SiteId j, const Bisector& b, const std::vector<char>& beaten) {
+  const CutPlace place = place_of_cut(polygon.corners, beaten);
+  const auto meet = [&](EdgeLabel label) { return corner(polygon.facet, label, polygon.owner, j, b); };
+  cut(polygon.corners, place, j, {meet(place.leaving), meet(place.entering)}, scratch_);
   polygon.corners.swap(scratch_);
 }
 

@@ -11,9 +11,11 @@
 //
 // Positions are rounded and carry their error bound; they serve as filter, never as the judge.
 
+#include <array>
 #include <span>
 #include <vector>
 
+#include "geom/clip_predicates.h"
 #include "geom/construct.h"
 #include "geom/ids.h"
 #include "geom/trimesh.h"
@@ -52,7 +54,27 @@ struct FacetPolygon {
   EdgeLabel edge_before(std::size_t k) const { return corners[k == 0 ? corners.size() - 1 : k - 1].edge; }
 };
 
+/// A corner of the polygon of `owner` on a facet, by itself: between the edges `before` and `after`.
+struct CellCorner {
+  FacetId facet;
+  SiteId owner;
+  EdgeLabel before, after;
+  RoundedPoint point;
+};
+
+inline CellCorner cell_corner(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners,
+                              std::size_t k) {
+  return {facet, owner, corners[k == 0 ? corners.size() - 1 : k - 1].edge, corners[k].edge, corners[k].point};
+}
+
 enum class Clip { untouched, cut, swallowed };
+
+/// Which part of a polygon is kept by a cut: corners first, first + 1, ... last, cyclically. The new corners
+/// lie on the edges labelled `leaving`, from corner `last` on, and `entering`, which ends in corner `first`.
+struct CutPlace {
+  std::size_t first, last;
+  EdgeLabel leaving, entering;
+};
 
 /// Clips facets of one mesh by bisectors of one set of sites.
 class Clipper {
@@ -67,18 +89,21 @@ class Clipper {
   /// The whole facet, labelled by its own edges.
   void start(FacetPolygon& polygon, FacetId facet, SiteId owner) const;
 
-  /// Does j beat the owner at corner k of the polygon? Exact. `b` is bisector_of(owner, j).
-  bool beats_at(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners, std::size_t k, SiteId j,
-                const Bisector& b) const {
-    const double f = b(corners[k].point.position);
-    const double bound = b.error + b.length * corners[k].point.tolerance;
+  /// Does j beat the owner at this corner of its polygon? Exact. `b` is bisector_of(owner, j).
+  bool beats_at(const CellCorner& corner, SiteId j, const Bisector& b) const {
+    const double f = b(corner.point.position);
+    const double bound = b.error + b.length * corner.point.tolerance;
     if (f > bound) return false;
     if (f < -bound) return true;
-    return beats_exactly(facet, owner, corners, k, j);
+    return beats_exactly(corner, j);
   }
   bool beats_at(const FacetPolygon& polygon, std::size_t k, SiteId j, const Bisector& b) const {
-    return beats_at(polygon.facet, polygon.owner, polygon.corners, k, j, b);
+    return beats_at(cell_corner(polygon.facet, polygon.owner, polygon.corners, k), j, b);
   }
+
+  /// The corner where the bisector of owner and j meets what `label` stands for: rounded, a function of the
+  /// facet (for a facet edge: of the edge) and of the sites alone, whichever of them is the owner.
+  RoundedPoint corner(FacetId facet, EdgeLabel label, SiteId owner, SiteId j, const Bisector& b) const;
 
   /// What can be said of j and the owner on the whole facet from a ball about it: the owner wins everywhere
   /// (untouched), j does (swallowed), or it depends (cut).
@@ -109,11 +134,24 @@ class Clipper {
   /// clip() with the answer of classify() at hand.
   void cut(FacetPolygon& polygon, SiteId j, const Bisector& b, const std::vector<char>& beaten);
 
+  /// The two halves of cut(): where, and the polygon with the new corners put in.
+  static CutPlace place_of_cut(std::span<const PolygonCorner> corners, const std::vector<char>& beaten);
+  static void cut(std::span<const PolygonCorner> old, const CutPlace& place, SiteId j,
+                  const std::array<RoundedPoint, 2>& leave_and_enter, std::vector<PolygonCorner>& out);
+
+  /// The sign of the area of the triangle of three sites projected into the plane of the facet: 1 if the
+  /// fragments of a, b, c follow each other counterclockwise around the location in the facet's plane where
+  /// their powers are equal, -1 if clockwise, 0 if there is no such location. Exact.
+  int orientation(FacetId facet, SiteId a, SiteId b, SiteId c) const;
+  /// Is j nearer than a, b, c at that location? Exact.
+  bool beats_in_plane(FacetId facet, SiteId a, SiteId b, SiteId c, SiteId j) const;
+
  private:
-  bool beats_exactly(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners, std::size_t k,
-                     SiteId j) const;
+  bool beats_exactly(const CellCorner& corner, SiteId j) const;
   RankedPoint3 ranked(SiteId s) const { return {&sites_[s], s.value}; }
-  RoundedPoint meet(const FacetPolygon& polygon, EdgeLabel label, SiteId j, const Bisector& b) const;
+  FacetCorners corners_of(FacetId t) const {
+    return {&mesh_.corner(t, 0), &mesh_.corner(t, 1), &mesh_.corner(t, 2)};
+  }
 
   struct Ball {
     Vec3 center;

@@ -87,4 +87,11 @@ inline CornerEstimate in_facet(const FacetCorners& q, const WeightedPoint3& p0, 
   return {{value, error_of(22) * magnitude}, {m12.value, error_of(12) * m12.magnitude}};
 }
 
+/// s_b t_c - t_b s_c about a, the denominator above by itself. k = 12.
+inline Estimate orientation(const FacetCorners& q, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 u = *q.q1 - *q.q0, v = *q.q2 - *q.q0;
+  const Magnified m = minor(slope(a, b, u), slope(a, c, v), slope(a, b, v), slope(a, c, u));
+  return {m.value, error_of(12) * m.magnitude};
+}
+
 }  // namespace geom::filter

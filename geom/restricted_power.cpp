@@ -27,6 +27,7 @@ RestrictedPower::RestrictedPower(const TriMesh& mesh, NeighbourSource& neighbour
       extent_(extent_of(mesh)),
       clipper_(mesh, sites_, extent_),
       store_(mesh),
+      division_(mesh, sites_, clipper_, store_),
       facet_mark_(mesh.num_facets(), -1) {
   if (types_ == CornerTypes::c_only) return;
   first_facet_.resize(mesh.num_vertices());
@@ -41,21 +42,21 @@ RestrictedPower::RestrictedPower(const TriMesh& mesh, NeighbourSource& neighbour
 double RestrictedPower::bound_radius2(const FacetPolygon& polygon) const {
   const WeightedPoint3& owner = sites_[polygon.owner];
   constexpr double e = 1e-9;
-  double result = -infinity;
+  double a2 = 0, tolerance = 0;
   for (const PolygonCorner& corner : polygon.corners) {
-    const double b2 = 3 * corner.point.tolerance * corner.point.tolerance;
-    const double a2 = (corner.point.position - owner.position).squaredNorm();
-    result = std::max(result, a2 * (1 + e) + b2 * (1 + 1 / e) - owner.weight);
+    a2 = std::max(a2, (corner.point.position - owner.position).squaredNorm());
+    tolerance = std::max(tolerance, corner.point.tolerance);
   }
-  if (result < infinity) return result;
-  for (int i = 0; i < 3; ++i)
-    result = std::max(i == 0 ? -infinity : result, power(mesh_.corner(polygon.facet, i), owner));
+  if (tolerance < infinity) return a2 * (1 + e) + 3 * tolerance * tolerance * (1 + 1 / e) - owner.weight;
+  double result = -infinity;
+  for (int i = 0; i < 3; ++i) result = std::max(result, power(mesh_.corner(polygon.facet, i), owner));
   return result;
 }
 
 // --- fragments and their circles -----------------------------------------------------------------
 
-/// Gives fragment f (created if none) this polygon; returns the bound of its power.
+/// Gives fragment f (created if none) this polygon; returns the bound of its power. Corners that stay bring
+/// their circles along; the circles of those that do not are the caller's to erase.
 double RestrictedPower::commit(FragmentId f, FacetPolygon& polygon) {
   if (f.valid()) {
     change_.cut.push_back({polygon.owner, polygon.facet});
@@ -63,7 +64,7 @@ double RestrictedPower::commit(FragmentId f, FacetPolygon& polygon) {
     f = store_.create(polygon.owner, polygon.facet);
     change_.created.push_back({polygon.owner, polygon.facet});
   }
-  register_corners(f, polygon);
+  register_corners(polygon);
   store_.set_corners(f, polygon.corners);
   const double max_radius2 = bound_radius2(polygon);
   store_.set_max_radius2(f, max_radius2);
@@ -80,54 +81,50 @@ void RestrictedPower::link(SiteId p, std::vector<SiteId>& out) const {
 }
 
 void RestrictedPower::forget(FragmentId f) {
-  for (const PolygonCorner& corner : store_.corners(f))
-    if (corner.circle.valid()) erase_circle(corner.circle);
+  for (const PolygonCorner& corner : store_.corners(f)) erase_circle_of(corner);
   change_.erased.push_back({store_.site(f), store_.facet(f)});
   store_.erase(f);
 }
 
-/// Each C corner is seen from three cells: the one of smallest id registers it, so that its position (clip.h)
-/// is the same whatever the history. A B corner is registered by the smaller id in the smaller facet, an A
-/// corner in the first facet of the vertex. Corners that stay keep their circles.
-void RestrictedPower::register_corners(FragmentId f, FacetPolygon& polygon) {
-  std::vector<PolygonCorner>& corners = polygon.corners;
-  const std::span<const PolygonCorner> old = store_.corners(f);
-  const auto place_of = [&](std::size_t k) -> std::int32_t {  // as in EmptyCircle; -1: not to be registered
-    const EdgeLabel before = polygon.edge_before(k), after = corners[k].edge;
-    if (before.is_site() && after.is_site())
-      return polygon.owner < before.site() && polygon.owner < after.site() ? 0 : -1;
-    if (types_ == CornerTypes::c_only) return -1;
-    if (!before.is_site() && !after.is_site()) {
-      const VertexId v = mesh_.facet(polygon.facet)[static_cast<std::size_t>(after.edge())];
-      return first_facet_[v] == polygon.facet ? 4 + after.edge() : -1;
+/// Each C corner is seen from three cells: the one of smallest id registers it. A B corner is registered by
+/// the smaller id in the smaller facet, an A corner in the first facet of the vertex. Corners that have a
+/// circle keep it.
+void RestrictedPower::register_corners(FacetPolygon& polygon) {
+  EdgeLabel before = polygon.corners.back().edge;
+  for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
+    PolygonCorner& corner = polygon.corners[k];
+    const EdgeLabel after = corner.edge;
+    if (!corner.circle.valid()) {
+      if (before.is_site() && after.is_site()) {
+        if (polygon.owner < before.site() && polygon.owner < after.site())
+          corner.circle = create_circle(polygon, k, 0);
+      } else if (types_ == CornerTypes::all) {
+        if (before.is_site() || after.is_site())
+          register_on_edge(polygon, k);
+        else
+          register_at_vertex(polygon, k);
+      }
     }
-    const EdgeLabel edge = before.is_site() ? after : before, site = before.is_site() ? before : after;
-    const FacetId across = mesh_.across(polygon.facet, edge.edge());
-    const bool ours = polygon.owner < site.site() && (!across.valid() || polygon.facet < across);
-    return ours ? 1 + edge.edge() : -1;
-  };
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    if (corners[k].circle.valid() || place_of(k) < 0 || place_of(k) >= 4) continue;
-    for (std::size_t o = 0; o < old.size(); ++o)
-      if (old[o].edge == corners[k].edge &&
-          old[o == 0 ? old.size() - 1 : o - 1].edge == polygon.edge_before(k))
-        corners[k].circle = old[o].circle;
+    before = after;
   }
-  for (const PolygonCorner& o : old)
-    if (o.circle.valid() && std::ranges::none_of(corners, [&](auto& c) { return c.circle == o.circle; }))
-      erase_circle(o.circle);
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const std::int32_t place = place_of(k);
-    if (place < 0 || corners[k].circle.valid()) continue;
-    if (place < 4) {
-      corners[k].circle = create_circle(polygon, k, place);
-      continue;
-    }
-    CircleId& circle = vertex_circle_[mesh_.facet(polygon.facet)[static_cast<std::size_t>(place - 4)]];
-    if (circle.valid() && circles_[circle].sites[0] == polygon.owner) continue;
-    if (circle.valid()) erase_circle(circle);
-    circle = create_circle(polygon, k, place);
-  }
+}
+
+void RestrictedPower::register_on_edge(FacetPolygon& polygon, std::size_t k) {
+  const EdgeLabel before = polygon.edge_before(k), after = polygon.corners[k].edge;
+  const EdgeLabel edge = before.is_site() ? after : before, site = before.is_site() ? before : after;
+  const FacetId across = mesh_.across(polygon.facet, edge.edge());
+  if (polygon.owner < site.site() && (!across.valid() || polygon.facet < across))
+    polygon.corners[k].circle = create_circle(polygon, k, 1 + edge.edge());
+}
+
+void RestrictedPower::register_at_vertex(const FacetPolygon& polygon, std::size_t k) {
+  const int i = polygon.corners[k].edge.edge();  // edges i - 1 and i meet in corner i
+  const VertexId v = mesh_.facet(polygon.facet)[static_cast<std::size_t>(i)];
+  CircleId& circle = vertex_circle_[v];
+  if (first_facet_[v] != polygon.facet || (circle.valid() && circles_[circle].sites[0] == polygon.owner))
+    return;
+  if (circle.valid()) erase_circle(circle);
+  circle = create_circle(polygon, k, 4 + i);
 }
 
 CircleId RestrictedPower::create_circle(const FacetPolygon& polygon, std::size_t corner, std::int32_t place) {

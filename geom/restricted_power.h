@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "geom/cell_division.h"
 #include "geom/fragment_store.h"
 #include "geom/neighbour_source.h"
 
@@ -94,51 +95,50 @@ class RestrictedPower {
   void check() const;
 
  private:
-  struct Pending {
-    FragmentId joins;  ///< the fragment that the share is added to; none: it is a new one
-    FacetPolygon share;
+  /// What an insertion took from the fragment of a rival: the new edge of that, from the edge `leaving` to the
+  /// edge `entering`.
+  struct Cut {
+    SiteId rival;
+    EdgeLabel leaving, entering;
+    RoundedPoint leave, enter;
+    std::int32_t next;  ///< on the same facet, index into cuts_ or -1
   };
   struct TouchedFacet {
     FacetId facet;
-    std::int32_t rivals = -1;  ///< head of a list in rival_links_
-  };
-  struct RivalLink {
-    SiteId site;
-    std::int32_t next;
+    std::int32_t cuts = -1;  ///< head of a list in cuts_
   };
 
   void begin(SiteId p);
   void finish();
   void touch_cell(SiteId j);
-  TouchedFacet& touch_facet(FacetId t);
-  bool take_from(SiteId j, SiteId p);
+
   void occupy_everything(SiteId p);
-  void divide(FragmentId vacated, SiteId p);
-  bool inherits_whole(FacetId t);
-  void prepare_bisectors();
-  void order_heirs(FragmentId vacated);
-  const Bisector& bisector_of_heirs(std::size_t k, std::size_t h) const {
-    return heirs_bisectors_[k * heirs_.size() + h];
-  }
-  Pending& add_pending();
-  void find_fragments_of_heirs(FragmentId vacated);
-  bool yields_everywhere(std::size_t i, std::span<const PolygonCorner> corners) const;
+  bool take_from(SiteId j, SiteId p);
+  void cut_fragment(FragmentId f, std::span<const PolygonCorner> corners, SiteId p, const Bisector& b);
+  TouchedFacet& touch_facet(FacetId t);
+  const Cut* cut_of(FacetId t, SiteId rival) const;
+  const Cut* cut_entered_from(const TouchedFacet& touched, EdgeLabel label) const;
+  const RoundedPoint* known_corner(FacetId t, EdgeLabel label, SiteId rival) const;
+  void assemble(const TouchedFacet& touched, SiteId p);
+
+  bool add_missing_heirs(SiteId p, const NeighbourSource& source);
   struct Seam {
     std::size_t in_old, in_share;  ///< the edges labelled p
     bool fits;                     ///< and the edges next to them continue each other
   };
   Seam seam_of(FragmentId old, const FacetPolygon& share, SiteId p) const;
   void join(FragmentId old, const FacetPolygon& share, SiteId p);
-  void gather_known_heirs(std::span<const FragmentId> vacated);
-  void plan_division(SiteId p, const NeighbourSource& source);
   void carry_out_division(SiteId p);
-  void add_heir(SiteId k);
-  bool add_missing_heirs(SiteId p, const NeighbourSource& source);
 
   double commit(FragmentId f, FacetPolygon& polygon);
   void forget(FragmentId f);
-  void register_corners(FragmentId f, FacetPolygon& polygon);
+  void register_corners(FacetPolygon& polygon);
+  void register_on_edge(FacetPolygon& polygon, std::size_t corner);
+  void register_at_vertex(const FacetPolygon& polygon, std::size_t corner);
   CircleId create_circle(const FacetPolygon& polygon, std::size_t corner, std::int32_t place);
+  void erase_circle_of(const PolygonCorner& corner) {
+    if (corner.circle.valid()) erase_circle(corner.circle);
+  }
   void erase_circle(CircleId c);
   void list_circle(CircleId c);
   std::size_t place_of(SiteId p, CircleId c) const {  // among the circle's sites
@@ -163,22 +163,16 @@ class RestrictedPower {
   Table<VertexId, CircleId> vertex_circle_;  ///< likewise
 
   Change change_;
+  CellDivision division_;
   // Workspaces of one update.
-  std::vector<SiteId> candidates_, heirs_;
+  std::vector<SiteId> candidates_;
   std::vector<FragmentId> vacated_;
-  std::vector<Bisector> heirs_bisectors_;  ///< row k, column h: of owner heirs_[k] and heirs_[h]
-  std::vector<std::size_t> heirs_order_;   ///< of heirs_, those that matter most on the facet in hand first
   std::vector<TouchedFacet> touched_facets_;
-  std::vector<RivalLink> rival_links_;
-  std::vector<Pending> pending_;
-  std::size_t num_pending_ = 0;
-  bool misfit_ = false;
+  std::vector<Cut> cuts_;
   std::vector<char> beaten_;
   FacetPolygon polygon_;
   Table<FacetId, std::int32_t> facet_mark_;  ///< index into touched_facets_ or -1
-  std::vector<FragmentId> heirs_fragments_;  ///< of each heir on the facet in hand
-  Table<SiteId, std::uint32_t> cell_stamp_, heir_stamp_;
-  Table<SiteId, std::int32_t> heir_index_;  ///< in heirs_, if the site is one
+  Table<SiteId, std::uint32_t> cell_stamp_;
   std::uint32_t stamp_ = 0;
 };
 

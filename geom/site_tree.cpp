@@ -61,8 +61,15 @@ void SiteTree::remove(SiteId id) {
 
 void SiteTree::set_reach(SiteId j, double max_radius2) {
   const Place place = places_[j];
-  leaf(place.node)[at(place.slot)].reach = max_radius2;
-  refresh(place.node);
+  double& reach = leaf(place.node)[at(place.slot)].reach;
+  const double before = reach;
+  reach = max_radius2;
+  if (max_radius2 >= before)
+    for (std::int32_t i = place.node; i >= 0 && nodes_[at(i)].max_reach < max_radius2;
+         i = nodes_[at(i)].parent)
+      nodes_[at(i)].max_reach = max_radius2;
+  else if (before == nodes_[at(place.node)].max_reach)
+    refresh(place.node);
 }
 
 /// Halves a leaf at the median of its longest side. Sites at one position cannot be told apart and stay
