@@ -149,7 +149,7 @@ TEST_CASE("range: beyond it, every tool refuses in one line that names the file 
   at.folder.write("huge.txt", "0 0\n1e200 0\n0 1\n");
   const std::string beyond = ": a coordinate is beyond 1e48, the range of the exact arithmetic";
   const std::string tiny = "tiny.obj: the surface is too small: no coordinate reaches 1.2e-271";
-  for (const std::string& program : {"fpo-remesh", "fpo-quality", "fpo-spectrum", "fpo-trace"}) {
+  for (const std::string program : {"fpo-remesh", "fpo-quality", "fpo-spectrum", "fpo-trace"}) {
     CAPTURE(program);
     const auto refused = [&](const std::string& file, const std::string& line) {
       std::vector<std::string> arguments{file};
