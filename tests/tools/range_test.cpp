@@ -168,6 +168,6 @@ TEST_CASE("range: beyond it, every tool refuses in one line that names the file 
   check_refused(at, "fpo-plane", {"-n", "50", "-o", "out.txt", "--sizing", "huge.txt"},
                 "huge.txt:2" + beyond);
   check_refused(at, "fpo-plane", {"-n", "50", "-o", "out.txt", "--period", "1e-200x1e-200"},
-                "a period must be a number between 1e-15 and 1e15");
+                "--period: 1e-200 is not between 1e-15 and 1e+15");
   CHECK(!std::filesystem::exists(at.folder / "out.obj"));
 }
