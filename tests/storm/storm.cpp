@@ -112,14 +112,17 @@ void print_kinds(const Storm& s) {
 
 int brew(tools::CommandLine& cli) {
   std::uint64_t count = 10'000'000, rational_every = 2000;
+  std::string only;
   cli.describe("", "Calls every exact predicate on adversarial draws and compares it with exact integers.");
   cli.integer({.name = "count", .value = "N", .help = "calls of each predicate"}, count, 1, UINT64_MAX);
   cli.integer({.name = "rational-every", .value = "N", .help = "compare one in N with the slow oracle too"},
               rational_every, 0, UINT64_MAX);
+  cli.text({.name = "predicate", .value = "NAME", .help = "only this one", .standard = "all"}, only);
   cli.parse(0, 0);
   Storm storm(count, cli.seed(), rational_every);
   std::printf("%-16s %10s %9s %9s %8s\n", "predicate", "calls", "exact %", "tie %", "seconds");
   for (std::size_t p = 0; p < storm::predicates().size() && !tools::interrupt_flag(); ++p) {
+    if (!only.empty() && only != storm::predicates()[p].name) continue;
     const auto start = std::chrono::steady_clock::now();
     storm.run_predicate(p, cli.threads());
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

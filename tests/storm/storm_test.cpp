@@ -36,7 +36,7 @@ TEST_CASE("storm: sums, differences and products of wide integers have the signs
 }
 
 TEST_CASE("storm: every exact predicate is right on every kind of draw, and so are all filters") {
-  constexpr std::uint64_t each = 250;
+  constexpr std::uint64_t each = 160;
   std::mutex mutex;
   std::string faults;
   const auto& kinds = Kind::all();
