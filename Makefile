@@ -3,7 +3,7 @@ BUILD ?= build
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 MAKEFLAGS += --no-print-directory
 
-.PHONY: all demo test check cgal-check check-sanitize fuzz bench clean help
+.PHONY: all demo test check cgal-check check-sanitize fuzz storm endurance bench clean help
 all:
 	@.ci/setup
 	@cmake -S . -B $(BUILD)
@@ -47,6 +47,24 @@ fuzz:
 	@cmake --build $(BUILD)-sanitize -j $(JOBS) --target fuzz
 	$(BUILD)-sanitize/fuzz --seconds $(FUZZ_SECONDS) --seed $(FUZZ_SEED) --time-limit 60
 
+# Every exact predicate so many times, compared with exact integers.
+STORM_COUNT ?= 10000000
+STORM_SEED ?= 1
+storm:
+	@.ci/setup tests
+	@cmake -S . -B $(BUILD)
+	@cmake --build $(BUILD) -j $(JOBS) --target storm
+	$(BUILD)/storm --count $(STORM_COUNT) --seed $(STORM_SEED) --threads $(JOBS)
+
+# So many moves on every domain, verified; faults are saved among the replays, which are tests.
+ENDURANCE_MOVES ?= 1000000
+ENDURANCE_SEED ?= 1
+endurance:
+	@.ci/setup tests
+	@cmake -S . -B $(BUILD)
+	@cmake --build $(BUILD) -j $(JOBS) --target endurance
+	$(BUILD)/endurance --moves $(ENDURANCE_MOVES) --seed $(ENDURANCE_SEED) --threads $(JOBS) --keep tests/fixtures/replays
+
 bench: all
 	@cmake --build $(BUILD) -j $(JOBS) --target benches
 	@for program in $(BUILD)/bench-*; do if [ -x $$program ]; then echo "== $$program"; $$program || exit 1; fi; done
@@ -61,5 +79,7 @@ help:
 	@echo "make cgal-check      predicates, triangulations and diagrams against CGAL (installs libcgal-dev)"
 	@echo "make check-sanitize  the tests under AddressSanitizer and UndefinedBehaviorSanitizer"
 	@echo "make fuzz            the tools under the same on spoilt surfaces, FUZZ_SECONDS=60 from FUZZ_SEED=1"
+	@echo "make storm           every exact predicate STORM_COUNT=10000000 times on adversarial draws"
+	@echo "make endurance       ENDURANCE_MOVES=1000000 moves on each of eight domains, verified"
 	@echo "make bench           build and run the benchmarks"
 	@echo "make clean           remove what was built"

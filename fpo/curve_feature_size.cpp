@@ -67,7 +67,7 @@ struct Copies {
   // An empty circle has a radius of at most half the period's diagonal d: a larger one contains a copy of
   // whatever point there is. So edges are shorter than d, and triangles can be told from their corners if d
   // is less than half a period of the copies. From the middle copy to the border of all is more than d / 2.
-  explicit Copies(const FlatTorus& torus) : period(torus.period()) {
+  explicit Copies(const Vec2& its_period) : period(its_period) {
     for (int axis = 0; axis < 2; ++axis)
       count[static_cast<std::size_t>(axis)] =
           static_cast<std::size_t>(std::floor(2 * period.norm() / period[axis])) + 1;
@@ -169,12 +169,15 @@ class MedialAxis {
 std::vector<CurvePoint> curve_feature_size(std::span<const Polyline> curves, const FlatTorus& torus,
                                            double spacing) {
   geom::require(spacing > 0 && std::isfinite(spacing), "the spacing of curve points must be positive");
-  const CutCurves pieces = cut(curves, torus, spacing);
-  const Copies copies(torus);
-  const MedialAxis axis(pieces, copies, spacing);
+  CutCurves pieces = cut(curves, torus, spacing);
+  // From here on in units of the torus: all copies together may exceed the largest period.
+  const double unit = torus.unit();
+  for (Vec2& x : pieces.points) x /= unit;
+  const Copies copies(torus.period() / unit);
+  const MedialAxis axis(pieces, copies, spacing / unit);
   std::vector<CurvePoint> result;
   result.reserve(pieces.points.size());
-  for (const Vec2& x : pieces.points) result.push_back({x, axis.distance(x + copies.middle())});
+  for (const Vec2& x : pieces.points) result.push_back({unit * x, unit * axis.distance(x + copies.middle())});
   return result;
 }
 

@@ -35,6 +35,17 @@ VertexField local_feature_sizes(const geom::TriMesh& surface, std::size_t num_sa
   return lfs;
 }
 
+/// Only the ratios of the wanted lengths count: scaled by a power of two, so that they may be of any size.
+VertexField of_unit_size(VertexField rho) {
+  double most = 0;
+  for (const double value : rho)
+    if (std::isfinite(value)) most = std::max(most, value);
+  int exponent = 0;
+  std::frexp(most, &exponent);
+  for (double& value : rho) value = std::ldexp(value, -exponent);
+  return rho;
+}
+
 VertexField wanted_sizes(const geom::TriMesh& surface, const RemeshOptions& options, double spacing) {
   switch (options.sizing) {
     case SizingKind::local_feature_size:
@@ -42,7 +53,7 @@ VertexField wanted_sizes(const geom::TriMesh& surface, const RemeshOptions& opti
     case SizingKind::curvature:
       return curvature_size(surface, {.min = 1e-6 * spacing});
     default:
-      return options.rho;
+      return of_unit_size(options.rho);
   }
 }
 

@@ -8,7 +8,19 @@
 // infinitesimal, so among equals the smaller rank has the larger weight. The rank of a sample is its id. No
 // conflicts*/beats_* test ever ties.
 //
-// Valid range: see expansion.h. Cost: tens of flops where the filter decides.
+// Valid range. Every predicate is exact for coordinates that are multiples of 2^-160 and at most 2^160 in
+// magnitude, with weights that are multiples of 2^-320 and at most 2^320 (whence: expansion.h). Surfaces of any
+// size come into it by scaling.h. One of degree d in the coordinates allows more: multiples of 2^-floor(1074/d),
+// at most 2^(floor(1000/d) - 4), weights their squares; at either end no product under- or overflows.
+//
+//     d = 2   orient2, beats_at_vertex     2^-537 .. 2^496
+//         3   orient3                      2^-358 .. 2^329
+//         4   power_side2, conflicts2,     2^-268 .. 2^246
+//             beats_on_edge
+//         5   power_side3, conflicts3      2^-214 .. 2^196
+//         6   beats_in_facet               2^-179 .. 2^162
+//
+// Beyond, answers may be wrong: 2^-600 times 2^-600 is 0. Cost: tens of flops where the filter decides.
 
 #include <cstdint>
 

@@ -1,5 +1,7 @@
 #include "io/polygon.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "geom/predicates.h"
@@ -10,6 +12,19 @@ using geom::Vec2;
 using geom::Vec3;
 
 namespace {
+
+/// The polygon scaled by a power of two to a size at which no product of lengths under- or overflows.
+std::vector<Vec3> at_unit_size(std::span<const Vec3> polygon) {
+  double largest = 0;
+  for (const Vec3& p : polygon) largest = std::max(largest, p.lpNorm<Eigen::Infinity>());
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  std::vector<Vec3> result;
+  result.reserve(polygon.size());
+  for (const Vec3& p : polygon)
+    result.push_back(p.unaryExpr([&](double x) { return std::ldexp(x, -exponent); }));
+  return result;
+}
 
 /// Twice the polygon's vector area (Newell), about its first corner.
 Vec3 vector_area(std::span<const Vec3> polygon) {
@@ -84,7 +99,7 @@ class ShrinkingPolygon {
 
 std::vector<std::array<int, 3>> triangulate(std::span<const Vec3> polygon) {
   if (polygon.size() == 3) return {{0, 1, 2}};
-  ShrinkingPolygon rest(project(polygon));
+  ShrinkingPolygon rest(project(at_unit_size(polygon)));
   std::vector<std::array<int, 3>> triangles;
   std::size_t left = polygon.size();
   // Going on two corners after each cut spreads the cuts around: a convex polygon is not fanned into slivers.

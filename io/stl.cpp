@@ -138,9 +138,13 @@ std::string to_stl(const geom::TriMesh& mesh) {
   const auto append = [&bytes](const Vec3& p) {
     for (const double x : p) append_little(bytes, static_cast<float>(x));
   };
-  for (const Vec3& p : mesh.vertices())
-    geom::require(p.cwiseAbs().maxCoeff() <= std::numeric_limits<float>::max(),
-                  "a coordinate is beyond STL's single precision");
+  double largest = 0;
+  for (const Vec3& p : mesh.vertices()) largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  geom::require(largest <= std::numeric_limits<float>::max(),
+                "a coordinate is beyond STL's single precision");
+  // What is 2^24 times smaller than that is still a normal number.
+  geom::require(largest == 0 || largest >= 0x1p-102,
+                "the coordinates are too small for STL's single precision");
   for (const auto& facet : mesh.facets()) {
     const Vec3 &a = mesh.position(facet[0]), &b = mesh.position(facet[1]), &c = mesh.position(facet[2]);
     const Vec3 normal = (b - a).cross(c - a);

@@ -5,6 +5,7 @@
 #include "fpo/hausdorff.h"
 #include "fpo/quality.h"
 #include "geom/scaling.h"
+#include "io/input_file.h"
 #include "io/mesh_io.h"
 #include "tools/cli.h"
 
@@ -31,6 +32,14 @@ class Printer {
   bool json_, first_ = true;
 };
 
+/// Complaints name the mesh: a reference that is as small or large makes no difference.
+double factor_to_unit_box(const std::filesystem::path& path, const geom::TriMesh& mesh,
+                          const geom::TriMesh& reference) try {
+  return geom::factor_to_unit_box(mesh, reference);
+} catch (const geom::InputError& error) {
+  throw geom::InputError(io::display_name(path) + ": " + error.what());
+}
+
 int quality(tools::CommandLine& cli) {
   std::filesystem::path reference_path;
   bool json = false;
@@ -39,11 +48,12 @@ int quality(tools::CommandLine& cli) {
   cli.path({.name = "reference", .value = "INPUT", .help = "the surface that MESH approximates"},
            reference_path);
   cli.flag({.name = "json", .help = "print one JSON object"}, json);
-  geom::TriMesh mesh = io::read_mesh(cli.parse(1, 1).front());
+  const std::filesystem::path path = cli.parse(1, 1).front();
+  geom::TriMesh mesh = io::read_mesh(path);
   const bool compare = !reference_path.empty();
   geom::TriMesh reference = compare ? io::read_mesh(reference_path) : geom::TriMesh();
   // No measure depends on the unit of length; in this one no square under- or overflows.
-  const double factor = geom::factor_to_unit_box(mesh, reference);
+  const double factor = factor_to_unit_box(path, mesh, reference);
   mesh = geom::scaled_to_unit_box(mesh, factor);
   reference = geom::scaled_to_unit_box(reference, factor);
   geom::require(!compare || reference.area() > 0, reference_path.string() + ": the surface has no area");

@@ -7,6 +7,7 @@
 
 #include "fpo/pipeline.h"
 #include "geom/aabb_tree.h"
+#include "geom/scaling.h"
 #include "io/atomic_file.h"
 #include "io/coloured_ply.h"
 #include "io/extension.h"
@@ -32,13 +33,15 @@ void write_sizing(const std::filesystem::path& path, const geom::TriMesh& input,
     io::write_values(path, values);
 }
 
-void write_map(const std::filesystem::path& path, const geom::TriMesh& input,
-               const fpo::RemeshResult& result) {
+/// `factor`: to where no square of a length under- or overflows.
+void write_map(const std::filesystem::path& path, const geom::TriMesh& input, const fpo::RemeshResult& result,
+               double factor) {
   std::vector<io::MappedPoint> points;
   for (const fpo::SurfaceSample& x : result.samples) {
-    const std::array<geom::Vec3, 3> triangle{input.corner(x.facet, 0), input.corner(x.facet, 1),
-                                             input.corner(x.facet, 2)};
-    points.push_back({x.facet, geom::closest_point(x.position, triangle).barycentric});
+    const std::array<geom::Vec3, 3> triangle{factor * input.corner(x.facet, 0),
+                                             factor * input.corner(x.facet, 1),
+                                             factor * input.corner(x.facet, 2)};
+    points.push_back({x.facet, geom::closest_point(factor * x.position, triangle).barycentric});
   }
   io::write_surface_map(path, points);
 }
@@ -51,7 +54,8 @@ void write_outputs(const tools::RemeshArguments& a, const geom::TriMesh& input,
     for (const fpo::SurfaceSample& sample : result.samples) points.push_back({sample.position, 0});
     io::write_points(a.points, points);
   }
-  if (!a.map.empty()) write_map(a.map, input, result);
+  const double factor = geom::factor_to_unit_box(input);
+  if (!a.map.empty()) write_map(a.map, input, result, factor);
   if (!a.rpd.empty()) {
     std::vector<io::GroupedPolygon> cells;
     for (const fpo::CellPolygon& cell : result.cells) cells.push_back({cell.site.value, cell.corners});
@@ -60,7 +64,7 @@ void write_outputs(const tools::RemeshArguments& a, const geom::TriMesh& input,
   if (!a.picture.empty()) {
     io::MeshPicture picture;
     picture.back_faces = geom::topology(result.mesh).boundary_edges > 0;
-    io::draw_mesh(result.mesh, picture).save(a.picture);
+    io::draw_mesh(geom::scaled(result.mesh, factor), picture).save(a.picture);
   }
   if (!a.log.empty()) io::write_file(a.log, log);
   if (!a.sizing_out.empty()) write_sizing(a.sizing_out, input, result.sizing);

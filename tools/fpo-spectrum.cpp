@@ -6,8 +6,10 @@
 #include <memory>
 
 #include "fpo/periodogram.h"
+#include "geom/scaling.h"
 #include "io/atomic_file.h"
 #include "io/extension.h"
+#include "io/input_file.h"
 #include "io/mesh_io.h"
 #include "io/points.h"
 #include "io/values.h"
@@ -23,16 +25,28 @@ using tools::SpectrumArguments;
 /// The surface that all sets were drawn from, if one was given.
 struct GivenSurface {
   std::unique_ptr<fpo::SpectrumSurface> surface;
-  fpo::VertexField sizes;  ///< empty: none
+  double factor = 1;       ///< by which it is scaled
+  fpo::VertexField sizes;  ///< scaled, too; empty: none
 };
 
+/// Complaints name the file. No spectrum depends on the unit of length; in this one no square under- or
+/// overflows.
+GivenSurface at_unit_size(const std::filesystem::path& path, const geom::TriMesh& mesh) try {
+  GivenSurface result;
+  result.factor = geom::factor_to_unit_box(mesh);
+  result.surface = std::make_unique<fpo::SpectrumSurface>(geom::scaled_to_unit_box(mesh, result.factor));
+  return result;
+} catch (const geom::InputError& error) {
+  throw geom::InputError(io::display_name(path) + ": " + error.what());
+}
+
 GivenSurface read_surface(const SpectrumArguments& a) {
-  GivenSurface given;
-  if (a.surface.empty()) return given;
+  if (a.surface.empty()) return {};
   const geom::TriMesh mesh = io::read_mesh(a.surface);
+  GivenSurface given = at_unit_size(a.surface, mesh);
   if (!a.sizes.empty())
-    for (const double h : io::read_positive_values(a.sizes, mesh.num_vertices())) given.sizes.push_back(h);
-  given.surface = std::make_unique<fpo::SpectrumSurface>(mesh);
+    for (const double h : io::read_positive_values(a.sizes, mesh.num_vertices()))
+      given.sizes.push_back(given.factor * h);
   return given;
 }
 
@@ -54,16 +68,22 @@ PowerSpectrum surface_spectrum(const SpectrumArguments& a, const GivenSurface& g
                                const std::filesystem::path& input) {
   std::vector<geom::WeightedPoint3> points;
   const std::string extension = io::lower_extension(input);
-  std::unique_ptr<fpo::SpectrumSurface> own;
+  GivenSurface own;
   if (given.surface && (extension == ".xyz" || extension == ".ply")) {
     points = io::read_points3(input);
   } else {
     geom::require(extension != ".xyz", "points in space need --surface");
     const geom::TriMesh mesh = io::read_mesh(input);
     for (const geom::Vec3& x : mesh.vertices()) points.push_back({x, 0});
-    if (!given.surface) own = std::make_unique<fpo::SpectrumSurface>(mesh);
+    if (!given.surface) own = at_unit_size(input, mesh);
   }
-  const fpo::SpectrumSurface& surface = given.surface ? *given.surface : *own;
+  const double factor = given.surface ? given.factor : own.factor;
+  for (geom::WeightedPoint3& p : points) {
+    p.position *= factor;
+    p.weight *= factor;  // twice, for the square of a small factor underflows
+    p.weight *= factor;
+  }
+  const fpo::SpectrumSurface& surface = given.surface ? *given.surface : *own.surface;
   if (!given.sizes.empty())
     for (geom::WeightedPoint3& p : points)
       p.weight = std::pow(surface.interpolated(p.position, given.sizes), 2);

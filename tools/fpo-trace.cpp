@@ -4,7 +4,9 @@
 
 #include "fpo/surface_domain.h"
 #include "geom/rng.h"
+#include "geom/scaling.h"
 #include "io/atomic_file.h"
+#include "io/input_file.h"
 #include "io/mesh_io.h"
 #include "tools/cli.h"
 #include "tools/trace_picture.h"
@@ -89,9 +91,18 @@ void advance(fpo::SurfaceDomain& domain, std::size_t moves) {
   }
 }
 
+/// What is printed and drawn has the input's unit of length, so it is not scaled as in fpo-remesh.
+geom::TriMesh read_surface(const std::filesystem::path& path) {
+  const geom::TriMesh mesh = io::read_mesh(path);
+  const double size = mesh.box().min().cwiseAbs().cwiseMax(mesh.box().max().cwiseAbs()).maxCoeff();
+  geom::require(size >= 0x1p-40 && size <= 0x1p40,
+                io::display_name(path) + ": the largest coordinate must be between 1e-12 and 1e12 here");
+  return geom::scaled_to_unit_box(mesh, 1);
+}
+
 int trace(tools::CommandLine& cli) {
   const Arguments a = parse(cli);
-  const geom::TriMesh mesh = io::read_mesh(a.input);
+  const geom::TriMesh mesh = read_surface(a.input);
   std::error_code error;
   std::filesystem::create_directories(a.folder, error);
   geom::require(!error, "cannot make " + a.folder.string() + ": " + error.message());

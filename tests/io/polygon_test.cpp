@@ -107,3 +107,18 @@ TEST_CASE("triangulate: a long convex polygon takes linear time") {
   }
   CHECK(io::triangulate(polygon).size() == 199998);
 }
+
+TEST_CASE("triangulate: the same triangles whatever the polygon's size") {
+  std::mt19937 random(8);
+  for (int k = 0; k < 100; ++k) {
+    const Eigen::Matrix3d turn = random_rotation(random);
+    std::vector<Vec3> polygon = star(random, 12);
+    for (Vec3& p : polygon) p = turn * p;
+    const auto expected = io::triangulate(polygon);
+    for (const int exponent : {-900, -500, 150}) {
+      std::vector<Vec3> scaled = polygon;
+      for (Vec3& p : scaled) p *= std::ldexp(1.0, exponent);
+      CHECK(io::triangulate(scaled) == expected);
+    }
+  }
+}

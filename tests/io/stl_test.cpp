@@ -99,4 +99,6 @@ TEST_CASE("STL: each fault is named with its place") {
 TEST_CASE("STL: coordinates beyond single precision cannot be written") {
   const auto mesh = fixtures::make_mesh({{0, 0, 0}, {1e39, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   CHECK(complaint([&] { io::to_stl(mesh); }) == "a coordinate is beyond STL's single precision");
+  const auto tiny = fixtures::make_mesh({{0, 0, 0}, {1e-31, 0, 0}, {0, 1e-31, 0}}, {{0, 1, 2}});
+  CHECK(complaint([&] { io::to_stl(tiny); }) == "the coordinates are too small for STL's single precision");
 }
