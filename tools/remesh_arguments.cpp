@@ -11,12 +11,6 @@
 namespace tools {
 namespace {
 
-/// An option that does not work yet.
-void declare_later(CommandLine& cli, const std::string& name, const std::string& help) {
-  cli.custom({.name = name, .value = "FILE", .help = help + " (not yet)"},
-             [](const std::string&) { throw geom::InputError("does not work yet"); });
-}
-
 void set_sizing(RemeshArguments& a, const std::string& text) {
   if (text == "uniform") {
     a.remesh.sizing = fpo::SizingKind::uniform;
@@ -74,7 +68,10 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   cli.path({.name = "picture", .value = "OUT.svg", .help = "a drawing of the remesh"}, a.picture);
   cli.path({.name = "log", .value = "OUT.csv", .help = "iteration, moved, delta, mean_delta, seconds"},
            a.log);
-  declare_later(cli, "report", "a report in one file");
+  cli.path({.name = "report",
+            .value = "OUT.html",
+            .help = "a page with pictures to turn, charts, spectrum and quality beside the paper's"},
+           a.report);
 
   cli.group("Optimization");
   int iterations = -1;
@@ -145,7 +142,7 @@ void parse(CommandLine& cli, RemeshArguments& a) {
                                      : a.remesh.sizing == fpo::SizingKind::uniform ? 100
                                                                                    : 40;
   a.remesh.seed = cli.seed();
-  a.remesh.keep_cells = !a.rpd.empty();
+  a.remesh.keep_cells = !a.rpd.empty() || !a.report.empty();
 }
 
 /// Refuses bad output names before the work starts.
@@ -156,7 +153,7 @@ void check_outputs(const RemeshArguments& a) {
                   a.points.string() + ": use .xyz or .ply");
   std::set<std::filesystem::path> taken;
   for (const std::filesystem::path& path :
-       {a.output, a.points, a.rpd, a.log, a.picture, a.sizing_out, a.map}) {
+       {a.output, a.points, a.rpd, a.log, a.picture, a.sizing_out, a.map, a.report}) {
     if (path.empty()) continue;
     io::require_writable(path);
     geom::require(taken.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(path))).second,
