@@ -3,7 +3,7 @@ BUILD ?= build
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 MAKEFLAGS += --no-print-directory
 
-.PHONY: all demo test check cgal-check check-sanitize fuzz bench clean help
+.PHONY: all demo test check cgal-check check-sanitize fuzz bench paper clean help
 all:
 	@.ci/setup
 	@cmake -S . -B $(BUILD)
@@ -51,6 +51,11 @@ bench: all
 	@cmake --build $(BUILD) -j $(JOBS) --target benches
 	@for program in $(BUILD)/bench-*; do if [ -x $$program ]; then echo "== $$program"; $$program || exit 1; fi; done
 
+# Tables 2 to 4 and figures 7 to 11 of the paper for those of its models that are in the folder.
+MODELS ?= ../shared/models
+paper: all
+	$(BUILD)/fpo-paper $(MODELS) -o $(BUILD)/paper --threads $(JOBS)
+
 clean:
 	rm -rf $(BUILD) $(BUILD)-sanitize $(BUILD)-cgal
 
@@ -62,4 +67,5 @@ help:
 	@echo "make check-sanitize  the tests under AddressSanitizer and UndefinedBehaviorSanitizer"
 	@echo "make fuzz            the tools under the same on spoilt surfaces, FUZZ_SECONDS=60 from FUZZ_SEED=1"
 	@echo "make bench           build and run the benchmarks"
+	@echo "make paper           the paper's tables and figures again, for its models in MODELS=../shared/models"
 	@echo "make clean           remove what was built"

@@ -7,6 +7,7 @@
 #include "io/mesh_io.h"
 #include "io/points.h"
 #include "io/values.h"
+#include "tools/remesh_defaults.h"
 
 namespace tools {
 namespace {
@@ -33,12 +34,11 @@ void set_features(RemeshArguments& a, const std::string& text) {
   a.remesh.features = fpo::FeatureOptions{.crease_angle = angle, .weak_crease_angle = angle};
 }
 
-/// Unless the user says otherwise: with uniform sizing the whole surface is searched for farthest points,
-/// which gives the best angles; else the neighbourhood, for samples that travel far change the density.
 void choose_scope(RemeshArguments& a, bool local, bool global, double weight_scale) {
   geom::require(!(local && global), "--local and --global exclude each other");
-  const bool uniform = a.remesh.sizing == fpo::SizingKind::uniform;
-  a.remesh.optimize.scope = local || (!uniform && !global) ? fpo::Scope::two_ring : fpo::Scope::global;
+  a.remesh.optimize.scope = local    ? fpo::Scope::two_ring
+                            : global ? fpo::Scope::global
+                                     : default_scope(a.remesh.sizing);
   a.remesh.surface.weight_factor =
       weight_scale > 0 ? weight_scale : fpo::best_weight_factor(a.remesh.optimize.scope);
 }
@@ -137,10 +137,7 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   cli.flag({.name = "global", .help = "look for them everywhere"}, global);
   a.input = cli.parse(1, 1).front();
   choose_scope(a, local, global, weight_scale);
-  // By measurement (bench-adaptive) local iterations past 40 change nothing.
-  a.remesh.optimize.max_iterations = iterations >= 0                               ? iterations
-                                     : a.remesh.sizing == fpo::SizingKind::uniform ? 100
-                                                                                   : 40;
+  a.remesh.optimize.max_iterations = iterations >= 0 ? iterations : default_iterations(a.remesh.sizing);
   a.remesh.seed = cli.seed();
   a.remesh.keep_cells = !a.rpd.empty() || !a.report.empty();
 }
