@@ -34,6 +34,7 @@ int paper(tools::CommandLine& cli) {
                .help = "at most so many everywhere",
                .standard = "each method's own number"},
               options.iterations, 0, 1'000'000);
+  cli.toggle({.name = "tables", .help = "tables 2 to 4"}, options.tables);
   cli.toggle({.name = "spectra", .help = "figures 7 to 9"}, options.spectra);
   cli.toggle({.name = "convergence", .help = "figure 10, left"}, options.convergence);
   cli.toggle({.name = "runtimes", .help = "figures 10, right, and 11"}, options.runtimes);

@@ -81,7 +81,7 @@ class Experiments {
  public:
   Experiments(const PaperOptions& options, const Surfaces& surfaces)
       : options_(options), surfaces_(surfaces) {
-    add_tables();
+    if (options.tables) add_tables();
     if (options.spectra) add_spectra();
     if (options.convergence) add_convergence();
     if (options.runtimes) add_runtimes();
