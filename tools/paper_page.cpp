@@ -15,6 +15,35 @@ constexpr const char* columns_note =
     "or 7 "
     "edges; d_H: Hausdorff distance in percent of the input's diagonal.";
 
+struct NamedColour {
+  const char *code, *word;
+};
+constexpr std::array<NamedColour, 6> colours = {{{"#1d4f91", "blue"},
+                                                 {"#c0392b", "red"},
+                                                 {"#2a8a57", "green"},
+                                                 {"#d98a00", "orange"},
+                                                 {"#7d3c98", "violet"},
+                                                 {"#566573", "gray"}}};
+
+/// Names at the ends of curves that end together lie on each other: these words go beneath the chart instead.
+std::string legend_instead_of_names(io::Chart& chart) {
+  std::string text;
+  for (io::Series& series : chart.series) {
+    const auto colour = std::ranges::find(colours, series.colour, &NamedColour::code);
+    text += (text.empty() ? "" : "; ") + std::string(colour == colours.end() ? series.colour : colour->word) +
+            ": " + series.name;
+    series.name.clear();
+  }
+  return text + ".";
+}
+
+io::HtmlPlot runtime_plot(const PaperResults& results, const std::string& figure,
+                          const std::string& caption) {
+  io::Chart chart = runtimes_chart(results.runtimes, figure);
+  const std::string legend = legend_instead_of_names(chart);
+  return {io::draw_chart(chart), caption + " " + legend};
+}
+
 std::string seconds_text(double seconds) {
   char text[32];
   std::snprintf(text, sizeof text, "%.1f", seconds);
@@ -66,14 +95,13 @@ std::string models_text(const PaperResults& results, bool found) {
 
 void add_spectra(io::HtmlReport& page, const PaperResults& results, int figure, const std::string& heading) {
   std::vector<io::HtmlPlot> plots;
-  std::vector<std::string> colours = {"#1d4f91", "#c0392b", "#2a8a57", "#d98a00", "#7d3c98", "#566573"};
   io::Chart radial{"Radial means", {"frequency \u00d7 spacing", 0, 3}, {"power"}, {}, {{.y = 1}}};
   for (const PaperSpectrum& s : results.spectra) {
     if (s.figure != figure) continue;
     const std::string name = s.model + ", " + s.method;
     plots.push_back({draw_spectrum(s.mean), name + ", " + std::to_string(s.samples) + " samples"});
     io::Series series;
-    series.colour = colours[radial.series.size() % colours.size()];
+    series.colour = colours[radial.series.size() % colours.size()].code;
     for (std::size_t i = 0; i < s.mean.curve.frequency.size(); ++i)
       series.points.push_back({s.mean.curve.frequency[i], s.mean.curve.mean[i]});
     series.name = name;
@@ -86,14 +114,8 @@ void add_spectra(io::HtmlReport& page, const PaperResults& results, int figure, 
   }
   page.plots(plots);
   if (radial.series.size() < 2) return;
-  // Names at the end of curves that end together would lie on each other: they go into the caption.
-  std::string caption;
-  const std::vector<std::string> words = {"blue", "red", "green", "orange", "violet", "gray"};
-  for (std::size_t i = 0; i < radial.series.size(); ++i) {
-    caption += (i ? "; " : "") + words[i % words.size()] + ": " + radial.series[i].name;
-    radial.series[i].name.clear();
-  }
-  const std::vector<io::HtmlPlot> together = {{io::draw_chart(radial, {560, 300}), caption + "."}};
+  const std::string legend = legend_instead_of_names(radial);
+  const std::vector<io::HtmlPlot> together = {{io::draw_chart(radial, {560, 300}), legend}};
   page.plots(together);
 }
 
@@ -114,8 +136,7 @@ void add_convergence(io::HtmlReport& page, const PaperResults& results) {
     plots.push_back({io::draw_chart(chart), "Mean over " + models + "." + last});
   }
   if (!results.runtimes.empty())
-    plots.push_back({io::draw_chart(runtimes_chart(results.runtimes, "10 right")),
-                     "One iteration (the second) of global optimization."});
+    plots.push_back(runtime_plot(results, "10 right", "One iteration (the second) of global optimization."));
   if (plots.empty()) page.note("Left out.");
   page.plots(plots);
   page.heading("Figure 11: shortest edge removal");
@@ -123,14 +144,15 @@ void add_convergence(io::HtmlReport& page, const PaperResults& results) {
     page.note("Left out.");
     return;
   }
-  char caption[160];
-  std::snprintf(caption, sizeof caption,
-                "Until the mean delta is %.2f: global without, local after shortest edge removal (included).",
-                enough_mean_delta);
+  char caption[200];
+  std::snprintf(
+      caption, sizeof caption,
+      "Until the mean delta is %.2f, or %d iterations: global without, local after shortest edge removal "
+      "(included).",
+      enough_mean_delta, most_iterations);
   const std::vector<io::HtmlPlot> removal = {
-      {io::draw_chart(runtimes_chart(results.runtimes, "11 left")),
-       "Shortest edge removal until it converges."},
-      {io::draw_chart(runtimes_chart(results.runtimes, "11 right")), caption}};
+      runtime_plot(results, "11 left", "Shortest edge removal until it converges."),
+      runtime_plot(results, "11 right", caption)};
   page.plots(removal);
 }
 

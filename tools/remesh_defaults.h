@@ -12,7 +12,9 @@ inline fpo::Scope default_scope(fpo::SizingKind sizing) {
 }
 
 /// By measurement (bench-adaptive) local iterations past 40 change nothing.
-inline int default_iterations(fpo::SizingKind sizing) { return sizing == fpo::SizingKind::uniform ? 100 : 40; }
+inline int default_iterations(fpo::SizingKind sizing) {
+  return sizing == fpo::SizingKind::uniform ? 100 : 40;
+}
 
 /// All of it for that many samples.
 inline fpo::RemeshOptions default_options(std::size_t num_samples, fpo::SizingKind sizing) {

@@ -18,9 +18,9 @@ struct RemeshPictures {
 /// Sizes beyond which pictures show a simplified input, and of samples, cells and remesh a part. They keep a report
 /// below some 10 MB.
 struct SceneLimits {
-  std::size_t input_facets = 150'000;
+  std::size_t input_facets = 120'000;
   std::size_t samples = 40'000;        ///< more: as many of them around the one nearest to the viewer
-  std::size_t cell_corners = 900'000;  ///< of the power diagram's polygons; more: a part with about so many
+  std::size_t cell_corners = 700'000;  ///< of the power diagram's polygons; more: a part with about so many
 };
 
 /// The four scenes, in frames that they share as far as they show the same part. Coordinates should be of
