@@ -3,7 +3,7 @@ BUILD ?= build
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 MAKEFLAGS += --no-print-directory
 
-.PHONY: all demo test check cgal-check check-sanitize fuzz storm endurance bench clean help
+.PHONY: all demo test check cgal-check check-sanitize fuzz storm endurance bench paper clean help
 all:
 	@.ci/setup
 	@cmake -S . -B $(BUILD)
@@ -69,6 +69,11 @@ bench: all
 	@cmake --build $(BUILD) -j $(JOBS) --target benches
 	@for program in $(BUILD)/bench-*; do if [ -x $$program ]; then echo "== $$program"; $$program || exit 1; fi; done
 
+# Tables 2 to 4 and figures 7 to 11 of the paper for those of its models that are in the folder.
+MODELS ?= ../shared/models
+paper: all
+	$(BUILD)/fpo-paper $(MODELS) -o $(BUILD)/paper --threads $(JOBS)
+
 clean:
 	rm -rf $(BUILD) $(BUILD)-sanitize $(BUILD)-cgal
 
@@ -82,4 +87,5 @@ help:
 	@echo "make storm           every exact predicate STORM_COUNT=10000000 times on adversarial draws"
 	@echo "make endurance       ENDURANCE_MOVES=1000000 moves on each of eight domains, verified"
 	@echo "make bench           build and run the benchmarks"
+	@echo "make paper           the paper's tables and figures again, for its models in MODELS=../shared/models"
 	@echo "make clean           remove what was built"

@@ -30,6 +30,15 @@ std::string forms(const Option& option, bool negatable) {
   return text + (option.value.empty() ? "" : " " + option.value);
 }
 
+/// A word that a POSIX shell reads as it is.
+std::string quoted(const std::string& word) {
+  const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,/:%@";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string result = "'";
+  for (const char c : word) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
 /// Breaks a text between words into lines of at most `width` characters, each but the first indented.
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t width) {
   std::string result;
@@ -54,6 +63,12 @@ CommandLine::CommandLine(std::string program, std::vector<std::string> arguments
     : program_(std::move(program)),
       arguments_(std::move(arguments)),
       threads_(static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))) {}
+
+std::string CommandLine::command() const {
+  std::string text = program_;
+  for (const std::string& argument : arguments_) text += " " + quoted(argument);
+  return text;
+}
 
 void CommandLine::describe(std::string operands, std::string summary) {
   operands_ = std::move(operands);

@@ -88,6 +88,8 @@ class CommandLine {
 
   std::string help() const;
   const std::string& program() const { return program_; }
+  /// What was typed, quoted for a POSIX shell where needed.
+  std::string command() const;
   std::uint64_t seed() const { return seed_; }  ///< --seed
   int threads() const { return threads_; }      ///< --threads, at least 1
   bool quiet() const { return quiet_; }         ///< --quiet

@@ -1,6 +1,7 @@
 // fpo-remesh: remesh a surface with blue-noise samples by farthest point optimization.
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -22,6 +23,7 @@
 #include "tools/interrupt.h"
 #include "tools/progress.h"
 #include "tools/remesh_arguments.h"
+#include "tools/remesh_report.h"
 
 namespace {
 
@@ -134,6 +136,7 @@ int remesh(tools::CommandLine& cli) {
   tools::read_files(a, input);
 
   std::string log = "iteration,moved,delta,mean_delta,seconds\n";
+  tools::RemeshRun run{cli.command(), a.input, a.remesh, {}, 0, cli.threads()};
   tools::Progress progress("optimizing", cli.quiet());
   const double total_moves = std::max(1.0, double(a.remesh.num_samples) * a.remesh.optimize.max_iterations);
   double delta = 0;
@@ -141,15 +144,19 @@ int remesh(tools::CommandLine& cli) {
   a.remesh.optimize.on_move = [&](std::size_t move) { progress.update(double(move) / total_moves, delta); };
   a.remesh.optimize.on_iteration = [&](const fpo::IterationReport& r) {
     delta = r.delta;
+    run.iterations.push_back(r);
     char line[160];
     std::snprintf(line, sizeof line, "%d,%zu,%.6f,%.6f,%.6f\n", r.iteration, r.moved, r.delta, r.mean_delta,
                   r.seconds);
     log += line;
   };
+  const auto start = std::chrono::steady_clock::now();
   const fpo::RemeshResult result = remesh_named(input, a);
+  run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   progress.erase();
 
   write_outputs(a, input, result, log);
+  if (!a.report.empty()) tools::write_remesh_report(a.report, input, result, run);
   const bool homeomorphic = is_homeomorphic(input, result.mesh);
   warn_if_features_are_broken(result);
   const fpo::OptimizeResult& o = result.optimization;

@@ -8,15 +8,10 @@
 #include "io/mesh_io.h"
 #include "io/points.h"
 #include "io/values.h"
+#include "tools/remesh_defaults.h"
 
 namespace tools {
 namespace {
-
-/// An option that does not work yet.
-void declare_later(CommandLine& cli, const std::string& name, const std::string& help) {
-  cli.custom({.name = name, .value = "FILE", .help = help + " (not yet)"},
-             [](const std::string&) { throw geom::InputError("does not work yet"); });
-}
 
 void set_sizing(RemeshArguments& a, const std::string& text) {
   if (text == "uniform") {
@@ -40,31 +35,13 @@ void set_features(RemeshArguments& a, const std::string& text) {
   a.remesh.features = fpo::FeatureOptions{.crease_angle = angle, .weak_crease_angle = angle};
 }
 
-/// Unless the user says otherwise: with uniform sizing the whole surface is searched for farthest points,
-/// which gives the best angles; else the neighbourhood, for samples that travel far change the density.
 void choose_scope(RemeshArguments& a, bool local, bool global, double weight_scale) {
   geom::require(!(local && global), "--local and --global exclude each other");
-  const bool uniform = a.remesh.sizing == fpo::SizingKind::uniform;
-  a.remesh.optimize.scope = local || (!uniform && !global) ? fpo::Scope::two_ring : fpo::Scope::global;
+  a.remesh.optimize.scope = local    ? fpo::Scope::two_ring
+                            : global ? fpo::Scope::global
+                                     : default_scope(a.remesh.sizing);
   a.remesh.surface.weight_factor =
       weight_scale > 0 ? weight_scale : fpo::best_weight_factor(a.remesh.optimize.scope);
-}
-
-constexpr int most_radii = 20;
-
-/// By measurement (bench-adaptive) local iterations past 40 change nothing.
-int usual_iterations(const fpo::RemeshOptions& remesh) {
-  if (remesh.method == fpo::Method::mps || remesh.method == fpo::Method::cps) return most_radii;
-  const bool uniform = remesh.sizing == fpo::SizingKind::uniform;
-  return uniform || remesh.method == fpo::Method::cvt ? 100 : 40;
-}
-
-/// The other methods are compared as they are: what the paper does after its own is for that one, unless asked
-/// for.
-void choose_improvements(RemeshArguments& a, std::optional<bool> angles, std::optional<bool> fidelity) {
-  const bool ours = a.remesh.method == fpo::Method::fpo;
-  a.remesh.optimize_angles = angles.value_or(ours);
-  a.remesh.improve_fidelity = fidelity.value_or(ours);
 }
 
 void parse(CommandLine& cli, RemeshArguments& a) {
@@ -93,7 +70,10 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   cli.path({.name = "picture", .value = "OUT.svg", .help = "a drawing of the remesh"}, a.picture);
   cli.path({.name = "log", .value = "OUT.csv", .help = "iteration, moved, delta, mean_delta, seconds"},
            a.log);
-  declare_later(cli, "report", "a report in one file");
+  cli.path({.name = "report",
+            .value = "OUT.html",
+            .help = "a page with pictures to turn, charts, spectrum and quality beside the paper's"},
+           a.report);
 
   cli.group("Optimization");
   cli.choice({.name = "method",
@@ -177,11 +157,13 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   choose_scope(a, local, global, weight_scale);
   geom::require(a.remesh.method == fpo::Method::fpo || !(a.remesh.shortest_edge_removal || local || global),
                 "--ser, --local and --global work with --method fpo only");
-  choose_improvements(a, angles, fidelity);
-  a.remesh.optimize.max_iterations = iterations >= 0 ? iterations : usual_iterations(a.remesh);
+  use_method(a.remesh, a.remesh.method);
+  if (angles) a.remesh.optimize_angles = *angles;
+  if (fidelity) a.remesh.improve_fidelity = *fidelity;
+  if (iterations >= 0) a.remesh.optimize.max_iterations = iterations;
   a.remesh.seed = cli.seed();
   a.remesh.threads = cli.threads();
-  a.remesh.keep_cells = !a.rpd.empty();
+  a.remesh.keep_cells = !a.rpd.empty() || !a.report.empty();
 }
 
 /// Refuses bad output names before the work starts.
@@ -192,7 +174,7 @@ void check_outputs(const RemeshArguments& a) {
                   a.points.string() + ": use .xyz or .ply");
   std::set<std::filesystem::path> taken;
   for (const std::filesystem::path& path :
-       {a.output, a.points, a.rpd, a.log, a.picture, a.sizing_out, a.map}) {
+       {a.output, a.points, a.rpd, a.log, a.picture, a.sizing_out, a.map, a.report}) {
     if (path.empty()) continue;
     io::require_writable(path);
     geom::require(taken.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(path))).second,

@@ -9,7 +9,7 @@
 namespace tools {
 
 struct RemeshArguments {
-  std::filesystem::path input, output, points, rpd, log, picture, sizing_out, map;
+  std::filesystem::path input, output, points, rpd, log, picture, sizing_out, map, report;
   std::filesystem::path fixed_file;
   std::filesystem::path sizing_file;  ///< if the sizing is given
   bool strict = false;                ///< another topology is a failure

@@ -1,0 +1,78 @@
+#include "tools/measures.h"
+
+#include <cstdio>
+
+#include "geom/check.h"
+#include "geom/scaling.h"
+
+namespace tools {
+namespace {
+
+/// No measure depends on the unit of length; in this one no square under- or overflows.
+Measures measured(geom::TriMesh mesh, geom::TriMesh reference, bool compare, int threads) {
+  const double factor = geom::factor_to_unit_box(mesh, reference);
+  mesh = geom::scaled_to_unit_box(mesh, factor);
+  reference = geom::scaled_to_unit_box(reference, factor);
+  geom::require(!compare || reference.area() > 0, "the surface has no area");
+  Measures m;
+  m.topology = geom::topology(mesh);
+  m.quality = fpo::quality(mesh, compare ? reference.area() : mesh.area());
+  m.compared = compare;
+  if (!compare) return m;
+  m.distance = fpo::surface_distance(mesh, reference, threads);
+  const double percent = 100 / reference.diagonal();
+  for (double* length : {&m.distance.max, &m.distance.max_bound, &m.distance.rms}) *length *= percent;
+  return m;
+}
+
+}  // namespace
+
+Measures measure(const geom::TriMesh& mesh) { return measured(mesh, {}, false, 1); }
+
+Measures measure(const geom::TriMesh& mesh, const geom::TriMesh& reference, int threads) {
+  return measured(mesh, reference, true, threads);
+}
+
+std::vector<std::pair<std::string, double>> named(const Measures& m) {
+  const geom::Topology& t = m.topology;
+  const fpo::Quality& q = m.quality;
+  const auto count = [](auto value) { return static_cast<double>(value); };
+  std::vector<std::pair<std::string, double>> values = {
+      {"V", count(t.vertices)},
+      {"F", count(t.facets)},
+      {"E", count(t.edges)},
+      {"euler", count(t.euler)},
+      {"components", count(t.components)},
+      {"boundary_edges", count(t.boundary_edges)},
+      {"nonmanifold_edges", count(t.nonmanifold_edges)},
+      {"nonmanifold_vertices", count(t.nonmanifold_vertices)},
+      {"misoriented_edges", count(t.misoriented_edges)},
+      {"unreferenced_vertices", count(t.unreferenced_vertices)},
+      {"Qmin", q.q_min},
+      {"Qavg", q.q_avg},
+      {"theta_min", q.theta_min},
+      {"theta_min_avg", q.theta_min_avg},
+      {"theta_max", q.theta_max},
+      {"theta_lt30_pct", q.theta_lt30_pct},
+      {"V567_pct", q.v567_pct},
+      {"delta", q.delta},
+      {"delta_avg", q.delta_avg},
+  };
+  if (m.compared)
+    values.insert(
+        values.end(),
+        {{"dH_pct", m.distance.max}, {"dH_bound_pct", m.distance.max_bound}, {"dRMS_pct", m.distance.rms}});
+  return values;
+}
+
+std::string json(const std::vector<std::pair<std::string, double>>& values) {
+  std::string text = "{";
+  for (const auto& [name, value] : values) {
+    char field[96];
+    std::snprintf(field, sizeof field, "%s\"%s\": %.9g", text.size() > 1 ? ", " : "", name.c_str(), value);
+    text += field;
+  }
+  return text + "}";
+}
+
+}  // namespace tools

@@ -1,0 +1,32 @@
+#pragma once
+// What fpo-quality prints of a mesh, for all tools that show it.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fpo/hausdorff.h"
+#include "fpo/quality.h"
+#include "geom/trimesh.h"
+
+namespace tools {
+
+struct Measures {
+  geom::Topology topology;
+  fpo::Quality quality;
+  bool compared = false;          ///< with a reference
+  fpo::SurfaceDistance distance;  ///< in percent of the reference's diagonal
+};
+
+/// The mesh by itself.
+Measures measure(const geom::TriMesh& mesh);
+/// The mesh and its distance to the surface that it approximates, whose area gives the unit of delta. Throws
+/// geom::InputError if the reference has no area.
+Measures measure(const geom::TriMesh& mesh, const geom::TriMesh& reference, int threads);
+
+/// Their names, as fpo-quality prints them, and values.
+std::vector<std::pair<std::string, double>> named(const Measures& measures);
+/// "name": value for each, in braces.
+std::string json(const std::vector<std::pair<std::string, double>>& values);
+
+}  // namespace tools

@@ -1,0 +1,21 @@
+#pragma once
+// The methods of the paper's table 1 that this program has.
+
+#include <functional>
+#include <span>
+#include <string>
+
+#include "fpo/pipeline.h"
+
+namespace tools {
+
+struct PaperMethod {
+  std::string name;  ///< the acronym of table 1
+  /// Changes fpo-remesh's default options (remesh_defaults.h) to those of the method.
+  std::function<void(fpo::RemeshOptions&)> set;
+};
+
+/// All of them. A method that is added here gets its rows in all tables where the paper has one, and its spectra.
+std::span<const PaperMethod> paper_methods();
+
+}  // namespace tools

@@ -1,0 +1,41 @@
+#pragma once
+// How fpo-remesh remeshes unless it is told otherwise.
+
+#include "fpo/pipeline.h"
+
+namespace tools {
+
+/// With uniform sizing the whole surface is searched for farthest points, which gives the best angles; else the
+/// neighbourhood, for samples that travel far change the density.
+inline fpo::Scope default_scope(fpo::SizingKind sizing) {
+  return sizing == fpo::SizingKind::uniform ? fpo::Scope::global : fpo::Scope::two_ring;
+}
+
+constexpr int most_radii = 20;  ///< tried by mps and cps to come near the count wanted
+
+/// By measurement (bench-adaptive) local iterations past 40 change nothing.
+inline int default_iterations(fpo::Method method, fpo::SizingKind sizing) {
+  if (method == fpo::Method::mps || method == fpo::Method::cps) return most_radii;
+  return sizing == fpo::SizingKind::uniform || method == fpo::Method::cvt ? 100 : 40;
+}
+
+/// The other methods are compared as they are: the improvements that follow ours are for that one.
+inline void use_method(fpo::RemeshOptions& options, fpo::Method method) {
+  options.method = method;
+  options.optimize_angles = options.improve_fidelity = method == fpo::Method::fpo;
+  options.optimize.max_iterations = default_iterations(method, options.sizing);
+}
+
+/// All of it for that many samples.
+inline fpo::RemeshOptions default_options(std::size_t num_samples, fpo::SizingKind sizing) {
+  fpo::RemeshOptions options;
+  options.num_samples = num_samples;
+  options.sizing = sizing;
+  options.features = fpo::automatic_features();
+  options.optimize.scope = default_scope(sizing);
+  use_method(options, fpo::Method::fpo);
+  options.surface.weight_factor = fpo::best_weight_factor(options.optimize.scope);
+  return options;
+}
+
+}  // namespace tools
