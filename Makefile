@@ -67,7 +67,9 @@ endurance:
 
 bench: all
 	@cmake --build $(BUILD) -j $(JOBS) --target benches
-	@for program in $(BUILD)/bench-*; do if [ -x $$program ]; then echo "== $$program"; $$program || exit 1; fi; done
+	@for program in $(BUILD)/bench-*; do \
+	  case $$program in *-scaling) arguments=$(BUILD)/scaling;; *) arguments=;; esac; \
+	  if [ -x $$program ]; then echo "== $$program $$arguments"; $$program $$arguments || exit 1; fi; done
 
 # Tables 2 to 4 and figures 7 to 11 of the paper for those of its models that are in the folder.
 MODELS ?= ../shared/models
@@ -86,6 +88,6 @@ help:
 	@echo "make fuzz            the tools under the same on spoilt surfaces, FUZZ_SECONDS=60 from FUZZ_SEED=1"
 	@echo "make storm           every exact predicate STORM_COUNT=10000000 times on adversarial draws"
 	@echo "make endurance       ENDURANCE_MOVES=1000000 moves on each of eight domains, verified"
-	@echo "make bench           build and run the benchmarks"
+	@echo "make bench           build and run the benchmarks; writes build/scaling.csv, build/scaling.svg"
 	@echo "make paper           the paper's tables and figures again, for its models in MODELS=../shared/models"
 	@echo "make clean           remove what was built"
