@@ -138,7 +138,12 @@ CircleId RestrictedPower::create_circle(const FacetPolygon& polygon, std::size_t
     free_circles_.pop_back();
   }
   EmptyCircle& circle = circles_[c];
-  circle.center = snapped(polygon.corners[corner].point.position);  // a site may come there
+  // A site may come there: not outside of the facet's box, hence the mesh's, by rounding.
+  const Vec3 &q0 = mesh_.corner(polygon.facet, 0), &q1 = mesh_.corner(polygon.facet, 1),
+             &q2 = mesh_.corner(polygon.facet, 2);
+  circle.center = snapped(polygon.corners[corner]
+                              .point.position.cwiseMax(q0.cwiseMin(q1).cwiseMin(q2))
+                              .cwiseMin(q0.cwiseMax(q1).cwiseMax(q2)));
   circle.radius2 = power(circle.center, sites_[polygon.owner]);
   circle.facet = polygon.facet;
   circle.place = place;

@@ -1,5 +1,7 @@
 #include "tests/endurance/run.h"
 
+#include <exception>
+
 #include "geom/check.h"
 #include "tests/endurance/minimise.h"
 
@@ -43,8 +45,8 @@ RunResult run(const Course& course, const RunOptions& options) {
       inherited = log.size();
     }
     verify(*stage, rng);
-  } catch (const geom::Bug& bug) {
-    result.failure = Replay{bug.what(), course.place, search, log};
+  } catch (const std::exception& error) {  // also geom::InputError: no input was bad
+    result.failure = Replay{error.what(), course.place, search, log};
   }
   result.operations += log.size() - inherited;
   return result;

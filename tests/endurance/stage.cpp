@@ -50,8 +50,8 @@ std::string fault_of(const Replay& replay, bool verify_always) try {
     if (stage->apply(operation) && verify_always) verify(*stage, rng);
   verify(*stage, rng);
   return {};
-} catch (const geom::Bug& bug) {
-  return bug.what();
+} catch (const std::exception& error) {  // also geom::InputError: no input was bad
+  return error.what();
 }
 
 }  // namespace endurance

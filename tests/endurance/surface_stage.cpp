@@ -72,6 +72,8 @@ void SurfaceStage::apply_change(const geom::RestrictedPower::Change& change) {
   }
   for (const CircleId c : change.circles_created) {
     geom::ensure(!heap_.contains(c), "a circle is created that is there");
+    geom::ensure(mesh_->box().contains(diagram_->circle(c).center),
+                 "a circle's centre is outside of the mesh's box");
     heap_.push(c, diagram_->circle(c).radius2);
     most_circles_ = std::max(most_circles_, c.index() + 1);
   }
