@@ -219,7 +219,7 @@ constexpr Predicate all_predicates[] = {
     {"beats_at_vertex", 2, ask_at_vertex},
     {"beats_on_edge", 4, ask_on_edge},
     {"beats_in_facet", 6, ask_in_facet},
-    {"orientation_in_facet", 4, ask_orientation_in_facet},
+    {"orientation", 4, ask_orientation_in_facet},
     {"apex_search", 5, ask_apex_search},
     {"pencil", 6, ask_pencil<double>},
     {"pencil_twofold", 6, ask_pencil<geom::DoubleDouble>},
