@@ -64,12 +64,12 @@ TEST_CASE(
   for (const char* name :
        {"Venus", "Homer", "Genus", "Bunny", "Kitten", "Elephant", "Triceratops", "Mask", "Joint"})
     CHECK(result.out.find(std::string("missing ") + name + "\n") != std::string::npos);
-  CHECK(result.out.find("rows 2\nspectra 2\n") != std::string::npos);
+  CHECK(result.out.find("rows 5\nspectra 5\n") != std::string::npos);
 
   const std::string page = place.read("out/index.html"), table = place.read("out/tables.md");
   CHECK(fixtures::nesting_fault(page) == "");
   CHECK(fixtures::is_self_contained(page));
-  CHECK(occurrences(page, "<svg ") == 4);  // a spectrum of SER, one of FPO, both, convergence
+  CHECK(occurrences(page, "<svg ") == 7);  // a spectrum of each of five methods, all of them, convergence
   CHECK(cells(table, "paper: FPO")[4] == "0.561");
 
   REQUIRE(fixtures::run_program("fpo-remesh",
