@@ -3,7 +3,7 @@ BUILD ?= build
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 MAKEFLAGS += --no-print-directory
 
-.PHONY: all demo test check cgal-check check-sanitize fuzz storm endurance bench clean help
+.PHONY: all demo test check cgal-check check-sanitize fuzz faults storm endurance bench clean help
 all:
 	@.ci/setup
 	@cmake -S . -B $(BUILD)
@@ -47,6 +47,13 @@ fuzz:
 	@cmake --build $(BUILD)-sanitize -j $(JOBS) --target fuzz
 	$(BUILD)-sanitize/fuzz --seconds $(FUZZ_SECONDS) --seed $(FUZZ_SEED) --time-limit 60
 
+# Signals at dozens of moments, full disks of several sizes, memory that ends anywhere, for all tools.
+faults:
+	@.ci/setup tests
+	@cmake -S . -B $(BUILD)
+	@cmake --build $(BUILD) -j $(JOBS) --target fpo-tests
+	$(BUILD)/fpo-tests --no-skip --test-suite=faults
+
 # Every exact predicate so many times, compared with exact integers.
 STORM_COUNT ?= 10000000
 STORM_SEED ?= 1
@@ -79,6 +86,7 @@ help:
 	@echo "make cgal-check      predicates, triangulations and diagrams against CGAL (installs libcgal-dev)"
 	@echo "make check-sanitize  the tests under AddressSanitizer and UndefinedBehaviorSanitizer"
 	@echo "make fuzz            the tools under the same on spoilt surfaces, FUZZ_SECONDS=60 from FUZZ_SEED=1"
+	@echo "make faults          signals, full disks and little memory at many moments, for all tools"
 	@echo "make storm           every exact predicate STORM_COUNT=10000000 times on adversarial draws"
 	@echo "make endurance       ENDURANCE_MOVES=1000000 moves on each of eight domains, verified"
 	@echo "make bench           build and run the benchmarks"
