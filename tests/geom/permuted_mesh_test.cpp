@@ -1,6 +1,7 @@
 // The diagram is one of a surface, not of a file: with facets and vertices in another order, and every facet
 // starting at another corner, it is the same up to the new names.
 
+#include <algorithm>
 #include <numeric>
 
 #include "doctest.h"
@@ -58,7 +59,7 @@ std::vector<Canonical> in_old_names(std::vector<Canonical> diagram, const Rename
     const int turn = by.turn[fragment.facet.index()];
     for (EdgeLabel& label : fragment.labels)
       if (!label.is_site()) label = EdgeLabel::facet_edge((label.edge() + turn) % 3);
-    std::ranges::rotate(fragment.labels, std::ranges::min_element(fragment.labels));
+    std::rotate(fragment.labels.begin(), std::ranges::min_element(fragment.labels), fragment.labels.end());
     fragment.facet = by.old_facet[fragment.facet.index()];
   }
   std::ranges::sort(diagram);
