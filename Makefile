@@ -3,7 +3,8 @@ BUILD ?= build
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 MAKEFLAGS += --no-print-directory
 
-.PHONY: all demo test check cgal-check check-sanitize fuzz storm endurance bench paper clean help
+.PHONY: all demo test check lint cgal-check check-sanitize valgrind fuzz faults determinism storm endurance bench paper clean \
+  help
 all:
 	@.ci/setup
 	@cmake -S . -B $(BUILD)
@@ -25,6 +26,12 @@ test:
 check: test
 	.ci/check-sources
 
+# Configures without building: clang-tidy asks for the commands only.
+lint:
+	@.ci/setup lint
+	@cmake -S . -B $(BUILD)-lint -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >/dev/null
+	.ci/lint $(BUILD)-lint $(JOBS)
+
 # Needs libcgal-dev, which nothing else does.
 cgal-check:
 	@.ci/setup cgal
@@ -38,6 +45,10 @@ check-sanitize:
 	@cmake --build $(BUILD)-sanitize -j $(JOBS) --target fpo-tests
 	$(BUILD)-sanitize/fpo-tests
 
+valgrind: all
+	@.ci/setup valgrind
+	.ci/valgrind $(BUILD)
+
 # The tools with the sanitizers in (they are some ten times slower), on spoilt surfaces.
 FUZZ_SECONDS ?= 60
 FUZZ_SEED ?= 1
@@ -46,6 +57,22 @@ fuzz:
 	@cmake -S . -B $(BUILD)-sanitize -DFPO_SANITIZE=ON -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g"
 	@cmake --build $(BUILD)-sanitize -j $(JOBS) --target fuzz
 	$(BUILD)-sanitize/fuzz --seconds $(FUZZ_SECONDS) --seed $(FUZZ_SEED) --time-limit 60
+
+# Signals at dozens of moments, full disks of several sizes, memory that ends anywhere, for all tools.
+faults:
+	@.ci/setup tests
+	@cmake -S . -B $(BUILD)
+	@cmake --build $(BUILD) -j $(JOBS) --target fpo-tests
+	$(BUILD)/fpo-tests --no-skip --test-suite=faults
+
+# The tools from two compilers and at two levels of optimization.
+determinism: all
+	@.ci/setup clang
+	@cmake -S . -B $(BUILD)-clang -DCMAKE_CXX_COMPILER=clang++
+	@cmake --build $(BUILD)-clang -j $(JOBS)
+	@cmake -S . -B $(BUILD)-O1 -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG"
+	@cmake --build $(BUILD)-O1 -j $(JOBS)
+	.ci/determinism $(BUILD) $(BUILD)-clang $(BUILD)-O1
 
 # Every exact predicate so many times, compared with exact integers.
 STORM_COUNT ?= 10000000
@@ -77,15 +104,19 @@ paper: all
 	$(BUILD)/fpo-paper $(MODELS) -o $(BUILD)/paper --threads $(JOBS)
 
 clean:
-	rm -rf $(BUILD) $(BUILD)-sanitize $(BUILD)-cgal
+	rm -rf $(BUILD) $(BUILD)-sanitize $(BUILD)-cgal $(BUILD)-lint $(BUILD)-clang $(BUILD)-O1
 
 help:
 	@echo "make demo            build, remesh a double torus with 2000 samples, print its quality"
 	@echo "make test            build and run every test"
 	@echo "make check           test, then check format and layering of the sources"
+	@echo "make lint            clang-tidy and Cppcheck over all sources (installs them)"
 	@echo "make cgal-check      predicates, triangulations and diagrams against CGAL (installs libcgal-dev)"
 	@echo "make check-sanitize  the tests under AddressSanitizer and UndefinedBehaviorSanitizer"
+	@echo "make valgrind        the smallest jobs of all tools under Valgrind (installs it)"
 	@echo "make fuzz            the tools under the same on spoilt surfaces, FUZZ_SECONDS=60 from FUZZ_SEED=1"
+	@echo "make faults          signals, full disks and little memory at many moments, for all tools"
+	@echo "make determinism     the same bytes from GCC and Clang, -O1 and -O3, 1, 2 and 8 threads"
 	@echo "make storm           every exact predicate STORM_COUNT=10000000 times on adversarial draws"
 	@echo "make endurance       ENDURANCE_MOVES=1000000 moves on each of eight domains, verified"
 	@echo "make bench           build and run the benchmarks; writes build/scaling.csv, build/scaling.svg"

@@ -48,7 +48,7 @@ geom::TriMesh extract(const geom::RestrictedPower& diagram, std::size_t num_samp
       if (!before.is_site() || !after.is_site()) continue;
       if (!(i < before.site() && i < after.site())) continue;
       std::array<SiteId, 3> triangle{owner_of(i, t), owner_of(before.site(), t), owner_of(after.site(), t)};
-      std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+      std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
       if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
         triangles.push_back(triangle);
     }

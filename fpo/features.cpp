@@ -223,7 +223,7 @@ class Turns {
     for (const int direction : {-1, 1})
       walk(i, direction, [&](std::size_t j, double distance) {
         if (distance > scale_) return false;
-        peak &= turns_[i] > turns_[j] || (turns_[i] == turns_[j] && i < j);
+        peak &= turns_[i] > turns_[j] || (i < j && turns_[i] == turns_[j]);
         return peak;
       });
     return peak;

@@ -89,6 +89,10 @@ std::vector<SurfaceSample> initial_samples(const geom::TriMesh& surface, const S
   return samples;
 }
 
+bool interrupted(const RemeshOptions& options) {
+  return options.optimize.interrupted && *options.optimize.interrupted;
+}
+
 AngleOptions angle_options(const RemeshOptions& options) {
   AngleOptions angles;
   angles.interrupted = options.optimize.interrupted;
@@ -98,14 +102,14 @@ AngleOptions angle_options(const RemeshOptions& options) {
 /// The remesh, after some rounds of refinement where it is no surface: the one with the fewest defects.
 Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const RemeshOptions& options,
                  RemeshResult& counts) {
-  const auto interrupted = [&] { return options.optimize.interrupted && *options.optimize.interrupted; };
   const auto next_dual = [&] {
     if (options.mend) counts.protection += protect_chains(domain, features);
     return dual_of(domain, options.keep_cells);
   };
   Dual best = next_dual();
   std::vector<Defect> defects = best.defects;
-  for (int futile = 0; futile < futile_mending_rounds && options.mend && !defects.empty() && !interrupted();
+  for (int futile = 0;
+       futile < futile_mending_rounds && options.mend && !defects.empty() && !interrupted(options);
        ++futile) {
     const std::size_t moved = refine_at(domain, defects);
     if (moved == 0) break;
@@ -179,6 +183,7 @@ SurfaceDomain distributed_samples(const geom::TriMesh& surface, const SharedSizi
 RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {
   RemeshResult result;
   const SharedSizing shared = sizing_and_features(surface, options);
+  if (interrupted(options)) throw geom::Interrupted();
   const Sizing& sizing = shared.sizing;
   SurfaceDomain domain = distributed_samples(surface, shared, options, result);
   if (options.mend) result.protection = protect_chains(domain, shared.features);

@@ -1,5 +1,6 @@
 #pragma once
-// The two kinds of failure: the user's input is at fault (exit code 2), or we are (exit code 70).
+// The two kinds of failure: the user's input is at fault (exit code 2), or we are (exit code 70). And the end
+// that the user wants before there is a result (exit code 130).
 
 #include <stdexcept>
 #include <string>
@@ -15,6 +16,11 @@ struct InputError : std::runtime_error {
 /// A broken invariant of our own.
 struct Bug : std::logic_error {
   using std::logic_error::logic_error;
+};
+
+/// Interrupted so early that there is nothing to hand back.
+struct Interrupted : std::runtime_error {
+  Interrupted() : std::runtime_error("interrupted before there was a result") {}
 };
 
 inline void require(bool condition, const std::string& message) {

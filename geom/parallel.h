@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -14,7 +15,8 @@ namespace geom {
 /// Calls body(first, last) for consecutive ranges of `grain` indices that together make [0, count), on up to
 /// `threads` threads, the caller's among them. The ranges do not depend on the number of threads: if each
 /// call writes only to places of its own range, neither does the result. An exception of the body ends the
-/// loop early and is thrown again here (the first one caught, if several).
+/// loop early and is thrown again here (the first one caught, if several). Where the system
+/// grants fewer threads, it makes do with them.
 template <class Body>
 void parallel_ranges(std::size_t count, std::size_t grain, int threads, const Body& body) {
   const std::size_t ranges = (count + grain - 1) / grain;
@@ -34,7 +36,11 @@ void parallel_ranges(std::size_t count, std::size_t grain, int threads, const Bo
   {
     const std::size_t helpers = std::min(static_cast<std::size_t>(std::max(threads, 1)), ranges);
     std::vector<std::jthread> running;  // joined at the end of the block
-    for (std::size_t i = 1; i < helpers; ++i) running.emplace_back(work);
+    running.reserve(helpers);
+    try {
+      for (std::size_t i = 1; i < helpers; ++i) running.emplace_back(work);
+    } catch (const std::system_error&) {  // no more to be had: then with fewer
+    }
     work();
   }
   if (failure) std::rethrow_exception(failure);

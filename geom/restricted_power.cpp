@@ -192,7 +192,7 @@ std::vector<RestrictedPower::Canonical> RestrictedPower::canonical() const {
     for (FragmentId f = store_.first_of_facet(t); f.valid(); f = store_.next_in_facet(f)) {
       Canonical fragment{t, store_.site(f), {}};
       for (const PolygonCorner& corner : store_.corners(f, buffer)) fragment.labels.push_back(corner.edge);
-      std::ranges::rotate(fragment.labels, std::ranges::min_element(fragment.labels));
+      std::rotate(fragment.labels.begin(), std::ranges::min_element(fragment.labels), fragment.labels.end());
       result.push_back(std::move(fragment));
     }
   std::ranges::sort(result);

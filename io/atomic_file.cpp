@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <system_error>
 #include <utility>
 
@@ -26,6 +27,32 @@ std::string temporary_name() {
   static std::atomic<unsigned> counter{0};
   return ".fpo-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
 }
+
+/// A file of the folder that has no name yet, so that a process which dies leaves nothing; -1 where the system
+/// knows no such files, or could not name it later.
+int open_nameless([[maybe_unused]] const fs::path& folder) {
+#ifdef O_TMPFILE
+  if (::access("/proc/self/fd", X_OK) == 0)
+    return ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+#endif
+  return -1;
+}
+
+/// While it lives, no signal that can wait reaches this thread.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    sigset_t all;
+    ::sigfillset(&all);
+    ::pthread_sigmask(SIG_SETMASK, &all, &before_);
+  }
+  ~SignalsHeld() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+ private:
+  sigset_t before_{};
+};
 
 }  // namespace
 
@@ -58,14 +85,28 @@ void AtomicFile::fail(int error) const {
 }
 
 void AtomicFile::open_temporary(const fs::path& folder) {
-  do {
-    temporary_ = folder / temporary_name();
-    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  } while (descriptor_ < 0 && errno == EEXIST);
-  if (descriptor_ >= 0) return;
-  const int error = errno;
-  temporary_.clear();
-  fail(error);
+  descriptor_ = open_nameless(folder);
+  nameless_ = descriptor_ >= 0;
+  while (descriptor_ < 0) {
+    fs::path name = folder / temporary_name();
+    descriptor_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ >= 0)
+      temporary_ = std::move(name);
+    else if (errno != EEXIST)
+      fail(errno);
+  }
+}
+
+void AtomicFile::name_temporary() {
+  const std::string open_file = "/proc/self/fd/" + std::to_string(descriptor_);
+  const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
+  while (temporary_.empty()) {
+    fs::path name = folder / temporary_name();
+    if (::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0)
+      temporary_ = std::move(name);
+    else if (errno != EEXIST)
+      fail(errno);
+  }
 }
 
 AtomicFile& AtomicFile::write(std::string_view bytes) {
@@ -91,6 +132,8 @@ void AtomicFile::flush() {
 void AtomicFile::commit() {
   geom::ensure(descriptor_ >= 0, "AtomicFile: committed twice");
   flush();
+  const SignalsHeld held;  // for the moment that the temporary has a name
+  if (nameless_) name_temporary();
   const int descriptor = std::exchange(descriptor_, -1);
   if (::close(descriptor) != 0) fail(errno);
   if (temporary_.empty()) return;

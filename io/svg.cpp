@@ -87,8 +87,8 @@ SvgPath& SvgPath::dot(const Vec2& p) {
   return *this;
 }
 
-Svg::Svg(double width, double height, int decimals) : decimals_(decimals) {
-  text_ = R"(<svg xmlns="http://www.w3.org/2000/svg")";
+Svg::Svg(double width, double height, int decimals)
+    : text_(R"(<svg xmlns="http://www.w3.org/2000/svg")"), decimals_(decimals) {
   attribute("width", width);
   attribute("height", height);
   text_ += " viewBox=\"0 0 ";

@@ -9,6 +9,7 @@
 #include "fpo/rectangle.h"
 #include "io/atomic_file.h"
 #include "io/points.h"
+#include "tools/interrupt.h"
 #include "tools/plane_sizing_source.h"
 #include "tools/run_log.h"
 
@@ -41,7 +42,9 @@ fpo::RemeshOptions remesh_options(const PlaneArguments& a, std::uint64_t seed, c
   return options;
 }
 
+/// The samples come last: where they are, all is.
 void write_outputs(const PlaneArguments& a, const fpo::RemeshResult& result, const std::string& log) {
+  if (!a.log.empty()) io::write_file(a.log, log);
   if (a.writes_svg()) {
     draw_rectangle(result, a.period, a.picture).save(a.output);
   } else {
@@ -49,7 +52,6 @@ void write_outputs(const PlaneArguments& a, const fpo::RemeshResult& result, con
     for (const fpo::SurfaceSample& sample : result.samples) points.push_back({sample.position.head<2>(), 0});
     io::write_points(a.output, points);
   }
-  if (!a.log.empty()) io::write_file(a.log, log);
 }
 
 }  // namespace
@@ -59,9 +61,11 @@ int run_bounded_plane(PlaneArguments& a, std::uint64_t seed, bool quiet) {
   const auto sizing = make_plane_sizing(a, torus);
   const geom::TriMesh rectangle =
       fpo::rectangle_mesh(torus.period(), sizing->is_uniform() ? 1 : cells_for(a.num_samples));
+  stop_if_interrupted();
   RunLog log(quiet);
   log.attach(a.optimize, a.num_samples);
   const fpo::RemeshResult result = fpo::remesh(rectangle, remesh_options(a, seed, *sizing, rectangle));
+  const bool interrupted = interrupt_flag();  // maybe after the optimization
   write_outputs(a, result, log.csv());
   const fpo::Quality q = fpo::quality(result.mesh, rectangle.area());
   std::printf(
@@ -71,7 +75,7 @@ int run_bounded_plane(PlaneArguments& a, std::uint64_t seed, bool quiet) {
       result.optimization.last.delta, result.optimization.last.mean_delta, result.fit.slope, result.fit.cv,
       q.theta_min, q.theta_min_avg, q.theta_max, result.hidden, result.optimization.last.seconds,
       a.output.c_str());
-  return result.optimization.reason == fpo::StopReason::interrupted ? exit_interrupted : exit_done;
+  return interrupted ? exit_interrupted : exit_done;
 }
 
 }  // namespace tools

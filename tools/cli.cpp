@@ -1,10 +1,16 @@
 #include "tools/cli.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <iostream>
 #include <new>
+#include <system_error>
 #include <thread>
 
 namespace tools {
@@ -260,6 +266,16 @@ std::string CommandLine::help() const {
 
 namespace {
 
+/// Were a standard stream closed, the first file to be opened would take its place and get its text. Now
+/// writing to a closed stdout still fails.
+void occupy_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) < 0) {
+      const int opened = ::open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+      if (opened >= 0 && opened != stream) ::close(opened);
+    }
+}
+
 /// Everything on stdout must have arrived before a tool may say that it is done.
 void flush_results() {
   errno = 0;
@@ -290,15 +306,21 @@ int run_tool(CommandLine& cli, const std::function<int(CommandLine&)>& tool) {
 
 int run(const std::string& program, int argc, const char* const* argv,
         const std::function<int(CommandLine&)>& tool) {
+  occupy_standard_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error like a full disk
   CommandLine cli(program, std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
   try {
     return run_tool(cli, tool);
+  } catch (const geom::Interrupted& end) {
+    return complain(program, std::string(end.what()) + ": nothing is written", exit_interrupted);
   } catch (const UsageError& error) {
     return complain(program, std::string(error.what()) + " (see " + program + " --help)", exit_bad_input);
   } catch (const geom::InputError& error) {
     return complain(program, error.what(), exit_bad_input);
   } catch (const std::bad_alloc&) {
     return complain(program, "out of memory: the input or the number asked for is too large", exit_bad_input);
+  } catch (const std::system_error& error) {  // a folder that has gone, no thread to be had
+    return complain(program, error.what(), exit_bad_input);
   } catch (const std::exception& error) {
     const std::string seed = " (seed " + std::to_string(cli.seed()) + ")";
     return complain(program, std::string("internal error: ") + error.what() + seed, exit_bug);

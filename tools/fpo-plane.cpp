@@ -9,6 +9,7 @@
 #include "io/atomic_file.h"
 #include "io/points.h"
 #include "tools/bounded_plane.h"
+#include "tools/interrupt.h"
 #include "tools/plane_arguments.h"
 #include "tools/plane_sizing_source.h"
 #include "tools/run_log.h"
@@ -25,7 +26,9 @@ fpo::OptimizeResult optimize(const tools::PlaneArguments& a, fpo::PlaneDomain& d
   return result;
 }
 
+/// The samples come last: where they are, all is.
 void write_outputs(const tools::PlaneArguments& a, const fpo::PlaneDomain& domain, const std::string& log) {
+  if (!a.log.empty()) io::write_file(a.log, log);
   if (a.writes_svg()) {
     tools::draw_plane(domain, a.picture).save(a.output);
   } else {
@@ -34,10 +37,10 @@ void write_outputs(const tools::PlaneArguments& a, const fpo::PlaneDomain& domai
       points.push_back({sample.position, sample.weight});
     io::write_points(a.output, points);
   }
-  if (!a.log.empty()) io::write_file(a.log, log);
 }
 
 int plane(tools::CommandLine& cli) {
+  tools::interrupt_flag();
   tools::PlaneArguments a = tools::parse_plane_arguments(cli);
   if (a.bounded) return tools::run_bounded_plane(a, cli.seed(), cli.quiet());
   const geom::FlatTorus torus(a.period);
@@ -46,6 +49,7 @@ int plane(tools::CommandLine& cli) {
   const bool uniform = sizing->is_uniform();
   a.optimize.scope = a.scope.value_or(uniform ? fpo::Scope::global : fpo::Scope::two_ring);
   a.optimize.order = fpo::best_visit_order(uniform);
+  tools::stop_if_interrupted();
   const double factor = a.weight_factor.value_or(fpo::best_plane_weight_factor(a.optimize.scope));
   const fpo::PlaneDensity density(*sizing, torus);
   const auto start = fpo::initial_plane_samples(density, a.num_samples, cli.seed(),
@@ -56,6 +60,7 @@ int plane(tools::CommandLine& cli) {
   tools::RunLog log(cli.quiet());
   log.attach(a.optimize, a.num_samples);
   const fpo::OptimizeResult result = optimize(a, domain);
+  const bool interrupted = tools::interrupt_flag();  // maybe after the optimization
   write_outputs(a, domain, log.csv());
   const fpo::PlaneQuality q = fpo::plane_quality(domain);
   std::printf(
@@ -66,7 +71,7 @@ int plane(tools::CommandLine& cli) {
       a.num_samples, result.last.iteration, result.moves, q.delta, q.mean_delta, q.grading_slope,
       q.spacing_variation, q.min_angle, q.mean_min_angle, q.max_angle, q.angles_below_30, q.hidden,
       result.last.seconds, a.output.c_str());
-  return result.reason == fpo::StopReason::interrupted ? tools::exit_interrupted : tools::exit_done;
+  return interrupted ? tools::exit_interrupted : tools::exit_done;
 }
 
 }  // namespace

@@ -48,9 +48,9 @@ void write_map(const std::filesystem::path& path, const geom::TriMesh& input, co
   io::write_surface_map(path, points);
 }
 
+/// The remesh comes last: where it is, all is.
 void write_outputs(const tools::RemeshArguments& a, const geom::TriMesh& input,
                    const fpo::RemeshResult& result, const std::string& log) {
-  io::write_mesh(a.output, result.mesh);
   if (!a.points.empty()) {
     std::vector<geom::WeightedPoint3> points;
     for (const fpo::SurfaceSample& sample : result.samples) points.push_back({sample.position, 0});
@@ -70,6 +70,7 @@ void write_outputs(const tools::RemeshArguments& a, const geom::TriMesh& input,
   }
   if (!a.log.empty()) io::write_file(a.log, log);
   if (!a.sizing_out.empty()) write_sizing(a.sizing_out, input, result.sizing);
+  io::write_mesh(a.output, result.mesh);
 }
 
 /// Smallest, median and largest wanted length, and how many samples want which.
@@ -131,9 +132,11 @@ fpo::RemeshResult remesh_named(const geom::TriMesh& input, const tools::RemeshAr
 }
 
 int remesh(tools::CommandLine& cli) {
+  tools::interrupt_flag();
   tools::RemeshArguments a = tools::parse_remesh_arguments(cli);
   const geom::TriMesh input = io::read_mesh(a.input);
   tools::read_files(a, input);
+  tools::stop_if_interrupted();
 
   std::string log = "iteration,moved,delta,mean_delta,seconds\n";
   tools::RemeshRun run{cli.command(), a.input, a.remesh, {}, 0, cli.threads()};
@@ -160,10 +163,12 @@ int remesh(tools::CommandLine& cli) {
   const bool homeomorphic = is_homeomorphic(input, result.mesh);
   warn_if_features_are_broken(result);
   const fpo::OptimizeResult& o = result.optimization;
+  const bool interrupted = tools::interrupt_flag();  // maybe after the optimization
   std::printf(
       "samples %zu\niterations %d\nmoves %zu\nstopped %s\ndelta %.6f\nmean_delta %.6f\nseconds %.3f\nwrote "
       "%s\n",
-      result.samples.size(), o.last.iteration, o.moves, name_of(o.reason), o.last.delta, o.last.mean_delta,
+      result.samples.size(), o.last.iteration, o.moves,
+      name_of(interrupted ? fpo::StopReason::interrupted : o.reason), o.last.delta, o.last.mean_delta,
       o.last.seconds, a.output.c_str());
   if (result.radius_factor > 0) std::printf("disk_radius_over_h %.6f\n", result.radius_factor);
   if (a.remesh.sizing != fpo::SizingKind::uniform) print_sizing(result);
@@ -179,7 +184,7 @@ int remesh(tools::CommandLine& cli) {
     std::printf("bad_triangles_before %zu\nbad_triangles_after %zu\nmended %zu of %zu, %zu reweighted\n",
                 result.angles.bad_before, result.angles.bad_after, result.angles.mended, result.angles.tried,
                 result.angles.reweighted);
-  if (o.reason == fpo::StopReason::interrupted) return tools::exit_interrupted;
+  if (interrupted) return tools::exit_interrupted;
   return a.strict && !homeomorphic ? tools::exit_other_topology : tools::exit_done;
 }
 

@@ -143,9 +143,10 @@ void print_summary(const tools::MeanSpectrum& mean) {
 }
 
 int spectrum(tools::CommandLine& cli) {
+  tools::interrupt_flag();
   const SpectrumArguments a = tools::parse_spectrum_arguments(cli);
   const std::vector<PowerSpectrum> spectra = all_spectra(a);
-  if (spectra.empty()) return tools::exit_interrupted;
+  if (spectra.empty()) throw geom::Interrupted();
   tools::MeanSpectrum mean{fpo::mean_spectrum(spectra), {}, spectra.size()};
   mean.curve = fpo::radial_curve(mean.spectrum, fpo::ring_width(a.spectrum));
   const io::Svg picture = tools::draw_spectrum(mean);

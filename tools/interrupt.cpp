@@ -2,6 +2,8 @@
 
 #include <csignal>
 
+#include "geom/check.h"
+
 namespace tools {
 namespace {
 
@@ -26,6 +28,10 @@ const std::atomic<bool>& interrupt_flag() {
   static const bool installed = install(SIGINT) && install(SIGTERM);
   static_cast<void>(installed);
   return interrupted;
+}
+
+void stop_if_interrupted() {
+  if (interrupt_flag()) throw geom::Interrupted();
 }
 
 }  // namespace tools

@@ -3,6 +3,7 @@
 #include "fpo/plane_sizing.h"
 #include "io/atomic_file.h"
 #include "io/extension.h"
+#include "tools/interrupt.h"
 #include "tools/numbers.h"
 
 namespace tools {
@@ -100,7 +101,9 @@ bool PlaneArguments::writes_svg() const { return io::lower_extension(output) == 
 PlaneArguments parse_plane_arguments(CommandLine& cli) {
   PlaneArguments a;
   bool local = false, global = false;
-  cli.describe("", "Spreads COUNT samples of blue noise over a rectangle, periodic unless --bounded.");
+  cli.describe(
+      "", std::string("Spreads COUNT samples of blue noise over a rectangle, periodic unless --bounded. ") +
+              interrupt_help);
   declare_result(cli, a);
   declare_domain(cli, a);
   declare_optimization(cli, a, local, global);

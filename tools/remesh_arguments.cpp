@@ -8,6 +8,7 @@
 #include "io/mesh_io.h"
 #include "io/points.h"
 #include "io/values.h"
+#include "tools/interrupt.h"
 #include "tools/remesh_defaults.h"
 
 namespace tools {
@@ -45,7 +46,9 @@ void choose_scope(RemeshArguments& a, bool local, bool global, double weight_sca
 }
 
 void parse(CommandLine& cli, RemeshArguments& a) {
-  cli.describe("INPUT", "Remeshes a surface (obj, off, ply, stl) with COUNT samples of blue noise.");
+  cli.describe("INPUT",
+               std::string("Remeshes a surface (obj, off, ply, stl) with COUNT samples of blue noise. ") +
+                   interrupt_help);
   cli.group("Result");
   cli.integer(
       {.name = "count",

@@ -3,6 +3,7 @@
 #include "geom/flat_torus.h"
 #include "io/atomic_file.h"
 #include "io/extension.h"
+#include "tools/interrupt.h"
 #include "tools/plane_arguments.h"
 
 namespace tools {
@@ -66,10 +67,13 @@ SpectrumArguments parse_spectrum_arguments(CommandLine& cli) {
   SpectrumArguments a;
   std::filesystem::path prefix;
   bool bounded = false, period_given = false;
-  cli.describe("POINTS|MESH...",
-               "Power spectrum, its radial mean and anisotropy, averaged over sets of samples: points in the "
-               "plane (.txt), points on a surface (.xyz, .ply), or the vertices of meshes (without --surface "
-               "each is its own surface).");
+  cli.describe(
+      "POINTS|MESH...",
+      std::string(
+          "Power spectrum, its radial mean and anisotropy, averaged over sets of samples: points in the "
+          "plane (.txt), points on a surface (.xyz, .ply), or the vertices of meshes (without --surface "
+          "each is its own surface). ") +
+          interrupt_help);
   cli.path({.name = "output",
             .letter = 'o',
             .value = "PREFIX",

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "geom/check.h"
 #include "geom/scaling.h"
 
 namespace fpo {
@@ -36,6 +37,7 @@ BaselineResult search_radius(const BaselineTask& task, const OptimizeOptions& op
     if (options.on_move) options.on_move(static_cast<std::size_t>(attempt - 1) * task.num_samples);
     std::vector<SurfaceSample> samples = sample(c);
     const bool stopped = interrupted(options);
+    if (stopped && attempt == 1) throw geom::Interrupted();
     const std::size_t number = samples.size();
     if (attempt == 1 || (!stopped && difference(number, task.num_samples) <
                                          difference(best.samples.size(), task.num_samples))) {

@@ -59,7 +59,7 @@ void print_extreme(const fpo::RadialCurve& c, double low, double high, double si
     if (c.frequency[i] >= low && c.frequency[i] <= high &&
         (best == c.mean.size() || sign * c.mean[i] > sign * c.mean[best]))
       best = i;
-  std::printf("  %5.3f at %4.2f", c.mean[best], c.frequency[best]);
+  if (best < c.mean.size()) std::printf("  %5.3f at %4.2f", c.mean[best], c.frequency[best]);
 }
 
 fpo::RadialCurve curve_of(const PowerSpectrum& spectrum) {

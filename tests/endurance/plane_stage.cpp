@@ -128,7 +128,7 @@ std::vector<PlaneStage::Keyed> PlaneStage::triangles() const {
     const CellId t(i);
     if (!triangulation_.is_live(t)) continue;
     Keyed keyed{triangulation_.corners(t), triangulation_.radius2(t)};
-    std::ranges::rotate(keyed.corners, std::ranges::min_element(keyed.corners));
+    std::rotate(keyed.corners.begin(), std::ranges::min_element(keyed.corners), keyed.corners.end());
     result.push_back(keyed);
   }
   std::ranges::sort(result);

@@ -20,7 +20,7 @@ using Triangle = std::array<int, 3>;
 
 /// The cycle from its smallest member on.
 Triangle canonical(Triangle t) {
-  std::ranges::rotate(t, std::ranges::min_element(t));
+  std::rotate(t.begin(), std::ranges::min_element(t), t.end());
   return t;
 }
 

@@ -137,7 +137,7 @@ void check_corners(const Scene& s, const FacetPolygon& polygon, const std::vecto
 std::vector<EdgeLabel> canonical(const FacetPolygon& polygon) {
   std::vector<EdgeLabel> result;
   for (const PolygonCorner& corner : polygon.corners) result.push_back(corner.edge);
-  if (!result.empty()) std::ranges::rotate(result, std::ranges::min_element(result));
+  if (!result.empty()) std::rotate(result.begin(), std::ranges::min_element(result), result.end());
   return result;
 }
 

@@ -23,7 +23,7 @@ inline std::vector<geom::RestrictedPower::Canonical> restricted_power_diagram(
       if (polygon.corners.empty()) continue;
       geom::RestrictedPower::Canonical fragment{t, i, {}};
       for (const geom::PolygonCorner& corner : polygon.corners) fragment.labels.push_back(corner.edge);
-      std::ranges::rotate(fragment.labels, std::ranges::min_element(fragment.labels));
+      std::rotate(fragment.labels.begin(), std::ranges::min_element(fragment.labels), fragment.labels.end());
       result.push_back(std::move(fragment));
     }
   std::ranges::sort(result);

@@ -21,7 +21,7 @@ struct Place {
                     const fixtures::Interruption& interruption = {}) const {
     std::vector<std::string> arguments{"torus.obj", "-o", "out.ply", "--log", "log.csv"};
     arguments.insert(arguments.end(), extra.begin(), extra.end());
-    return fixtures::run_program("fpo-remesh", arguments, folder.path(), 60, interruption);
+    return fixtures::run_program("fpo-remesh", arguments, folder.path(), 60, {.interruption = interruption});
   }
   ScratchFolder folder;
 };
@@ -63,7 +63,7 @@ TEST_CASE("fpo-remesh --method: angle optimization on request; options of fpo al
   CHECK(place.run({"-n", "1", "--method=mps"}).code == 2);
 }
 
-TEST_CASE("fpo-remesh --method: interrupted, each writes a mesh") {
+TEST_CASE("fpo-remesh --method: interrupted, each writes a mesh, or says that there is none yet") {
   const Place place;
   for (const std::string method : {"cvt", "mps", "cps"}) {
     CAPTURE(method);
@@ -71,6 +71,7 @@ TEST_CASE("fpo-remesh --method: interrupted, each writes a mesh") {
         place.run({"-n", "20000", "--method", method, "--iterations", "100000"}, {SIGINT, 0.5});
     if (result.code == 0 && method != "cvt") continue;  // the number came out at once
     CHECK(result.code == 130);
+    if (method != "cvt" && result.err.find("before there was a result") != std::string::npos) continue;
     CHECK(result.out.find("stopped interrupted") != std::string::npos);
     CHECK(io::read_mesh(place.folder / "out.ply").num_facets() > 0);
   }

@@ -22,7 +22,7 @@ struct Place {
 
   ProgramResult run(const std::vector<std::string>& arguments,
                     const fixtures::Interruption& interruption = {}) const {
-    return fixtures::run_program("fpo-remesh", arguments, folder.path(), 60, interruption);
+    return fixtures::run_program("fpo-remesh", arguments, folder.path(), 60, {.interruption = interruption});
   }
   /// Every file, by name.
   std::map<std::string, std::string> files() const {

@@ -4,6 +4,7 @@
 
 #include "doctest.h"
 #include "fpo/initial_samples.h"
+#include "geom/check.h"
 #include "geom/rng.h"
 #include "tests/fixtures/surfaces.h"
 
@@ -78,12 +79,17 @@ TEST_CASE(
       OptimizeOptions options;
       options.interrupted = &stop;
       options.max_iterations = static_cast<int>(last);
-      const BaselineResult result = search_radius(task, options, [&](double) {
+      const auto disks = [&](double) {
         stop = interrupt && tries + 1 == last;
         return std::vector<SurfaceSample>(numbers[tries++], {Vec3(0.5, 0.5, 0), geom::FacetId(0)});
-      });
+      };
+      if (interrupt && last == 1) {
+        CHECK_THROWS_AS(search_radius(task, options, disks), geom::Interrupted);
+        continue;
+      }
+      const BaselineResult result = search_radius(task, options, disks);
       CHECK(tries == last);
-      const std::size_t counted = interrupt && last > 1 ? last - 1 : last;
+      const std::size_t counted = interrupt ? last - 1 : last;
       std::size_t best = numbers[0];
       for (std::size_t i = 0; i < counted; ++i)
         if (std::abs(double(numbers[i]) - 100) < std::abs(double(best) - 100)) best = numbers[i];
