@@ -26,7 +26,8 @@ std::vector<KnownShare> shares_of(CellDivision& division) {
   for (const CellDivision::Share& share : division.shares()) {
     KnownShare known{{share.polygon.facet, share.polygon.owner, {}}, share.joins};
     for (const PolygonCorner& corner : share.polygon.corners) known.polygon.labels.push_back(corner.edge);
-    std::rotate(known.polygon.labels.begin(), std::ranges::min_element(known.polygon.labels), known.polygon.labels.end());
+    std::rotate(known.polygon.labels.begin(), std::ranges::min_element(known.polygon.labels),
+                known.polygon.labels.end());
     result.push_back(std::move(known));
   }
   std::ranges::sort(result);
