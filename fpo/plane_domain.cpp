@@ -36,7 +36,7 @@ PlaneDomain::PlaneDomain(const geom::FlatTorus& torus, const PlaneSizing& sizing
 
 PlaneDomain::PlaneDomain(const geom::FlatTorus& torus, const PlaneSizing& sizing, double edge_length_scale,
                          std::span<const Vec2> samples, const PlaneOptions& options,
-                         std::vector<std::uint32_t> order)
+                         const std::vector<std::uint32_t>& order)
     : sizing_(sizing),
       scale_(edge_length_scale),
       weight_factor_(sizing.is_uniform() ? 0 : options.weight_factor),

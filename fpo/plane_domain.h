@@ -91,7 +91,7 @@ class PlaneDomain final : public Domain {
  private:
   PlaneDomain(const geom::FlatTorus& torus, const PlaneSizing& sizing, double edge_length_scale,
               std::span<const geom::Vec2> samples, const PlaneOptions& options,
-              std::vector<std::uint32_t> order);
+              const std::vector<std::uint32_t>& order);
   double weight_at(const geom::Vec2& x) const;
   geom::CellId largest_in_two_ring();
   void apply(const geom::Regular2::Change& change);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "geom/check.h"
 #include "geom/restricted_power.h"
@@ -154,10 +155,10 @@ const RoundedPoint* RestrictedPower::known_corner(FacetId t, EdgeLabel label, Si
   const FacetId across = mesh_.across(t, label.edge());
   const Cut* cut = cut_of(across, rival);
   if (!cut) return nullptr;
-  const auto ends = [&](FacetId facet, int e) {
+  const auto ends = [&](FacetId facet, int e) -> std::pair<std::int32_t, std::int32_t> {
     const VertexId a = mesh_.facet(facet)[static_cast<std::size_t>(e)],
                    b = mesh_.facet(facet)[static_cast<std::size_t>(e == 2 ? 0 : e + 1)];
-    return std::minmax(a.value, b.value);
+    return std::minmax(a.value, b.value);  // whose references end here
   };
   const auto same_edge = [&](EdgeLabel other) {
     return !other.is_site() && ends(across, other.edge()) == ends(t, label.edge());

@@ -24,10 +24,12 @@ const char* colour(geom::SiteId s) {
 }  // namespace
 
 TracePicture::TracePicture(const geom::TriMesh& mesh, const fpo::SurfaceSample& at, double radius)
-    : mesh_(mesh), center_(at.position), normal_(mesh.normal(at.facet).normalized()), radius_(radius) {
-  u_ = (mesh.corner(at.facet, 1) - mesh.corner(at.facet, 0)).normalized();
-  v_ = normal_.cross(u_);
-}
+    : mesh_(mesh),
+      center_(at.position),
+      normal_(mesh.normal(at.facet).normalized()),
+      u_((mesh.corner(at.facet, 1) - mesh.corner(at.facet, 0)).normalized()),
+      v_(normal_.cross(u_)),
+      radius_(radius) {}
 
 Vec2 TracePicture::project(const Vec3& p) const {
   const Vec3 d = (p - center_) * (size / (2 * radius_));

@@ -24,7 +24,7 @@ class TracePicture {
   bool near(const fpo::CellPolygon& polygon) const;
 
   const geom::TriMesh& mesh_;
-  geom::Vec3 center_, u_, v_, normal_;
+  geom::Vec3 center_, normal_, u_, v_;
   double radius_;
 };
 

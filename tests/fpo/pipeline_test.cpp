@@ -133,6 +133,8 @@ TEST_CASE("pipeline: interruption keeps all samples; too few samples are refused
   CHECK(result.optimization.reason == StopReason::interrupted);
   CHECK(result.optimization.moves == 101);
   CHECK(result.mesh.num_vertices() == 80);
+  CHECK_THROWS_AS(remesh(mesh, options), geom::Interrupted);  // before it has begun
+  stop = false;
   options.num_samples = 1;
   CHECK_THROWS_AS(remesh(mesh, options), geom::InputError);
   options.num_samples = 0;

@@ -29,8 +29,7 @@ struct Scene {
   std::array<RankedPoint3, 4> site;
   std::array<ExactSite, 4> exact, perturbed;
 
-  Scene(Hardship hardship, Rng& rng) {
-    points = draw(hardship, 7, false, rng);
+  Scene(Hardship hardship, Rng& rng) : points(draw(hardship, 7, false, rng)) {
     corners.assign(points.begin() + 4, points.end());
     oracle::Scale scale;
     for (const WeightedPoint3& p : points) scale.cover(p);

@@ -14,10 +14,7 @@ namespace fixtures {
 /// Unique among processes and within this one.
 class ScratchFolder {
  public:
-  ScratchFolder() {
-    static unsigned counter = 0;
-    path_ = std::filesystem::temp_directory_path() /
-            ("fpo-io-test-" + std::to_string(::getpid()) + "-" + std::to_string(counter++));
+  ScratchFolder() : path_(std::filesystem::temp_directory_path() / unique_name()) {
     std::filesystem::create_directories(path_);
   }
   ~ScratchFolder() {
@@ -45,6 +42,11 @@ class ScratchFolder {
   }
 
  private:
+  static std::string unique_name() {
+    static unsigned counter = 0;
+    return "fpo-io-test-" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
+  }
+
   std::filesystem::path path_;
 };
 

@@ -90,7 +90,7 @@ TEST_CASE(
 
 TEST_CASE("fpo-remesh: bad use is refused in one line, and nothing is written") {
   const Place place;
-  const auto refused = [&](std::vector<std::string> arguments, const std::string& reason) {
+  const auto refused = [&](const std::vector<std::string>& arguments, const std::string& reason) {
     check_refused(place, arguments, reason);
   };
   refused({"torus.obj", "-n", "0", "-o", "out.obj"}, "-n: 0 is not between 1 and");
