@@ -2,6 +2,7 @@
 
 #include "geom/check.h"
 #include "io/atomic_file.h"
+#include "io/markup.h"
 #include "io/numbers.h"
 #include "io/png.h"
 #include "io/report_assets.h"
@@ -11,29 +12,6 @@ namespace io {
 using geom::Vec3;
 
 namespace {
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 std::string element(const char* name, std::string_view attributes, const std::string& content) {
   std::string result = std::string("<") + name;

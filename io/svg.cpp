@@ -4,31 +4,13 @@
 
 #include "geom/check.h"
 #include "io/atomic_file.h"
+#include "io/markup.h"
 #include "io/numbers.h"
 #include "io/png.h"
 
 namespace io {
 
 using geom::Vec2;
-
-namespace {
-
-std::string escaped(std::string_view words) {
-  std::string text;
-  for (const char c : words) {
-    if (c == '&')
-      text += "&amp;";
-    else if (c == '<')
-      text += "&lt;";
-    else if (c == '>')
-      text += "&gt;";
-    else
-      text += c;
-  }
-  return text;
-}
-
-}  // namespace
 
 SvgPath::SvgPath(int decimals) : decimals_(decimals), scale_(std::pow(10.0, decimals)) {}
 
@@ -88,7 +70,7 @@ SvgPath& SvgPath::dot(const Vec2& p) {
 }
 
 Svg::Svg(double width, double height, int decimals)
-    : text_(R"(<svg xmlns="http://www.w3.org/2000/svg")"), decimals_(decimals) {
+    : decimals_(decimals), text_(R"(<svg xmlns="http://www.w3.org/2000/svg")") {
   attribute("width", width);
   attribute("height", height);
   text_ += " viewBox=\"0 0 ";

@@ -15,12 +15,7 @@ constexpr std::size_t pool_per_sample = 15;  // with it the quality is that of t
 // The pool is in random order: to pick a random one of those left is to take the next that is left, and a sample
 // is left as long as it is in no disk.
 BaselineResult constrained_poisson_disks(const BaselineTask& task, const OptimizeOptions& options) {
-  std::vector<SurfaceSample> pool;
-  if (task.num_inner() > 0) {
-    const std::size_t size =
-        std::max(task.num_samples, std::min(max_samples, pool_per_sample * task.num_samples));
-    pool = random_samples(task.surface, task.sizing, size, task.seed);
-  }
+  const std::vector<SurfaceSample> pool = random_pool(task, pool_per_sample);
   return search_radius(task, options, [&](double radius_factor) {
     Disks disks(task.sizing, radius_factor);
     for (const SurfaceSample& x : task.fixed) disks.add(x);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "fpo/initial_samples.h"
 #include "geom/check.h"
 #include "geom/scaling.h"
 
@@ -57,6 +58,12 @@ BaselineResult search_radius(const BaselineTask& task, const OptimizeOptions& op
     const double inner = static_cast<double>(std::max<std::size_t>(number - task.fixed.size(), 1));
     c *= std::sqrt(inner / static_cast<double>(std::max<std::size_t>(task.num_inner(), 1)));
   }
+}
+
+std::vector<SurfaceSample> random_pool(const BaselineTask& task, std::size_t per_sample) {
+  if (task.num_inner() == 0) return {};
+  const std::size_t size = std::max(task.num_samples, std::min(max_samples, per_sample * task.num_samples));
+  return random_samples(task.surface, task.sizing, size, task.seed);
 }
 
 }  // namespace fpo

@@ -55,4 +55,7 @@ inline constexpr double usual_radius_factor = 0.777;
 BaselineResult search_radius(const BaselineTask& task, const OptimizeOptions& options,
                              const DiskSampling& sample);
 
+/// Random samples to choose from, so many for each wanted; none if all are fixed.
+std::vector<SurfaceSample> random_pool(const BaselineTask& task, std::size_t per_sample);
+
 }  // namespace fpo

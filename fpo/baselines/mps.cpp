@@ -134,12 +134,7 @@ void fill_gaps(DiskDiagram& disks, const BaselineTask& task, const OptimizeOptio
 }  // namespace
 
 BaselineResult maximal_poisson_disks(const BaselineTask& task, const OptimizeOptions& options) {
-  std::vector<SurfaceSample> darts;
-  if (task.num_inner() > 0) {
-    const std::size_t number =
-        std::max(task.num_samples, std::min(max_samples, darts_per_sample * task.num_samples));
-    darts = random_samples(task.surface, task.sizing, number, task.seed);
-  }
+  const std::vector<SurfaceSample> darts = random_pool(task, darts_per_sample);
   return search_radius(task, options, [&](double radius_factor) {
     DiskDiagram disks(task, radius_factor);
     for (const SurfaceSample& x : task.fixed) disks.add(x);
