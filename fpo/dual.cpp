@@ -106,7 +106,7 @@ SurfaceSample farthest_corner(const SurfaceDomain& domain, const Defect& defect)
   SurfaceSample farthest = home;
   std::tuple<bool, double> most{false, 0};
   std::array<geom::PolygonCorner, 3> buffer;
-  for (FragmentId f = fragments.first_of_cell(defect.at); f.valid(); f = fragments.next_in_cell(f)) {
+  for (const FragmentId f : fragments.of_cell(defect.at)) {
     const std::span<const geom::PolygonCorner> corners = fragments.corners(f, buffer);
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const bool on_border =

@@ -20,7 +20,7 @@ void for_each_fragment(const geom::RestrictedPower& diagram, Visit visit) {
   const geom::FragmentStore& fragments = diagram.fragments();
   std::array<PolygonCorner, 3> buffer;
   for (FacetId t(0); t.index() < diagram.mesh().num_facets(); t = FacetId(t.value + 1))
-    for (FragmentId f = fragments.first_of_facet(t); f.valid(); f = fragments.next_in_facet(f))
+    for (const FragmentId f : fragments.of_facet(t))
       visit(fragments.site(f), t, fragments.corners(f, buffer));
 }
 

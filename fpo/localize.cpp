@@ -36,8 +36,7 @@ bool give_away(geom::RestrictedPower& diagram, SiteId p, const Component& orphan
 std::vector<Component> cell_components(const geom::RestrictedPower& diagram, SiteId p, FacetId home) {
   const geom::FragmentStore& fragments = diagram.fragments();
   std::map<FacetId, FragmentId> unseen;
-  for (FragmentId f = fragments.first_of_cell(p); f.valid(); f = fragments.next_in_cell(f))
-    unseen.emplace(fragments.facet(f), f);
+  for (const FragmentId f : fragments.of_cell(p)) unseen.emplace(fragments.facet(f), f);
   std::vector<Component> components;
   std::array<geom::PolygonCorner, 3> buffer;
   while (!unseen.empty()) {

@@ -67,13 +67,20 @@ double SurfaceDomain::weight_at(SiteId x) const {
   return geom::snapped((weight_share_[x] - (equal_weights() ? 1 : 0)) * full_weight(x), weight_unit);
 }
 
+void SurfaceDomain::expect(SiteId x) {
+  diagram_->expect(x, 4);
+  for (int i = 0; i < 3; ++i)
+    if (const SiteId y = expected_[static_cast<std::size_t>(i)]; y.valid()) diagram_->expect(y, 3 - i);
+  expected_ = {x, expected_[0], expected_[1]};
+}
+
 double SurfaceDomain::separation(SiteId x) { return source_->nearest(samples_[x].position, x, x).radius2; }
 
 // One move, forward only: the neighbour source, then the diagram, then the heap.
 
 void SurfaceDomain::remove(SiteId x) {
   near_removed_ = SiteId();
-  if (!diagram_->fragments().first_of_cell(x).valid())
+  if (diagram_->fragments().of_cell(x).empty())
     near_removed_ = source_->nearest(samples_[x].position, x, x).site;
   source_->remove(x);
   apply(diagram_->after_remove(x));
@@ -156,7 +163,7 @@ void SurfaceDomain::neighbours(SiteId x, std::vector<SiteId>& out) {
 std::size_t SurfaceDomain::num_hidden() const {
   std::size_t hidden = 0;
   for (std::size_t i = 0; i < num_samples(); ++i)
-    hidden += !diagram_->fragments().first_of_cell(SiteId(i)).valid();
+    hidden += diagram_->fragments().of_cell(SiteId(i)).empty();
   return hidden;
 }
 

@@ -57,6 +57,7 @@ class SurfaceDomain final : public Domain {
   double normalized_spacing(SiteId x) override;
   /// The link of x in the RRT (section 4.1); of a sample without triangles the nearest one.
   void neighbours(SiteId x, std::vector<SiteId>& out) override;
+  void expect(SiteId x) override;
   void check() const override;
 
   /// Puts the removed sample at a place, its weight to be `weight_share` of what the sizing gives, there and
@@ -105,6 +106,7 @@ class SurfaceDomain final : public Domain {
   std::unique_ptr<geom::RestrictedPower> diagram_;
   geom::IndexedHeap<CircleId, CircleOrder> circles_;
   const geom::RestrictedPower::Change* last_change_ = nullptr;
+  std::array<SiteId, 3> expected_;  ///< the last samples announced by expect(), the latest first
   SiteId near_removed_;       ///< a sample near the removed one if that had no cell
   std::vector<SiteId> link_;  // workspace
 };

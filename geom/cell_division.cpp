@@ -103,6 +103,7 @@ void CellDivision::divide() {
   ++vertex_stamp_now_;
   for (std::size_t i = 0; i < vacated_.size(); ++i)
     vacated_index_[store_.facet(vacated_[i])] = static_cast<std::int32_t>(i);
+  find_old_fragments();
   for (std::size_t i = 0; i < vacated_.size(); ++i) divide(i);
   for (const FragmentId f : vacated_) vacated_index_[store_.facet(f)] = -1;
 }
@@ -120,8 +121,7 @@ void CellDivision::divide(std::size_t vacated) {
     corners_.resize(mark);
     return clip_shares(vacated);
   }
-  find_old_fragments(f);
-  for (const Run& run : outlines_) emit(store_.facet(f), run);
+  for (const Run& run : outlines_) emit(vacated, run);
 }
 
 //        a     a'              An heir a that owns two runs owns the chord between them, because its share is
@@ -341,35 +341,45 @@ void CellDivision::append(Run& run, const RoundedPoint& point, EdgeLabel edge) {
 }
 
 /// The share of the owner of this run: its closed outline.
-void CellDivision::emit(FacetId t, const Run& run) {
+void CellDivision::emit(std::size_t vacated, const Run& run) {
   Share& share = add_share();
-  share.polygon.facet = t;
+  share.polygon.facet = store_.facet(vacated_[vacated]);
   share.polygon.owner = site(run);
   share.polygon.corners.clear();
   std::size_t i = run.first;
   do {
     share.polygon.corners.push_back({nodes_[i].point, nodes_[i].edge, CircleId()});
-    if (nodes_[i].edge == EdgeLabel::bisector(p_)) share.joins = old_fragments_[run.heir];
+    if (nodes_[i].edge == EdgeLabel::bisector(p_)) share.joins = old_fragment(vacated, run.heir);
     i = nodes_[i].next;
   } while (i != run.first);
 }
 
-/// What the heirs have on the facet of a vacated fragment: from the facet's list if that is short, else one
-/// by one.
-void CellDivision::find_old_fragments(FragmentId vacated) {
-  old_fragments_.assign(heirs_.size(), FragmentId());
-  if (store_.whole(vacated)) return;
-  const FacetId t = store_.facet(vacated);
-  std::size_t steps = 0;
+/// What the heirs have on the facets of the vacated fragments: from a facet's list if that is short, else heir
+/// by heir. All that will be read is asked for before any of it is.
+void CellDivision::find_old_fragments() {
   const std::size_t short_list = 8 * heirs_.size();
-  for (FragmentId f = store_.first_of_facet(t); f.valid() && steps <= short_list;
-       f = store_.next_in_facet(f), ++steps) {
-    const SiteId s = store_.site(f);
-    const std::size_t i = s.index() < heir_index_.size() ? heir_index_[s] : none;
-    if (i < heirs_.size() && heirs_[i] == s) old_fragments_[i] = f;
+  old_fragments_.assign(vacated_.size() * heirs_.size(), FragmentId());
+  const auto is_short = [&](FragmentId f) { return store_.of_facet(store_.facet(f)).size() <= short_list; };
+  for (const FragmentId f : vacated_) store_.prefetch_members(store_.facet(f));
+  for (const FragmentId f : vacated_)
+    if (is_short(f))
+      for (const FragmentId g : store_.of_facet(store_.facet(f))) store_.prefetch_fragment(g);
+  for (std::size_t i = 0; i < vacated_.size(); ++i) {
+    if (store_.whole(vacated_[i])) continue;
+    const FacetId t = store_.facet(vacated_[i]);
+    FragmentId* const row = old_fragments_.data() + i * heirs_.size();
+    if (is_short(vacated_[i])) {
+      for (const FragmentId g : store_.of_facet(t)) {
+        const SiteId s = store_.site(g);
+        const std::size_t h = s.index() < heir_index_.size() ? heir_index_[s] : none;
+        if (h < heirs_.size() && heirs_[h] == s) row[h] = g;
+      }
+    } else {
+      for (std::size_t h = 0; h < heirs_.size(); ++h) row[h] = store_.find(heirs_[h], t);
+    }
+    for (std::size_t h = 0; h < heirs_.size(); ++h)
+      if (row[h].valid()) store_.prefetch_corners(row[h]);
   }
-  if (steps <= short_list) return;
-  for (std::size_t i = 0; i < heirs_.size(); ++i) old_fragments_[i] = store_.find(heirs_[i], t);
 }
 
 }  // namespace geom

@@ -91,10 +91,13 @@ class CellDivision {
   bool is_ear(FacetId t, std::size_t begin, std::size_t b) const;
   void cut_ear(FacetId t, std::size_t begin, std::size_t b);
   void append(Run& run, const RoundedPoint& point, EdgeLabel edge);
-  void emit(FacetId t, const Run& run);
+  void emit(std::size_t vacated, const Run& run);
 
   void clip_shares(std::size_t vacated);
-  void find_old_fragments(FragmentId vacated);
+  void find_old_fragments();
+  FragmentId old_fragment(std::size_t vacated, Heir h) const {
+    return old_fragments_[vacated * heirs_.size() + h];
+  }
   void order_heirs(FragmentId vacated);
   bool inherits_whole(FacetId t);
   bool yields_everywhere(Heir i, std::span<const PolygonCorner> corners) const;
@@ -130,7 +133,7 @@ class CellDivision {
   Table<FacetId, std::int32_t> vacated_index_;        ///< into vacated_, or -1
   Table<VertexId, std::uint32_t> vertex_stamp_, vertex_owner_;
   std::uint32_t vertex_stamp_now_ = 0;
-  std::vector<FragmentId> old_fragments_;  ///< of each heir on the facet in hand
+  std::vector<FragmentId> old_fragments_;  ///< row: vacated fragment, column: what the heir has on that facet
   // Of divide_by_clipping().
   std::vector<Heir> order_;  ///< those that matter most on the facet in hand first
   std::vector<char> beaten_;

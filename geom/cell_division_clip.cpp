@@ -9,6 +9,7 @@ namespace geom {
 
 void CellDivision::divide_by_clipping() {
   prepare();
+  find_old_fragments();
   for (std::size_t i = 0; i < vacated_.size(); ++i) clip_shares(i);
 }
 
@@ -29,10 +30,9 @@ void CellDivision::clip_shares(std::size_t vacated) {
   if (store_.whole(f) && inherits_whole(t)) return;
   std::array<PolygonCorner, 3> buffer;
   const std::span<const PolygonCorner> vacancy = store_.corners(f, buffer);
-  find_old_fragments(f);
   for (const Heir i : order_) {
     const SiteId k = heirs_[i];
-    const FragmentId old = old_fragments_[i];
+    const FragmentId old = old_fragment(vacated, i);
     const bool borders = std::ranges::any_of(
         vacancy, [&](const PolygonCorner& c) { return c.edge == EdgeLabel::bisector(k); });
     if (!borders && (old.valid() || yields_everywhere(i, vacancy))) continue;

@@ -7,12 +7,12 @@
 namespace geom {
 namespace {
 
-constexpr std::size_t block = 4;  // capacities are multiples of it: polygons have 3 to 8 corners, rarely more
+constexpr std::size_t block = 2;  // capacities are multiples of it: polygons have 3 to 8 corners, rarely more
 constexpr std::size_t max_corners = 65532;
 
 }  // namespace
 
-FragmentStore::FragmentStore(const TriMesh& mesh) : mesh_(mesh), facets_(mesh.num_facets()) {}
+FragmentStore::FragmentStore(const TriMesh& mesh) : mesh_(mesh), cells_(0), facets_(mesh.num_facets()) {}
 
 FragmentId FragmentStore::create(SiteId site, FacetId facet) {
   FragmentId f;
@@ -23,16 +23,12 @@ FragmentId FragmentStore::create(SiteId site, FacetId facet) {
     f = free_.back();
     free_.pop_back();
   }
-  if (site.index() >= cells_.size()) cells_.resize(site.index() + 1);
   Fragment& fragment = fragments_[f];
   fragment = {};
   fragment.site = site;
   fragment.facet = facet;
-  fragment.next_in_cell = cells_[site];
-  fragment.next_in_facet = facets_[facet];
-  if (fragment.next_in_cell.valid()) fragments_[fragment.next_in_cell].previous_in_cell = f;
-  if (fragment.next_in_facet.valid()) fragments_[fragment.next_in_facet].previous_in_facet = f;
-  cells_[site] = facets_[facet] = f;
+  fragment.place_in_cell = cells_.push(site, f);
+  fragment.place_in_facet = facets_.push(facet, f);
   ++live_;
   return f;
 }
@@ -40,32 +36,21 @@ FragmentId FragmentStore::create(SiteId site, FacetId facet) {
 void FragmentStore::erase(FragmentId f) {
   Fragment& fragment = fragments_[f];
   release_block(fragment);
-  if (fragment.previous_in_cell.valid())
-    fragments_[fragment.previous_in_cell].next_in_cell = fragment.next_in_cell;
-  else
-    cells_[fragment.site] = fragment.next_in_cell;
-  if (fragment.next_in_cell.valid())
-    fragments_[fragment.next_in_cell].previous_in_cell = fragment.previous_in_cell;
-  if (fragment.previous_in_facet.valid())
-    fragments_[fragment.previous_in_facet].next_in_facet = fragment.next_in_facet;
-  else
-    facets_[fragment.facet] = fragment.next_in_facet;
-  if (fragment.next_in_facet.valid())
-    fragments_[fragment.next_in_facet].previous_in_facet = fragment.previous_in_facet;
+  const FragmentId in_cell = cells_.erase(fragment.site, fragment.place_in_cell),
+                   in_facet = facets_.erase(fragment.facet, fragment.place_in_facet);
+  if (in_cell.valid()) fragments_[in_cell].place_in_cell = fragment.place_in_cell;
+  if (in_facet.valid()) fragments_[in_facet].place_in_facet = fragment.place_in_facet;
   fragment.site = SiteId();
   free_.push_back(f);
   --live_;
 }
 
 FragmentId FragmentStore::find(SiteId s, FacetId t) const {
-  FragmentId in_cell = first_of_cell(s), in_facet = first_of_facet(t);
-  while (in_cell.valid() && in_facet.valid()) {
-    if (facet(in_cell) == t) return in_cell;
-    if (site(in_facet) == s) return in_facet;
-    in_cell = next_in_cell(in_cell);
-    in_facet = next_in_facet(in_facet);
-  }
-  return {};
+  const std::span<const FragmentId> cell = of_cell(s), on_facet = of_facet(t);
+  const std::span<const FragmentId> shorter = cell.size() < on_facet.size() ? cell : on_facet;
+  const auto found =
+      std::ranges::find_if(shorter, [&](FragmentId f) { return facet(f) == t && site(f) == s; });
+  return found == shorter.end() ? FragmentId() : *found;
 }
 
 std::span<const PolygonCorner> FragmentStore::corners(FragmentId f) const {
@@ -118,18 +103,14 @@ void FragmentStore::release_block(Fragment& f) {
 
 void FragmentStore::check() const {
   std::size_t in_cells = 0, in_facets = 0;
-  for (SiteId s(0); s.index() < cells_.size(); s = SiteId(s.value + 1)) {
-    FragmentId previous;
-    for (FragmentId f = cells_[s]; f.valid(); previous = f, f = next_in_cell(f), ++in_cells)
-      ensure(site(f) == s && fragments_[f].previous_in_cell == previous,
+  for (SiteId s(0); s.index() < cells_.num_keys(); s = SiteId(s.value + 1))
+    for (std::size_t i = 0; i < of_cell(s).size(); ++i, ++in_cells)
+      ensure(site(of_cell(s)[i]) == s && fragments_[of_cell(s)[i]].place_in_cell == i,
              "fragment store: the list of a cell is broken");
-  }
-  for (FacetId t(0); t.index() < facets_.size(); t = FacetId(t.value + 1)) {
-    FragmentId previous;
-    for (FragmentId f = facets_[t]; f.valid(); previous = f, f = next_in_facet(f), ++in_facets)
-      ensure(facet(f) == t && fragments_[f].previous_in_facet == previous,
+  for (FacetId t(0); t.index() < facets_.num_keys(); t = FacetId(t.value + 1))
+    for (std::size_t i = 0; i < of_facet(t).size(); ++i, ++in_facets)
+      ensure(facet(of_facet(t)[i]) == t && fragments_[of_facet(t)[i]].place_in_facet == i,
              "fragment store: the list of a facet is broken");
-  }
   ensure(in_cells == live_ && in_facets == live_, "fragment store: a fragment is missing from a list");
 }
 

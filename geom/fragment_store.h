@@ -3,18 +3,21 @@
 // in the list of its facet (paper, section 4.2: "a list of cell labels for each input triangle; for each cell
 // the input triangles that are fully or partially covered by it").
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
 
 #include "geom/clip.h"
+#include "geom/id_lists.h"
 
 namespace geom {
 
 using FragmentId = Id<struct FragmentTag>;
 
 /// Fragments and their polygons. Ids never move; erased ids are used again. A fragment that is its whole
-/// facet stores no polygon. No allocation once the tables have grown.
+/// facet stores no polygon. No allocation once the tables have grown. The order of the lists depends on
+/// history.
 class FragmentStore {
  public:
   /// For facets 0 .. num_facets - 1; cells appear as they are named.
@@ -26,10 +29,9 @@ class FragmentStore {
 
   SiteId site(FragmentId f) const { return fragments_[f].site; }
   FacetId facet(FragmentId f) const { return fragments_[f].facet; }
-  FragmentId first_of_cell(SiteId s) const { return s.index() < cells_.size() ? cells_[s] : FragmentId(); }
-  FragmentId next_in_cell(FragmentId f) const { return fragments_[f].next_in_cell; }
-  FragmentId first_of_facet(FacetId t) const { return facets_[t]; }
-  FragmentId next_in_facet(FragmentId f) const { return fragments_[f].next_in_facet; }
+  /// The fragments of a cell, of a facet. Valid until the next create() or erase().
+  std::span<const FragmentId> of_cell(SiteId s) const { return cells_[s]; }
+  std::span<const FragmentId> of_facet(FacetId t) const { return facets_[t]; }
   /// The fragment of cell s on facet t, or none. Cost: the shorter of the two lists.
   FragmentId find(SiteId s, FacetId t) const;
 
@@ -46,6 +48,18 @@ class FragmentStore {
   double max_radius2(FragmentId f) const { return fragments_[f].max_radius2; }
   void set_max_radius2(FragmentId f, double value) { fragments_[f].max_radius2 = value; }
 
+  // These ask the memory for what will be read soon, one step further each: the lists of a cell and of a facet,
+  // their members, the fragment, its corners. No effect but on speed.
+  void prefetch_cell(SiteId s) const { cells_.prefetch_list(s); }
+  void prefetch_facet(FacetId t) const { facets_.prefetch_list(t); }
+  void prefetch_members(SiteId s) const { cells_.prefetch_members(s); }
+  void prefetch_members(FacetId t) const { facets_.prefetch_members(t); }
+  void prefetch_fragment(FragmentId f) const { prefetch(fragments_.data() + f.index()); }
+  void prefetch_corners(FragmentId f) const {
+    const Fragment& fragment = fragments_[f];
+    for (int k = 0; k < fragment.size; ++k) prefetch(corners_.data() + fragment.polygon + k);
+  }
+
   /// Verifies both families of lists. Throws Bug. O(all).
   void check() const;
 
@@ -54,7 +68,7 @@ class FragmentStore {
     double max_radius2 = 0;
     SiteId site;
     FacetId facet;
-    FragmentId next_in_cell, previous_in_cell, next_in_facet, previous_in_facet;
+    std::uint32_t place_in_cell = 0, place_in_facet = 0;
     std::int32_t polygon = -1;  ///< offset of its block in corners_; -1: whole
     std::uint16_t size = 0, capacity = 0;
   };
@@ -63,10 +77,10 @@ class FragmentStore {
   const TriMesh& mesh_;
   Table<FragmentId, Fragment> fragments_;
   std::vector<FragmentId> free_;
-  Table<SiteId, FragmentId> cells_;
-  Table<FacetId, FragmentId> facets_;
-  std::vector<PolygonCorner> corners_;                  ///< blocks of 4, 8, 12, ... corners
-  std::vector<std::vector<std::int32_t>> free_blocks_;  ///< by capacity / 4
+  IdLists<SiteId, FragmentId> cells_;
+  IdLists<FacetId, FragmentId> facets_;
+  std::vector<PolygonCorner> corners_;                  ///< blocks of 2, 4, 6, ... corners
+  std::vector<std::vector<std::int32_t>> free_blocks_;  ///< by capacity / 2
   std::size_t live_ = 0;
 };
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geom/check.h"
+#include "geom/prefetch.h"
 #include "geom/hilbert.h"
 
 namespace geom {
@@ -259,7 +260,7 @@ Regular2::Nearest Regular2::nearest_other(SiteId id) const {
 
 void Regular2::prefetch_corner(SiteId id) const {
   const Side at = sites_[id].at;
-  if (at.valid()) __builtin_prefetch(&cells_[at.cell()]);
+  if (at.valid()) geom::prefetch(&cells_[at.cell()]);
 }
 
 void Regular2::prefetch_around(SiteId id) const {
@@ -267,8 +268,8 @@ void Regular2::prefetch_around(SiteId id) const {
   if (!at.valid() || !is_live(at.cell())) return;
   const Cell& t = cells_[at.cell()];
   for (std::size_t k = 0; k < 3; ++k) {
-    __builtin_prefetch(&cells_[t.neighbor[k].cell()]);
-    __builtin_prefetch(&sites_[t.corner[k]]);
+    geom::prefetch(&cells_[t.neighbor[k].cell()]);
+    geom::prefetch(&sites_[t.corner[k]]);
   }
 }
 
@@ -279,8 +280,8 @@ void Regular2::prefetch_star(SiteId id) const {
     const Cell& beside = cells_[side.cell()];
     if (side.corner() < 0 || !beside.corner[0].valid()) continue;
     for (std::size_t k = 0; k < 3; ++k) {
-      __builtin_prefetch(&cells_[beside.neighbor[k].cell()]);
-      __builtin_prefetch(&sites_[beside.corner[k]]);
+      geom::prefetch(&cells_[beside.neighbor[k].cell()]);
+      geom::prefetch(&sites_[beside.corner[k]]);
     }
   }
 }

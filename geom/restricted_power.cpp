@@ -132,7 +132,7 @@ CircleId RestrictedPower::create_circle(const FacetPolygon& polygon, std::size_t
   if (free_circles_.empty()) {
     c = circles_.next_id();
     circles_.emplace_back();
-    next_circles_.emplace_back();
+    spokes_.emplace_back();
   } else {
     c = free_circles_.back();
     free_circles_.pop_back();
@@ -160,21 +160,25 @@ CircleId RestrictedPower::create_circle(const FacetPolygon& polygon, std::size_t
 /// The id is used again only after the next update has begun, so the owner of a heap can still compare it in
 /// this one.
 void RestrictedPower::erase_circle(CircleId c) {
-  for (const SiteId s : circles_[c].sites) {
-    if (!s.valid()) break;
-    CircleId* at = &first_circles_[s];  // lists of about six
-    while (*at != c) at = &next_circles_[*at][place_of(s, *at)];
-    *at = next_circle(c, s);
+  const std::array<SiteId, 3>& sites = circles_[c].sites;
+  for (std::size_t k = 0; k < 3 && sites[k].valid(); ++k) {
+    const Spoke next = spokes_[c].next[k], previous = spokes_[c].previous[k];
+    (previous.valid() ? spokes_[previous.circle()].next[previous.place()] : first_spokes_[sites[k]]) = next;
+    if (next.valid()) spokes_[next.circle()].previous[next.place()] = previous;
   }
   change_.circles_erased.push_back(c);
 }
 
 void RestrictedPower::list_circle(CircleId c) {
-  for (const SiteId s : circles_[c].sites) {
-    if (!s.valid()) break;
-    if (s.index() >= first_circles_.size()) first_circles_.resize(s.index() + 1);
-    next_circles_[c][place_of(s, c)] = first_circles_[s];
-    first_circles_[s] = c;
+  ensure(c.value < 1 << 29, "restricted power diagram: too many circles");
+  const std::array<SiteId, 3>& sites = circles_[c].sites;
+  for (std::size_t k = 0; k < 3 && sites[k].valid(); ++k) {
+    if (sites[k].index() >= first_spokes_.size()) first_spokes_.resize(sites[k].index() + 1);
+    Spoke& first = first_spokes_[sites[k]];
+    spokes_[c].next[k] = first;
+    spokes_[c].previous[k] = Spoke();
+    if (first.valid()) spokes_[first.circle()].previous[first.place()] = Spoke(c, k);
+    first = Spoke(c, k);
   }
 }
 
@@ -189,7 +193,7 @@ std::vector<RestrictedPower::Canonical> RestrictedPower::canonical() const {
   std::vector<Canonical> result;
   std::array<PolygonCorner, 3> buffer;
   for (FacetId t(0); t.index() < mesh_.num_facets(); t = FacetId(t.value + 1))
-    for (FragmentId f = store_.first_of_facet(t); f.valid(); f = store_.next_in_facet(f)) {
+    for (const FragmentId f : store_.of_facet(t)) {
       Canonical fragment{t, store_.site(f), {}};
       for (const PolygonCorner& corner : store_.corners(f, buffer)) fragment.labels.push_back(corner.edge);
       std::rotate(fragment.labels.begin(), std::ranges::min_element(fragment.labels), fragment.labels.end());
@@ -204,13 +208,13 @@ void RestrictedPower::check() const {
   std::array<PolygonCorner, 3> buffer;
   std::size_t registered = 0;
   for (SiteId s(0); s.index() < reach_.size(); s = SiteId(s.value + 1))
-    for (FragmentId f = store_.first_of_cell(s); f.valid(); f = store_.next_in_cell(f))
+    for (const FragmentId f : store_.of_cell(s))
       ensure(store_.max_radius2(f) <= reach_[s],
              "restricted power diagram: a cell reaches farther than it says");
   for (FacetId t(0); t.index() < mesh_.num_facets(); t = FacetId(t.value + 1)) {
-    ensure(store_.size() == 0 || store_.first_of_facet(t).valid(),
+    ensure(store_.size() == 0 || !store_.of_facet(t).empty(),
            "restricted power diagram: a facet without owner");
-    for (FragmentId f = store_.first_of_facet(t); f.valid(); f = store_.next_in_facet(f)) {
+    for (const FragmentId f : store_.of_facet(t)) {
       const std::span<const PolygonCorner> corners = store_.corners(f, buffer);
       ensure(corners.size() >= 3, "restricted power diagram: a polygon with fewer than three corners");
       for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -229,7 +233,7 @@ void RestrictedPower::check() const {
   ensure(registered + free_circles_.size() + change_.circles_erased.size() == circles_.size(),
          "restricted power diagram: a circle is lost");
   std::size_t listed = 0;
-  for (SiteId s(0); s.index() < first_circles_.size(); s = SiteId(s.value + 1))
+  for (SiteId s(0); s.index() < first_spokes_.size(); s = SiteId(s.value + 1))
     for (CircleId c = first_circle(s); c.valid(); c = next_circle(c, s)) {
       ensure(std::ranges::count(circles_[c].sites, s) == 1,
              "restricted power diagram: a circle listed at a site that it does not touch");

@@ -62,6 +62,10 @@ class RestrictedPower {
   const Change& abandon(SiteId p, std::span<const FragmentId> fragments, std::span<const SiteId> excluded,
                         const NeighbourSource& search);
 
+  /// p will be removed in about so many moves, 4 to 1: asks the memory for what is needed next to find its cell.
+  /// To be called with each of these numbers in turn. No effect but on speed.
+  void expect(SiteId p, int moves) const;
+
   const WeightedPoint3& site(SiteId p) const { return sites_[p]; }
   const EmptyCircle& circle(CircleId c) const { return circles_[c]; }
   /// The order of circles of equal radius2: by facet, place and sites.
@@ -74,9 +78,9 @@ class RestrictedPower {
 
   /// The circles that touch p, each once, in an order that depends on history: the corners of its cell.
   CircleId first_circle(SiteId p) const {
-    return p.index() < first_circles_.size() ? first_circles_[p] : CircleId();
+    return p.index() < first_spokes_.size() ? first_spokes_[p].circle() : CircleId();
   }
-  CircleId next_circle(CircleId c, SiteId p) const { return next_circles_[c][place_of(p, c)]; }
+  CircleId next_circle(CircleId c, SiteId p) const { return spokes_[c].next[place_of(p, c)].circle(); }
   /// The sites that share a circle with p, ascending: with type C corners the link of p in the dual, the
   /// restricted regular triangulation.
   void link(SiteId p, std::vector<SiteId>& out) const;
@@ -108,10 +112,28 @@ class RestrictedPower {
     std::int32_t cuts = -1;  ///< head of a list in cuts_
   };
 
+  /// A circle in the list of one of its sites: the circle, and the place of the site in it.
+  class Spoke {
+   public:
+    Spoke() = default;
+    Spoke(CircleId c, std::size_t place) : code_(c.value * 4 + static_cast<std::int32_t>(place)) {}
+    bool valid() const { return code_ >= 0; }
+    CircleId circle() const { return CircleId(code_ >> 2); }  // none stays none
+    std::size_t place() const { return static_cast<std::size_t>(code_ & 3); }
+
+   private:
+    std::int32_t code_ = -1;
+  };
+  /// The links of a circle in the lists of its three sites.
+  struct Spokes {
+    std::array<Spoke, 3> next, previous;
+  };
+
   void begin(SiteId p);
   void finish();
   void touch_cell(SiteId j);
 
+  void preload(std::span<const SiteId> cells) const;
   void occupy_everything(SiteId p);
   bool take_from(SiteId j, SiteId p);
   void cut_fragment(FragmentId f, std::span<const PolygonCorner> corners, SiteId p, const Bisector& b);
@@ -155,8 +177,8 @@ class RestrictedPower {
   Clipper clipper_;
   FragmentStore store_;
   Table<CircleId, EmptyCircle> circles_;
-  Table<SiteId, CircleId> first_circles_;                  ///< of each site's list
-  Table<CircleId, std::array<CircleId, 3>> next_circles_;  ///< in the list of each of a circle's sites
+  Table<SiteId, Spoke> first_spokes_;  ///< heads of the sites' lists
+  Table<CircleId, Spokes> spokes_;
   std::vector<CircleId> free_circles_;
   Table<SiteId, double> reach_;
   Table<VertexId, FacetId> first_facet_;     ///< CornerTypes::all only: where a vertex's circle is registered

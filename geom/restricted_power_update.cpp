@@ -53,6 +53,7 @@ const RestrictedPower::Change& RestrictedPower::after_insert(SiteId p, const Wei
     candidates_.clear();
     neighbours_.rivals(p, candidates_);
     std::ranges::sort(candidates_);  // one order of changes, whatever the source
+    preload(candidates_);
     for (const SiteId j : candidates_)
       if (take_from(j, p)) touch_cell(j);
     for (const TouchedFacet& touched : touched_facets_) {
@@ -66,6 +67,33 @@ const RestrictedPower::Change& RestrictedPower::after_insert(SiteId p, const Wei
   finish();
   neighbours_.set_reach(p, reach_[p]);
   return change_;
+}
+
+/// These cells are about to be read: asks the memory for all of it at once, in as many steps as there are
+/// pointers to follow. No effect but on speed.
+void RestrictedPower::preload(std::span<const SiteId> cells) const {
+  for (const SiteId j : cells) store_.prefetch_cell(j);
+  for (const SiteId j : cells) store_.prefetch_members(j);
+  for (const SiteId j : cells)
+    for (const FragmentId f : store_.of_cell(j)) store_.prefetch_fragment(f);
+  for (const SiteId j : cells)
+    for (const FragmentId f : store_.of_cell(j)) {
+      clipper_.prefetch_facet(store_.facet(f));
+      store_.prefetch_corners(f);
+    }
+}
+
+void RestrictedPower::expect(SiteId p, int moves) const {
+  const std::span<const FragmentId> cell = store_.of_cell(p);
+  if (moves >= 4) store_.prefetch_cell(p);
+  if (moves == 3) store_.prefetch_members(p);
+  if (moves == 2)
+    for (const FragmentId f : cell) store_.prefetch_fragment(f);
+  if (moves <= 1)
+    for (const FragmentId f : cell) {
+      store_.prefetch_facet(store_.facet(f));
+      store_.prefetch_corners(f);
+    }
 }
 
 void RestrictedPower::occupy_everything(SiteId p) {
@@ -82,8 +110,8 @@ bool RestrictedPower::take_from(SiteId j, SiteId p) {
   std::array<PolygonCorner, 3> buffer;
   double reach = -std::numeric_limits<double>::infinity();
   bool took = false;
-  for (FragmentId f = store_.first_of_cell(j), next; f.valid(); f = next) {
-    next = store_.next_in_cell(f);
+  for (std::size_t i = 0; i < store_.of_cell(j).size();) {
+    const FragmentId f = store_.of_cell(j)[i];
     const FacetId t = store_.facet(f);
     Clip outcome = clipper_.compare_on_facet(t, b);
     if (outcome == Clip::cut) {
@@ -93,8 +121,9 @@ bool RestrictedPower::take_from(SiteId j, SiteId p) {
     }
     if (outcome == Clip::swallowed) {
       touch_facet(t);
-      forget(f);
+      forget(f);  // the last one of the list takes its place
     } else {
+      ++i;
       reach = std::max(reach, store_.max_radius2(f));
     }
     took = took || outcome != Clip::untouched;
@@ -211,8 +240,14 @@ void RestrictedPower::assemble(const TouchedFacet& touched, SiteId p) {
 // result. If there are any, they join the heirs and the vacancy is divided again.
 const RestrictedPower::Change& RestrictedPower::after_remove(SiteId p) {
   begin(p);
-  vacated_.clear();
-  for (FragmentId f = store_.first_of_cell(p); f.valid(); f = store_.next_in_cell(f)) vacated_.push_back(f);
+  const std::span<const FragmentId> cell = store_.of_cell(p);
+  for (const FragmentId f : cell)
+    for (const PolygonCorner& corner : store_.corners(f)) {
+      if (!corner.circle.valid()) continue;
+      prefetch(circles_.data() + corner.circle.index());
+      prefetch(spokes_.data() + corner.circle.index());
+    }
+  vacated_.assign(cell.begin(), cell.end());
   if (vacated_.empty()) return change_;
   division_.begin(p, vacated_);
   if (division_.heirs().empty()) {  // p owned whole components of the surface alone

@@ -44,7 +44,7 @@ class DiskDiagram {
     const geom::FragmentStore& fragments = diagram_.fragments();
     std::array<geom::PolygonCorner, 3> buffer;
     for (FacetId t(0); t.index() < surface_.num_facets(); t = FacetId(t.value + 1))
-      for (FragmentId f = fragments.first_of_facet(t); f.valid(); f = fragments.next_in_facet(f))
+      for (const FragmentId f : fragments.of_facet(t))
         if (fragments.max_radius2(f) > 0)
           visit(fragments.corners(f, buffer), diagram_.site(fragments.site(f)), t);
   }

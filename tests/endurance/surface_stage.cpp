@@ -135,7 +135,7 @@ void SurfaceStage::check_facet(FacetId t) const {
   }
   std::array<geom::PolygonCorner, 3> buffer;
   const geom::FragmentStore& store = diagram_->fragments();
-  for (geom::FragmentId f = store.first_of_facet(t); f.valid(); f = store.next_in_facet(f))
+  for (const geom::FragmentId f : store.of_facet(t))
     found.emplace_back(store.site(f), store.corners(f, buffer).size());
   std::ranges::sort(found);
   geom::ensure(found == expected, "brute force finds other fragments on a facet");

@@ -70,8 +70,7 @@ TEST_CASE("localize: the components of a cell are its fragments, connected, the 
       for (const auto& component : components) seen.insert(component.begin(), component.end());
       std::size_t total = 0, in_cell = 0;
       for (const auto& component : components) total += component.size();
-      for (FragmentId f = fragments.first_of_cell(SiteId(i)); f.valid(); f = fragments.next_in_cell(f))
-        in_cell += seen.contains(f);
+      for (const FragmentId f : fragments.of_cell(SiteId(i))) in_cell += seen.contains(f);
       CHECK(total == seen.size());
       CHECK(in_cell == seen.size());
       REQUIRE(!components.empty());

@@ -55,9 +55,8 @@ void divide_all_cells(const TriMesh& mesh, std::size_t n, double heaviest, std::
   Clipper clipper(mesh, sites, extent);
   CellDivision division(mesh, sites, clipper, power.fragments());
   for (SiteId p(0); p.index() < n; p = SiteId(p.value + 1)) {
-    std::vector<FragmentId> cell;
-    for (FragmentId f = power.fragments().first_of_cell(p); f.valid(); f = power.fragments().next_in_cell(f))
-      cell.push_back(f);
+    const std::span<const FragmentId> fragments = power.fragments().of_cell(p);
+    const std::vector<FragmentId> cell(fragments.begin(), fragments.end());
     for (const bool all : {false, true}) {
       division.begin(p, cell);
       for (SiteId j(0); j.index() < n; j = SiteId(j.value + 1))

@@ -59,8 +59,7 @@ double total_area(const RestrictedPower& power) {
   double sum = 0;
   std::array<PolygonCorner, 3> buffer;
   for (FacetId t(0); t.index() < power.mesh().num_facets(); t = FacetId(t.value + 1))
-    for (FragmentId f = power.fragments().first_of_facet(t); f.valid();
-         f = power.fragments().next_in_facet(f))
+    for (const FragmentId f : power.fragments().of_facet(t))
       sum += polygon_area(power.fragments().corners(f, buffer));
   return sum;
 }
@@ -203,8 +202,7 @@ TEST_CASE("restricted power diagram: the owner of a fragment is the nearest site
     const std::vector<SiteId> present = d.present_list();
     std::array<PolygonCorner, 3> buffer;
     for (FacetId t(0); t.index() < surface.mesh.num_facets(); t = FacetId(t.value + 1))
-      for (FragmentId f = d.power.fragments().first_of_facet(t); f.valid();
-           f = d.power.fragments().next_in_facet(f)) {
+      for (const FragmentId f : d.power.fragments().of_facet(t)) {
         const auto corners = d.power.fragments().corners(f, buffer);
         Vec3 middle(0, 0, 0);
         for (const PolygonCorner& c : corners)
