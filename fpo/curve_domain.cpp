@@ -98,6 +98,7 @@ double CurveDomain::separation(SiteId x) {
 }
 
 void CurveDomain::remove(SiteId x) {
+  removed_separation_ = separation(x);
   before_removed_ = previous_[x];
   next_[previous_[x]] = next_[x], previous_[next_[x]] = previous_[x];
   gaps_.erase(CircleId(x.value));

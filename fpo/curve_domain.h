@@ -51,6 +51,7 @@ class CurveDomain final : public Domain {
 
   std::size_t num_samples() const override { return positions_.size(); }
   double separation(SiteId x) override;
+  bool is_farther(const Circle& c, SiteId) override { return c.radius2 > removed_separation_; }
   void remove(SiteId x) override;
   /// O(1); within the two-ring the gap that x has left and those next to it.
   Circle largest_empty(Scope scope) override;
@@ -79,6 +80,7 @@ class CurveDomain final : public Domain {
   geom::Table<SiteId, double> positions_;
   geom::Table<SiteId, SiteId> next_, previous_;  ///< a ring
   geom::IndexedHeap<CircleId, ById> gaps_;
+  double removed_separation_ = 0;  ///< separation() of the sample that is out
   SiteId before_removed_;
 };
 

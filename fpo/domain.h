@@ -24,7 +24,7 @@ struct Circle {
 };
 
 /// A set of n samples with the empty circles between them, under removal and insertion.
-/// A move is: d = separation(x); remove(x); c = largest_empty(scope); then insert_at(x, c) or put_back(x).
+/// A move is: remove(x); c = largest_empty(scope); then insert_at(x, c) if is_farther(c, x), else put_back(x).
 class Domain {
  public:
   virtual ~Domain() = default;
@@ -35,12 +35,16 @@ class Domain {
   virtual bool is_fixed(SiteId) const { return false; }
 
   /// d_x of Algorithm 1, line 4, as a power: min over j != x of |x - p_j|^2 - w_j, to be compared with
-  /// Circle::radius2 (the sample's own weight is left out on both sides). +infinity if x is alone.
+  /// Circle::radius2 (the sample's own weight is left out on both sides). +infinity if x is alone. x is in.
   virtual double separation(SiteId x) = 0;
 
   /// Line 5. At most one sample is out at a time.
   virtual void remove(SiteId x) = 0;
   virtual Circle largest_empty(Scope scope) = 0;
+
+  /// Line 6, asked while x is out: is c.radius2 larger than d_x? The answer is mostly yes, and then a bound of
+  /// d_x will do.
+  virtual bool is_farther(const Circle& c, SiteId x) = 0;
 
   /// Line 7: puts the removed sample at the centre of c, with the weight that the sizing gives there.
   virtual void insert_at(SiteId x, const Circle& c) = 0;

@@ -101,7 +101,7 @@ namespace {
 /// `towards` if there is such a border.
 SurfaceSample farthest_corner(const SurfaceDomain& domain, const Defect& defect) {
   const geom::FragmentStore& fragments = domain.diagram().fragments();
-  const SurfaceSample home = domain.sample(defect.at);
+  const SurfaceSample& home = domain.sample(defect.at);
   const geom::EdgeLabel border = geom::EdgeLabel::bisector(defect.towards);
   SurfaceSample farthest = home;
   std::tuple<bool, double> most{false, 0};
@@ -137,10 +137,9 @@ constexpr double closest = 0.2;  // no sample is brought nearer to another one, 
 
 void move_to_farthest_point_nearby(SurfaceDomain& domain, SiteId x) {
   if (domain.is_fixed(x)) return;
-  const double d = domain.separation(x);
   domain.remove(x);
   const Circle c = domain.largest_empty(Scope::two_ring);
-  if (c.radius2 > d)
+  if (domain.is_farther(c, x))
     domain.insert_at(x, c);
   else
     domain.put_back(x);

@@ -17,10 +17,9 @@ constexpr std::size_t look_ahead = 4;  ///< moves between Domain::expect() and t
 
 /// Lines 4 to 9 of Algorithm 1 for one sample. True if it moved.
 bool move_to_farthest_point(Domain& domain, SiteId x, Scope scope) {
-  const double d = domain.separation(x);
   domain.remove(x);
   const Circle c = domain.largest_empty(scope);
-  if (c.radius2 > d) {
+  if (domain.is_farther(c, x)) {
     domain.insert_at(x, c);
     return true;
   }

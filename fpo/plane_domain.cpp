@@ -61,8 +61,9 @@ double PlaneDomain::weight_at(const Vec2& x) const {
 
 void PlaneDomain::remove(SiteId x) {
   removed_ = triangulation_.point(x);
-  near_removed_ = SiteId();
-  if (triangulation_.is_hidden(x)) near_removed_ = triangulation_.nearest_other(x).id;
+  const Regular2::Nearest nearest = triangulation_.nearest_other(x);
+  removed_separation_ = nearest.power;
+  near_removed_ = triangulation_.is_hidden(x) ? nearest.id : SiteId();
   apply(triangulation_.remove(x));
 }
 

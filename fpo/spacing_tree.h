@@ -44,7 +44,7 @@ class SpacingTree {
     double spacing;
   };
   void build(std::uint32_t first, std::uint32_t last);
-  void search(std::size_t node, const SpectrumPoint& x, std::size_t count, std::vector<Neighbour>& out) const;
+  void search(std::size_t at, const SpectrumPoint& x, std::size_t count, std::vector<Neighbour>& out) const;
 
   std::vector<SpectrumPoint> points_;
   std::vector<std::uint32_t> order_;

@@ -35,6 +35,7 @@ struct Sums {
 
 std::vector<SpectrumMass> with_mass(const std::vector<SpectrumPoint>& points) {
   std::vector<SpectrumMass> all;
+  all.reserve(points.size());
   for (const SpectrumPoint& p : points) all.push_back({p, 1});
   return all;
 }
@@ -62,6 +63,7 @@ class Scene {
  private:
   static std::vector<SpectrumPoint> points_of(const std::vector<SpectrumMass>& places) {
     std::vector<SpectrumPoint> points;
+    points.reserve(places.size());
     for (const SpectrumMass& p : places) points.push_back(p.at);
     return points;
   }
@@ -159,10 +161,12 @@ PowerSpectrum differential_spectrum(const SpectrumSet& set, const SpectrumOption
   PowerSpectrum spectrum({step, step}, half, half);
   for (std::size_t k = 0; k < pairs.size(); ++k) spectrum.power[k] = 1 + pairs[k] / n;
   for (int j = -low_half; j <= low_half; ++j)
-    for (int i = -low_half; i <= low_half; ++i)
-      spectrum.at(i, j) -=
-          background_share(step * std::hypot(i, j)) / n *
-          expected[static_cast<std::size_t>((j + low_half) * (2 * low_half + 1) + i + low_half)];
+    for (int i = -low_half; i <= low_half; ++i) {
+      const auto row = static_cast<std::size_t>(j + low_half),
+                 column = static_cast<std::size_t>(i + low_half);
+      spectrum.at(i, j) -= background_share(step * std::hypot(i, j)) / n *
+                           expected[row * static_cast<std::size_t>(2 * low_half + 1) + column];
+    }
   spectrum.smoothing = std::max(1.0, n * n / std::max(sums.squares, 1.0));
   return spectrum;
 }

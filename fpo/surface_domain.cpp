@@ -110,6 +110,15 @@ bool SurfaceDomain::larger(CircleId a, CircleId b) const {
   return ra > rb || (ra == rb && diagram_->circle_before(a, b));
 }
 
+/// First against the heirs of the removed cell; one that is nearest of all but no heir is rare.
+bool SurfaceDomain::is_farther(const Circle& c, SiteId x) {
+  const geom::Vec3& place = samples_[x].position;
+  const std::vector<SiteId>& heirs = last_change_->cells;
+  for (const SiteId y : heirs)
+    if (c.radius2 > geom::power(place, diagram_->site(y))) return true;
+  return c.radius2 > source_->nearest(place, x, heirs.empty() ? SiteId() : heirs.front()).radius2;
+}
+
 void SurfaceDomain::insert_at(SiteId x, const Circle& c) {
   const geom::EmptyCircle& circle = diagram_->circle(c.id);
   samples_[x] = {circle.center, circle.facet};
@@ -162,8 +171,7 @@ void SurfaceDomain::neighbours(SiteId x, std::vector<SiteId>& out) {
 
 std::size_t SurfaceDomain::num_hidden() const {
   std::size_t hidden = 0;
-  for (std::size_t i = 0; i < num_samples(); ++i)
-    hidden += diagram_->fragments().of_cell(SiteId(i)).empty();
+  for (std::size_t i = 0; i < num_samples(); ++i) hidden += diagram_->fragments().of_cell(SiteId(i)).empty();
   return hidden;
 }
 

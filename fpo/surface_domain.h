@@ -50,6 +50,7 @@ class SurfaceDomain final : public Domain {
   double separation(SiteId x) override;
   void remove(SiteId x) override;
   Circle largest_empty(Scope scope) override;
+  bool is_farther(const Circle& c, SiteId x) override;
   void insert_at(SiteId x, const Circle& c) override;
   void put_back(SiteId x) override;
   /// Distance over h to the nearest sample in space; with weights to the nearest of those that are first in
@@ -107,8 +108,8 @@ class SurfaceDomain final : public Domain {
   geom::IndexedHeap<CircleId, CircleOrder> circles_;
   const geom::RestrictedPower::Change* last_change_ = nullptr;
   std::array<SiteId, 3> expected_;  ///< the last samples announced by expect(), the latest first
-  SiteId near_removed_;       ///< a sample near the removed one if that had no cell
-  std::vector<SiteId> link_;  // workspace
+  SiteId near_removed_;             ///< a sample near the removed one if that had no cell
+  std::vector<SiteId> link_;        // workspace
 };
 
 }  // namespace fpo

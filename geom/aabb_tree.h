@@ -20,7 +20,7 @@ struct TrianglePoint {
 /// The point of a triangle nearest to x. A triangle without area is its edges, an edge without length a
 /// point. The result lies in the triangle's box and is a corner bit for bit where that is nearest; else it is
 /// rounded. Requires lengths between about 1e-75 and 1e75 (squares of areas are formed).
-TrianglePoint closest_point(const Vec3& x, const std::array<Vec3, 3>& triangle);
+TrianglePoint closest_point(const Vec3& x, const std::array<Vec3, 3>& q);
 
 /// A binary tree over the facets, each node with the box of its facets. The mesh is copied, not referenced.
 /// Built in O(F log F); a query near the surface costs O(log F) typically, O(F) at worst (the centre of a

@@ -360,7 +360,6 @@ void CellDivision::find_old_fragments() {
   const std::size_t short_list = 8 * heirs_.size();
   old_fragments_.assign(vacated_.size() * heirs_.size(), FragmentId());
   const auto is_short = [&](FragmentId f) { return store_.of_facet(store_.facet(f)).size() <= short_list; };
-  for (const FragmentId f : vacated_) store_.prefetch_members(store_.facet(f));
   for (const FragmentId f : vacated_)
     if (is_short(f))
       for (const FragmentId g : store_.of_facet(store_.facet(f))) store_.prefetch_fragment(g);

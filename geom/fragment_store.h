@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "geom/clip.h"
-#include "geom/id_lists.h"
+#include "geom/short_lists.h"
 
 namespace geom {
 
@@ -77,8 +77,8 @@ class FragmentStore {
   const TriMesh& mesh_;
   Table<FragmentId, Fragment> fragments_;
   std::vector<FragmentId> free_;
-  IdLists<SiteId, FragmentId> cells_;
-  IdLists<FacetId, FragmentId> facets_;
+  ShortLists<SiteId, FragmentId> cells_;
+  ShortLists<FacetId, FragmentId> facets_;
   std::vector<PolygonCorner> corners_;                  ///< blocks of 2, 4, 6, ... corners
   std::vector<std::vector<std::int32_t>> free_blocks_;  ///< by capacity / 2
   std::size_t live_ = 0;

@@ -164,14 +164,16 @@ TriMesh subdivided(const TriMesh& mesh, int k) {
     if (b < a) std::swap(a, b), i = k - i;
     const auto [entry, is_new] = first_on_edge.try_emplace({a, b}, fine.vertices.size());
     if (is_new) {
-      const Vec3 from = mesh.position(a), span = mesh.position(b) - from;
+      const Vec3& from = mesh.position(a);
+      const Vec3 span = mesh.position(b) - from;
       for (int s = 1; s < k; ++s) fine.add(from + span * (double(s) / k));
     }
     return VertexId(entry->second + static_cast<std::size_t>(i - 1));
   };
 
   for (const TriMesh::Facet& f : mesh.facets()) {
-    const Vec3 q0 = mesh.position(f[0]), e1 = mesh.position(f[1]) - q0, e2 = mesh.position(f[2]) - q0;
+    const Vec3& q0 = mesh.position(f[0]);
+    const Vec3 e1 = mesh.position(f[1]) - q0, e2 = mesh.position(f[2]) - q0;
     // Row i holds the vertices q0 + (i - j)/k e1 + j/k e2, j = 0..i.
     std::vector<std::vector<VertexId>> rows(static_cast<std::size_t>(k) + 1);
     for (int i = 0; i <= k; ++i) {

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "geom/check.h"
-#include "geom/prefetch.h"
 #include "geom/hilbert.h"
+#include "geom/prefetch.h"
 
 namespace geom {
 namespace {

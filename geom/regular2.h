@@ -169,7 +169,7 @@ class Regular2 {
   void fill_hole(SiteId p);
 
   double covered_area() const;
-  void check_cell(CellId t) const;
+  void check_cell(CellId id) const;
   void check_site(SiteId id) const;
 
   FlatTorus torus_;

@@ -107,7 +107,9 @@ class Regular3 {
     bool closed = false;
   };
 
-  static std::size_t slot(SiteId id) { return static_cast<std::size_t>(id.value + 1 + guard_count); }
+  static std::size_t slot(SiteId id) {
+    return static_cast<std::size_t>(std::int64_t{id.value} + 1 + guard_count);
+  }
   Site& site(SiteId id) { return sites_[slot(id)]; }
   const Site& site(SiteId id) const { return sites_[slot(id)]; }
   const Vec3& position(SiteId id) const { return points_[slot(id)].position; }

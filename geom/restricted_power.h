@@ -155,8 +155,8 @@ class RestrictedPower {
   double commit(FragmentId f, FacetPolygon& polygon);
   void forget(FragmentId f);
   void register_corners(FacetPolygon& polygon);
-  void register_on_edge(FacetPolygon& polygon, std::size_t corner);
-  void register_at_vertex(const FacetPolygon& polygon, std::size_t corner);
+  void register_on_edge(FacetPolygon& polygon, std::size_t k);
+  void register_at_vertex(const FacetPolygon& polygon, std::size_t k);
   CircleId create_circle(const FacetPolygon& polygon, std::size_t corner, std::int32_t place);
   void erase_circle_of(const PolygonCorner& corner) {
     if (corner.circle.valid()) erase_circle(corner.circle);

@@ -241,6 +241,7 @@ void RestrictedPower::assemble(const TouchedFacet& touched, SiteId p) {
 const RestrictedPower::Change& RestrictedPower::after_remove(SiteId p) {
   begin(p);
   const std::span<const FragmentId> cell = store_.of_cell(p);
+  for (const FragmentId f : cell) store_.prefetch_members(store_.facet(f));
   for (const FragmentId f : cell)
     for (const PolygonCorner& corner : store_.corners(f)) {
       if (!corner.circle.valid()) continue;

@@ -7,12 +7,16 @@
 // Of heirs(): if j owns a location x of the vacancy then |x - p_j|^2 - w_j <= max_radius2, so |center - p_j|
 // <= radius + sqrt(max_radius2 + w_j). Both are tested with a margin for rounding; a too large answer costs
 // time only.
+//
+// What a search reads is kept in single precision, so that a leaf is a few lines of the cache: positions off
+// by less than `slack`, weights and reaches rounded up.
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
 #include "geom/neighbour_source.h"
+#include "geom/short_lists.h"
 
 namespace geom {
 
@@ -21,7 +25,7 @@ namespace geom {
 /// it leaves only on remove.
 class SiteTree final : public NeighbourSource {
  public:
-  SiteTree();
+  SiteTree() : nodes_(1) {}
 
   void insert(SiteId id, const WeightedPoint3& point, SiteId hint = SiteId()) override;
   void remove(SiteId id) override;
@@ -34,50 +38,50 @@ class SiteTree final : public NeighbourSource {
   void check() const;
 
  private:
+  using NodeId = Id<struct NodeTag>;
+  static constexpr float nothing = -std::numeric_limits<float>::infinity();
+
   struct Entry {
-    Vec3 position;
-    double weight;
-    double reach;  ///< max_radius2 of its cell
+    std::array<float, 3> position{};  ///< rounded
+    float weight = nothing;           ///< rounded up
+    float reach = nothing;            ///< max_radius2 of its cell, rounded up
     SiteId site;
   };
-  /// A leaf holds entries; an inner node splits space at position[axis] = plane, lower part first.
+  /// A leaf has a list of entries; an inner node splits space at position[axis] = plane, lower part first.
   struct Node {
-    double max_reach = -std::numeric_limits<double>::infinity();
-    double max_weight = -std::numeric_limits<double>::infinity();
-    double plane = 0;
-    std::int32_t axis = -1;   ///< -1: leaf
-    std::int32_t child = -1;  ///< inner: the lower child, the upper is next to it; leaf: index into leaves_
-    std::int32_t parent = -1;
+    float max_reach = nothing, max_weight = nothing;
+    float plane = 0;
+    std::int32_t axis = -1;  ///< -1: leaf
+    NodeId child;            ///< the lower child, the upper is next to it
+    NodeId parent;
     bool leaf() const { return axis < 0; }
   };
   struct Place {
-    std::int32_t node = -1;
-    std::int32_t slot = -1;
+    NodeId node;
+    std::uint32_t slot = 0;
   };
   /// A node to visit and how far the query point is from its region along each axis.
   struct Visit {
-    std::int32_t node;
+    NodeId node;
     std::array<double, 3> gap;
     double distance2() const { return gap[0] * gap[0] + gap[1] * gap[1] + gap[2] * gap[2]; }
   };
 
-  std::vector<Entry>& leaf(std::int32_t node) {
-    return leaves_[static_cast<std::size_t>(nodes_[static_cast<std::size_t>(node)].child)];
-  }
-  const std::vector<Entry>& leaf(std::int32_t node) const {
-    return leaves_[static_cast<std::size_t>(nodes_[static_cast<std::size_t>(node)].child)];
-  }
-  const Entry& entry(SiteId id) const;
-  void split(std::int32_t node);
-  void refresh(std::int32_t node);
-  /// Calls on_leaf for the entries of each leaf whose node passes `wanted(node, squared distance of x to its
+  void add(NodeId node, const Entry& entry);
+  void split(NodeId node);
+  void refresh(NodeId node);
+  double distance2(const Vec3& x, const Entry& e) const;
+  bool within(double distance2, double reach) const;
+  /// Calls on_entry for the entries of each leaf whose node passes `wanted(node, squared distance of x to its
   /// region)`.
   template <class Wanted, class OnEntry>
   void visit(const Vec3& x, Wanted wanted, OnEntry on_entry) const;
 
-  std::vector<Node> nodes_;
-  std::vector<std::vector<Entry>> leaves_;
+  Table<NodeId, Node> nodes_;
+  ShortLists<NodeId, Entry> leaves_;
   Table<SiteId, Place> places_;
+  Table<SiteId, WeightedPoint3> points_;
+  double slack_ = 0;  ///< more than the distance of any site from its rounded position
 };
 
 }  // namespace geom

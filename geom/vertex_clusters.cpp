@@ -37,7 +37,7 @@ TriMesh clustered(const TriMesh& mesh, double width) {
   for (TriMesh::Facet f : mesh.facets()) {
     for (VertexId& v : f) v = cluster_of[v];
     if (f[0] == f[1] || f[1] == f[2] || f[2] == f[0]) continue;
-    std::ranges::rotate(f, std::ranges::min_element(f));
+    std::rotate(f.begin(), std::ranges::min_element(f), f.end());
     if (seen.insert(f).second) facets.push_back(f);
   }
   return TriMesh(std::move(sums), std::move(facets));

@@ -28,7 +28,7 @@ struct PlyElement {
   std::size_t count = 0;
   std::vector<PlyProperty> properties = {};
 
-  const PlyProperty* find(std::string_view name) const;  ///< or null
+  const PlyProperty* find(std::string_view wanted) const;  ///< or null
 };
 
 struct PlyHeader {

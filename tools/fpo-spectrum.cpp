@@ -54,6 +54,7 @@ PowerSpectrum plane_spectrum(const SpectrumArguments& a, const std::filesystem::
   const std::vector<geom::WeightedPoint2> points = io::read_points2(input);
   if (a.plain) {
     std::vector<geom::Vec2> positions;
+    positions.reserve(points.size());
     for (const geom::WeightedPoint2& p : points) positions.push_back(p.position);
     // A little more, so that rings are full up to there.
     return fpo::periodogram(positions, geom::FlatTorus(a.region.size), 1.05 * a.spectrum.max_frequency,

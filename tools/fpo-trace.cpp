@@ -81,10 +81,9 @@ void print_change(const fpo::SurfaceDomain& domain) {
 void advance(fpo::SurfaceDomain& domain, std::size_t moves) {
   for (std::size_t k = 0; k < moves; ++k) {
     const SiteId x(k % domain.num_samples());
-    const double d = domain.separation(x);
     domain.remove(x);
     const fpo::Circle c = domain.largest_empty(fpo::Scope::global);
-    if (c.radius2 > d)
+    if (domain.is_farther(c, x))
       domain.insert_at(x, c);
     else
       domain.put_back(x);
@@ -116,7 +115,7 @@ int trace(tools::CommandLine& cli) {
   std::printf("move %zu: sample %d at (%.9g, %.9g, %.9g) in facet %d\n", a.move, x.value, old.position.x(),
               old.position.y(), old.position.z(), old.facet.value);
   std::printf("1 separation\n  d_x^2 = %.9g\n", d);
-  picture.save(domain.diagram(), a.folder / "before", x, nullptr);
+  const auto before = picture.draw(domain.diagram(), x, nullptr);
 
   domain.remove(x);
   std::printf("2 remove, 3 re-clip, 4 heap\n");
@@ -127,8 +126,8 @@ int trace(tools::CommandLine& cli) {
   const bool moves = c.radius2 > d;
   std::printf("  r^2 = %.9g %s d_x^2 = %.9g: the sample %s\n", c.radius2, moves ? ">" : "<=", d,
               moves ? "moves there" : "goes back");
-  picture.save(domain.diagram(), a.folder / "removed", x,
-               c.id.valid() ? &domain.diagram().circle(c.id) : nullptr);
+  const auto removed =
+      picture.draw(domain.diagram(), x, c.id.valid() ? &domain.diagram().circle(c.id) : nullptr);
 
   if (moves)
     domain.insert_at(x, c);
@@ -137,8 +136,11 @@ int trace(tools::CommandLine& cli) {
   const geom::Vec3& p = domain.sample(x).position;
   std::printf("6 insert at (%.9g, %.9g, %.9g)\n", p.x(), p.y(), p.z());
   print_change(domain);
-  tools::TracePicture(mesh, domain.sample(x), 3 * fpo::hexagonal_spacing(mesh.area(), a.n))
-      .save(domain.diagram(), a.folder / "after", x, nullptr);
+  const auto after = tools::TracePicture(mesh, domain.sample(x), 3 * fpo::hexagonal_spacing(mesh.area(), a.n))
+                         .draw(domain.diagram(), x, nullptr);
+  before.save(a.folder / "before");
+  removed.save(a.folder / "removed");
+  after.save(a.folder / "after");
   std::printf("wrote before, removed, after (.svg, .obj) in %s\n", a.folder.c_str());
   return tools::exit_done;
 }

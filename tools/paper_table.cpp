@@ -32,18 +32,21 @@ std::string text(const char* format, int digits, double value) {
 
 std::vector<std::string> quality_columns() {
   std::vector<std::string> names;
+  names.reserve(std::size(columns));
   for (const Column& c : columns) names.emplace_back(c.name);
   return names;
 }
 
 std::vector<std::string> quality_cells(const fpo::PaperFigures& figures) {
   std::vector<std::string> cells;
+  cells.reserve(std::size(columns));
   for (const Column& c : columns) cells.push_back(text("%.*f", c.digits, figures.*c.figure));
   return cells;
 }
 
 std::vector<std::string> difference_cells(const fpo::PaperFigures& a, const fpo::PaperFigures& b) {
   std::vector<std::string> cells;
+  cells.reserve(std::size(columns));
   for (const Column& c : columns) cells.push_back(text("%+.*f", c.digits, a.*c.figure - b.*c.figure));
   return cells;
 }

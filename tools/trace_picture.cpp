@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include "io/polygons.h"
-#include "io/svg.h"
-
 namespace tools {
 
 using geom::Vec2;
@@ -43,8 +40,8 @@ bool TracePicture::near(const fpo::CellPolygon& polygon) const {
   return in_sight && mesh_.normal(polygon.facet).dot(normal_) > 0;
 }
 
-void TracePicture::save(const geom::RestrictedPower& diagram, const std::filesystem::path& stem,
-                        geom::SiteId x, const geom::EmptyCircle* circle) const {
+TracePicture::Drawing TracePicture::draw(const geom::RestrictedPower& diagram, geom::SiteId x,
+                                         const geom::EmptyCircle* circle) const {
   io::Svg svg(size, size);
   svg.rectangle({0, 0}, {size, size}, R"(fill="#fff")");
   std::vector<io::GroupedPolygon> cells;
@@ -65,6 +62,10 @@ void TracePicture::save(const geom::RestrictedPower& diagram, const std::filesys
     svg.circle(project(circle->center), r, R"(fill="none" stroke="#c0392b" stroke-width="1.5")");
     svg.circle(project(circle->center), 2.5, R"(fill="none" stroke="#c0392b")");
   }
+  return {std::move(svg), std::move(cells)};
+}
+
+void TracePicture::Drawing::save(const std::filesystem::path& stem) const {
   svg.save(stem.string() + ".svg");
   io::write_polygons(stem.string() + ".obj", "cell_", cells);
 }

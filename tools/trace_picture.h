@@ -5,6 +5,8 @@
 
 #include "fpo/extract.h"
 #include "fpo/initial_samples.h"
+#include "io/polygons.h"
+#include "io/svg.h"
 
 namespace tools {
 
@@ -14,10 +16,13 @@ class TracePicture {
   /// Keeps a reference to the mesh.
   TracePicture(const geom::TriMesh& mesh, const fpo::SurfaceSample& at, double radius);
 
-  /// Writes STEM.svg (cells, facets' edges, samples; sample x and the circle marked) and STEM.obj (the
-  /// cells).
-  void save(const geom::RestrictedPower& diagram, const std::filesystem::path& stem, geom::SiteId x,
-            const geom::EmptyCircle* circle) const;
+  struct Drawing {
+    io::Svg svg;  ///< cells, facets' edges, samples; sample x and the circle marked
+    std::vector<io::GroupedPolygon> cells;
+    /// Writes STEM.svg and STEM.obj (the cells).
+    void save(const std::filesystem::path& stem) const;
+  };
+  Drawing draw(const geom::RestrictedPower& diagram, geom::SiteId x, const geom::EmptyCircle* circle) const;
 
  private:
   geom::Vec2 project(const geom::Vec3& p) const;

@@ -32,6 +32,7 @@ class FakeDomain final : public Domain {
     note(scope == Scope::global ? "largest" : "largest nearby", out_);
     return {radius2, CircleId(7)};
   }
+  bool is_farther(const Circle& c, SiteId x) override { return c.radius2 > separation(x); }
   void insert_at(SiteId x, const Circle& c) override {
     note("insert", x);
     CHECK(x == out_);
@@ -78,8 +79,8 @@ TEST_CASE("optimize: each sample is measured, removed and put where Algorithm 1 
   domain.radius2 = 2.5;
   const OptimizeResult result = optimize(domain, in_turn(1));
   CHECK(domain.calls ==
-        "separation 0; remove 0; largest 0; insert 0; separation 1; remove 1; largest 1; put back 1; "
-        "separation 2; remove 2; largest 2; insert 2; separation 3; remove 3; largest 3; put back 3; ");
+        "remove 0; largest 0; separation 0; insert 0; remove 1; largest 1; separation 1; put back 1; "
+        "remove 2; largest 2; separation 2; insert 2; remove 3; largest 3; separation 3; put back 3; ");
   CHECK(result.moves == 4);
   CHECK(result.reason == StopReason::iteration_cap);
   CHECK(result.last.iteration == 1);
@@ -197,7 +198,7 @@ TEST_CASE("optimize: the local scope is handed on") {
   OptimizeOptions options = in_turn(1);
   options.scope = Scope::two_ring;
   optimize(domain, options);
-  CHECK(domain.calls == "separation 0; remove 0; largest nearby 0; put back 0; ");
+  CHECK(domain.calls == "remove 0; largest nearby 0; separation 0; put back 0; ");
 }
 
 TEST_CASE("optimize: no move lowers delta on a surface") {

@@ -1,5 +1,5 @@
 #pragma once
-// Many short lists of ids, each in consecutive memory: walking one is a single miss of the cache, where a
+// Many short lists, each in consecutive memory: walking one is a single miss of the cache, where a
 // linked list is one for each member.
 
 #include <cstdint>
@@ -12,17 +12,22 @@
 
 namespace geom {
 
-/// A list of Members for each Key. A member's place in its list is told to the caller, who keeps it for
+/// A list of Members (ids or small records) for each Key. A member's place in its list is told to the caller, who keeps it for
 /// erase(): there the last member takes the place of the erased one. O(1) amortised; memory is used again and
 /// no allocation happens once the tables have grown.
 template <class Key, class Member>
-class IdLists {
+class ShortLists {
  public:
-  explicit IdLists(std::size_t num_keys = 0) : lists_(num_keys) {}
+  explicit ShortLists(std::size_t num_keys = 0) : lists_(num_keys) {}
 
   std::size_t num_keys() const { return lists_.size(); }
   /// Valid until the next push.
   std::span<const Member> operator[](Key key) const {
+    if (key.index() >= lists_.size()) return {};
+    return {pool_.data() + lists_[key].begin, lists_[key].size};
+  }
+
+  std::span<Member> operator[](Key key) {
     if (key.index() >= lists_.size()) return {};
     return {pool_.data() + lists_[key].begin, lists_[key].size};
   }
@@ -36,12 +41,18 @@ class IdLists {
     return list.size++;
   }
 
-  /// Returns the member that is now at this place, or none if the erased one was the last.
+  /// Returns the member that is now at this place, or Member() if the erased one was the last.
   Member erase(Key key, std::uint32_t place) {
     List& list = lists_[key];
     const Member last = pool_[list.begin + --list.size];
     pool_[list.begin + place] = last;
     return place == list.size ? Member() : last;
+  }
+
+  void clear(Key key) {
+    List& list = lists_[key];
+    if (list.rank > 0) free_[list.rank].push_back(list.begin);
+    list = {};
   }
 
   /// Asks the memory for what operator[] reads, then for what its result holds. No effect but on speed.
@@ -64,7 +75,7 @@ class IdLists {
     if (rank >= free_.size()) free_.resize(rank + 1);
     std::uint32_t begin;
     if (free_[rank].empty()) {
-      ensure(pool_.size() + room <= 0xffffffffu, "id lists: too many members in all");
+      ensure(pool_.size() + room <= 0xffffffffu, "short lists: too many members in all");
       begin = static_cast<std::uint32_t>(pool_.size());
       pool_.resize(pool_.size() + room);
     } else {
