@@ -15,19 +15,6 @@ namespace {
 
 constexpr std::size_t look_ahead = 4;  ///< moves between Domain::expect() and the move itself
 
-/// Lines 4 to 9 of Algorithm 1 for one sample. True if it moved.
-bool move_to_farthest_point(Domain& domain, SiteId x, Scope scope) {
-  const double d = domain.separation(x);
-  domain.remove(x);
-  const Circle c = domain.largest_empty(scope);
-  if (c.radius2 > d) {
-    domain.insert_at(x, c);
-    return true;
-  }
-  domain.put_back(x);
-  return false;
-}
-
 std::vector<SiteId> movable_samples(const Domain& domain) {
   std::vector<SiteId> samples;
   samples.reserve(domain.num_samples());
@@ -47,6 +34,18 @@ class Stopwatch {
 };
 
 }  // namespace
+
+bool move_to_farthest_point(Domain& domain, SiteId x, Scope scope) {
+  const double d = domain.separation(x);
+  domain.remove(x);
+  const Circle c = domain.largest_empty(scope);
+  if (c.radius2 > d) {
+    domain.insert_at(x, c);
+    return true;
+  }
+  domain.put_back(x);
+  return false;
+}
 
 IterationReport measure(Domain& domain) {
   IterationReport report;
