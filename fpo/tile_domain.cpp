@@ -15,6 +15,7 @@ using geom::Vec3;
 
 constexpr double first_reach = 2;       // M is the square of so many spacings at first
 constexpr double reach_step = 1.5;      // and the reach grows by this factor
+constexpr double room_for_removals = 2;  // how much more power than at first may be where a cell is vacated
 constexpr double circle_clearance = 3;  // in radii: within, an insertion hardly ever changes more
 
 double root(double x) { return x > 0 ? std::sqrt(x) : 0; }
@@ -76,7 +77,7 @@ TileDomain::TileDomain(const TiledSurface& whole, std::size_t tile)
     sites_ = whole.samples_near(box, most_power_);
     if (sites_.size() == all) most_power_ = std::numeric_limits<double>::infinity();
     build();
-    if (largest_reach() <= most_power_) break;
+    if (room_for_removals * largest_reach() <= most_power_) break;
   }
 }
 
@@ -138,27 +139,28 @@ SurfaceSample TileDomain::sample(SiteId x) const {
   return {found.position, whole_id(found.facet)};
 }
 
+/// No location of the cell is farther from x.
+double TileDomain::cell_radius(SiteId x) const {
+  return root(domain_->diagram().reach(x) + domain_->diagram().site(x).weight);
+}
+
 bool TileDomain::holds_ball(const Vec3& center, double radius) const {
   const double r = radius * (1 + 1e-9) + margin_;
-  return (center.array() - r > tile_.box.min().array()).all() &&
-         (center.array() + r < tile_.box.max().array()).all();
+  const Vec3 at = tile_.frame * center;
+  return (at.array() - r > tile_.box.min().array()).all() &&
+         (at.array() + r < tile_.box.max().array()).all();
 }
 
-/// Is x a T-site and its cell made of T-locations, also if x did not exist? `distance`: from x to the site that
-/// would be nearest to it then.
-bool TileDomain::may_be_changed(SiteId x, double distance, double nearest_weight) const {
+/// A bound of the power in the cell of x if x did not exist. `distance`: from x to the site that would be
+/// nearest to it then.
+double TileDomain::power_without(SiteId x, double distance, double nearest_weight) const {
+  return square(cell_radius(x) + distance) - nearest_weight;
+}
+
+/// Is x a T-site and its cell made of T-locations, given a bound of the power there?
+bool TileDomain::holds_cell(SiteId x, double power) const {
   const geom::WeightedPoint3& site = domain_->diagram().site(x);
-  const double cell = root(domain_->diagram().reach(x) + site.weight);
-  const double power = square(cell + distance) - nearest_weight;
-  return power <= most_power_ && holds_ball(site.position, std::max(cell + root(power), root(site.weight)));
-}
-
-/// Is y a T-site and its cell made of T-locations?
-bool TileDomain::holds_cell(SiteId y) const {
-  const geom::WeightedPoint3& site = domain_->diagram().site(y);
-  const double reach = domain_->diagram().reach(y);
-  return reach <= most_power_ &&
-         holds_ball(site.position, std::max(root(reach + site.weight) + root(reach), root(site.weight)));
+  return holds_ball(site.position, std::max(cell_radius(x) + root(power), root(site.weight)));
 }
 
 bool TileDomain::offers(const geom::EmptyCircle& circle, const geom::WeightedPoint3& site) const {
@@ -172,13 +174,14 @@ TileDomain::Outcome TileDomain::move(SiteId of_whole, Scope scope) {
   const geom::NeighbourSource::Nearest nearest = domain_->source().nearest(old.position, x, x);
   if (!nearest.site.valid()) return Outcome::out_of_reach;
   const double weight = domain_->diagram().site(nearest.site).weight;
-  if (!may_be_changed(x, root(nearest.radius2 + weight), weight)) return Outcome::out_of_reach;
+  const double power = power_without(x, root(nearest.radius2 + weight), weight);
+  if (power > most_power_ || !holds_cell(x, power)) return Outcome::out_of_reach;
 
   domain_->remove(x);
   if (scope == Scope::two_ring) {
     const std::vector<SiteId>& heirs = domain_->last_change().cells;
-    const bool held = heirs.empty() ? holds_cell(nearest.site)
-                                    : std::ranges::all_of(heirs, [&](SiteId y) { return holds_cell(y); });
+    const auto is_held = [&](SiteId y) { return holds_cell(y, domain_->diagram().reach(y)); };
+    const bool held = heirs.empty() ? is_held(nearest.site) : std::ranges::all_of(heirs, is_held);
     if (!held) {
       domain_->put_back(x);
       return Outcome::out_of_reach;
@@ -201,7 +204,7 @@ bool TileDomain::insert(SiteId x, const Circle& c) {
   const double distance = root(circle.radius2 + weight);
   if (!offers(circle, domain_->diagram().site(circle.sites[0]))) return false;
   domain_->insert_at(x, c);
-  if (may_be_changed(x, distance, weight)) return true;
+  if (holds_cell(x, power_without(x, distance, weight))) return true;
   barred_.push_back(circle.center);
   domain_->remove(x);
   return false;

@@ -15,7 +15,7 @@
 //
 // The tile's diagram holds the facets that meet T and the sites that own anything of them: all within a certain
 // power M of the box of these facets. The others can never be nearest where the power is at most M, which holds
-// everywhere at first (certified, else M is increased) and is demanded of all that changes.
+// everywhere at first (certified, else M is increased) and is demanded of what a removal vacates.
 //
 // The tests are made with upper bounds. Let x reach sqrt(reach_x + w_x) far (its cell's locations), y be the
 // nearest other site to x, z the new place, q a location of its cell there, y now the owner of z before:
@@ -92,8 +92,9 @@ class TileDomain {
   Sizing local_sizing(std::vector<SurfaceSample>& samples);
   SiteId here(SiteId of_whole) const;
   bool holds_ball(const geom::Vec3& center, double radius) const;
-  bool may_be_changed(SiteId x, double distance, double nearest_weight) const;
-  bool holds_cell(SiteId y) const;
+  double cell_radius(SiteId x) const;
+  double power_without(SiteId x, double distance, double nearest_weight) const;
+  bool holds_cell(SiteId x, double power) const;
   bool offers(const geom::EmptyCircle& circle, const geom::WeightedPoint3& site) const;
   bool insert(SiteId x, const Circle& c);
 

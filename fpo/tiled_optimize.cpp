@@ -57,7 +57,7 @@ class TiledRun {
   std::vector<SurfaceSample> samples_;
   std::vector<int> owed_;  ///< moves that each sample is behind
   geom::Rng rng_;
-  int iteration_ = 0, sweeps_ = 0;
+  int iteration_ = 0, round_ = 0, sweeps_ = 0;
   std::size_t moved_ = 0;  ///< in the round
   std::mutex access_;      ///< to the callbacks, the result and moved_
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
@@ -140,7 +140,8 @@ void TiledRun::work_on(const TiledSurface& whole, std::size_t tile, std::uint64_
 /// False if it was interrupted.
 bool TiledRun::round() {
   moved_ = 0;
-  sweeps_ = std::min(tile_options_.sweeps, options_.max_iterations - iteration_);
+  ++round_;
+  sweeps_ = std::min({round_, tile_options_.sweeps, options_.max_iterations - iteration_});
   for (std::size_t i = task_.surface.num_fixed; i < samples_.size(); ++i) owed_[i] += sweeps_;
   const TiledSurface whole(task_.mesh, task_.sizing, samples_, task_.surface,
                            make_tiles(task_.mesh, samples_, {tile_options_.most_samples, rng_.bits()}));
@@ -153,6 +154,7 @@ bool TiledRun::round() {
     throw geom::Bug("after iteration " + std::to_string(iteration_) + ", " + bug.what());
   }
   samples_ = std::move(next);
+  if (getenv("DBG")) fprintf(stderr, "round %d tiles %zu owed %.3f of %d, most %d\n", round_, whole.tiles().size(), double(std::accumulate(owed_.begin(), owed_.end(), 0L)) / owed_.size(), sweeps_, *std::ranges::max_element(owed_));
   iteration_ += sweeps_;
   return !interrupted();
 }

@@ -11,7 +11,11 @@
 
 namespace fpo {
 
+/// A rotation; its rows are the axes of the boxes.
+using Frame = Eigen::Matrix3d;
+
 struct Tile {
+  Frame frame = Frame::Identity();  ///< of the box: a location x is at frame * x; the same for all tiles
   geom::Box3 box;  ///< infinite where no other tile is: the boxes fill space and do not overlap inside
   std::vector<geom::SiteId> samples;  ///< in the box; ascending; each sample is in one tile
   geom::Box3 sample_box;              ///< of these

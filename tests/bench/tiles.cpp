@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
   options.order = fpo::VisitOrder::in_turn;
   options.target_delta = 2;
   options.on_iteration = [](const fpo::IterationReport& r) {
-    if (r.iteration % 10 == 0)
+    if (r.iteration % 10 == 0 || std::getenv("DBG"))
       std::printf("  %4d moved %8zu delta %.4f mean %.4f %8.2f s\n", r.iteration, r.moved, r.delta,
                   r.mean_delta, r.seconds);
   };
