@@ -13,10 +13,11 @@ using geom::Box3;
 using geom::FacetId;
 using geom::Vec3;
 
-constexpr double first_reach = 2;       // M is the square of so many spacings at first
-constexpr double reach_step = 1.5;      // and the reach grows by this factor
-constexpr double room_for_removals = 2;  // how much more power than at first may be where a cell is vacated
-constexpr double circle_clearance = 3;  // in radii: within, an insertion hardly ever changes more
+constexpr double first_reach = 2;         // M is the square of so many spacings at first
+constexpr double reach_step = 1.5;        // and the reach grows by this factor
+constexpr double room_for_removals = 2;   // how much more power than at first may be where a cell is vacated
+constexpr double likely_clearance = 2.4;  // in radii of a cell: nearer to a cut it can hardly be removed
+constexpr double circle_clearance = 3;    // in radii: within, an insertion hardly ever changes more
 
 double root(double x) { return x > 0 ? std::sqrt(x) : 0; }
 double square(double x) { return x * x; }
@@ -147,20 +148,29 @@ double TileDomain::cell_radius(SiteId x) const {
 bool TileDomain::holds_ball(const Vec3& center, double radius) const {
   const double r = radius * (1 + 1e-9) + margin_;
   const Vec3 at = tile_.frame * center;
-  return (at.array() - r > tile_.box.min().array()).all() &&
-         (at.array() + r < tile_.box.max().array()).all();
-}
-
-/// A bound of the power in the cell of x if x did not exist. `distance`: from x to the site that would be
-/// nearest to it then.
-double TileDomain::power_without(SiteId x, double distance, double nearest_weight) const {
-  return square(cell_radius(x) + distance) - nearest_weight;
+  return (at.array() - r > tile_.box.min().array()).all() && (at.array() + r < tile_.box.max().array()).all();
 }
 
 /// Is x a T-site and its cell made of T-locations, given a bound of the power there?
 bool TileDomain::holds_cell(SiteId x, double power) const {
   const geom::WeightedPoint3& site = domain_->diagram().site(x);
   return holds_ball(site.position, std::max(cell_radius(x) + root(power), root(site.weight)));
+}
+
+/// After the removal of x, whose cell had that radius: is what it vacated held, and the place of x?
+bool TileDomain::holds_vacancy(SiteId x, double cell, double separation) const {
+  double power = separation;
+  for (const SiteId heir : domain_->last_change().cells)
+    power = std::max(power, domain_->diagram().reach(heir));
+  const geom::WeightedPoint3& site = domain_->diagram().site(x);
+  return power <= most_power_ && holds_ball(site.position, std::max(cell + root(power), root(site.weight)));
+}
+
+/// After a removal: are the cells where Scope::two_ring looks held? `nearest`: the site nearest to the removed one.
+bool TileDomain::holds_heirs(SiteId nearest) const {
+  const auto is_held = [&](SiteId y) { return holds_cell(y, domain_->diagram().reach(y)); };
+  const std::vector<SiteId>& heirs = domain_->last_change().cells;
+  return heirs.empty() ? is_held(nearest) : std::ranges::all_of(heirs, is_held);
 }
 
 bool TileDomain::offers(const geom::EmptyCircle& circle, const geom::WeightedPoint3& site) const {
@@ -173,19 +183,13 @@ TileDomain::Outcome TileDomain::move(SiteId of_whole, Scope scope) {
   const SurfaceSample old = domain_->sample(x);
   const geom::NeighbourSource::Nearest nearest = domain_->source().nearest(old.position, x, x);
   if (!nearest.site.valid()) return Outcome::out_of_reach;
-  const double weight = domain_->diagram().site(nearest.site).weight;
-  const double power = power_without(x, root(nearest.radius2 + weight), weight);
-  if (power > most_power_ || !holds_cell(x, power)) return Outcome::out_of_reach;
+  const double cell = cell_radius(x);
+  if (!holds_ball(old.position, likely_clearance * cell)) return Outcome::out_of_reach;
 
   domain_->remove(x);
-  if (scope == Scope::two_ring) {
-    const std::vector<SiteId>& heirs = domain_->last_change().cells;
-    const auto is_held = [&](SiteId y) { return holds_cell(y, domain_->diagram().reach(y)); };
-    const bool held = heirs.empty() ? is_held(nearest.site) : std::ranges::all_of(heirs, is_held);
-    if (!held) {
-      domain_->put_back(x);
-      return Outcome::out_of_reach;
-    }
+  if (!holds_vacancy(x, cell, nearest.radius2) || (scope == Scope::two_ring && !holds_heirs(nearest.site))) {
+    domain_->put_back(x);
+    return Outcome::out_of_reach;
   }
   const Circle c = domain_->largest_empty(scope);
   if (!(c.radius2 > nearest.radius2)) {
@@ -204,7 +208,7 @@ bool TileDomain::insert(SiteId x, const Circle& c) {
   const double distance = root(circle.radius2 + weight);
   if (!offers(circle, domain_->diagram().site(circle.sites[0]))) return false;
   domain_->insert_at(x, c);
-  if (holds_cell(x, power_without(x, distance, weight))) return true;
+  if (holds_cell(x, square(cell_radius(x) + distance) - weight)) return true;
   barred_.push_back(circle.center);
   domain_->remove(x);
   return false;

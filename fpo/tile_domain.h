@@ -17,11 +17,10 @@
 // power M of the box of these facets. The others can never be nearest where the power is at most M, which holds
 // everywhere at first (certified, else M is increased) and is demanded of what a removal vacates.
 //
-// The tests are made with upper bounds. Let x reach sqrt(reach_x + w_x) far (its cell's locations), y be the
-// nearest other site to x, z the new place, q a location of its cell there, y now the owner of z before:
-//   what removing x vacates    P(q) <= (|q - x| + |x - y|)^2 - w_y    before it is removed
-//   the heirs' cells           P(q) <= reach of the heir              after the removal; else x is put back
-//   what inserting at z wins   P(q) <= (|q - z| + |z - y|)^2 - w_y    after the insertion; else x is put back
+// The tests are made with upper bounds. Of what removing x vacates, and of the heirs' cells, the power is at most
+// that which the heirs reach, and both are tested when x is out; if they fail, x is put back. Of what x wins at a
+// new place z, where the nearest site y had the power P(z), a location q had power P(q) <= (|q - z| + |z - y|)^2 - w_y,
+// tested when x is in, else all is undone.
 
 #include <cstdint>
 #include <optional>
@@ -93,8 +92,9 @@ class TileDomain {
   SiteId here(SiteId of_whole) const;
   bool holds_ball(const geom::Vec3& center, double radius) const;
   double cell_radius(SiteId x) const;
-  double power_without(SiteId x, double distance, double nearest_weight) const;
   bool holds_cell(SiteId x, double power) const;
+  bool holds_vacancy(SiteId x, double cell, double separation) const;
+  bool holds_heirs(SiteId nearest) const;
   bool offers(const geom::EmptyCircle& circle, const geom::WeightedPoint3& site) const;
   bool insert(SiteId x, const Circle& c);
 

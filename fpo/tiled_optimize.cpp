@@ -154,7 +154,10 @@ bool TiledRun::round() {
     throw geom::Bug("after iteration " + std::to_string(iteration_) + ", " + bug.what());
   }
   samples_ = std::move(next);
-  if (getenv("DBG")) fprintf(stderr, "round %d tiles %zu owed %.3f of %d, most %d\n", round_, whole.tiles().size(), double(std::accumulate(owed_.begin(), owed_.end(), 0L)) / owed_.size(), sweeps_, *std::ranges::max_element(owed_));
+  if (getenv("DBG"))
+    fprintf(stderr, "round %d tiles %zu owed %.3f of %d, most %d\n", round_, whole.tiles().size(),
+            double(std::accumulate(owed_.begin(), owed_.end(), 0L)) / owed_.size(), sweeps_,
+            *std::ranges::max_element(owed_));
   iteration_ += sweeps_;
   return !interrupted();
 }

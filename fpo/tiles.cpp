@@ -19,7 +19,8 @@ constexpr double least_share = 0.3;  // of the samples below a cut; above it lik
 /// Uniformly distributed: a random unit quaternion.
 Frame random_frame(geom::Rng& rng) {
   for (;;) {
-    const Eigen::Quaterniond q(rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1));
+    const Eigen::Quaterniond q(rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1),
+                               rng.uniform(-1, 1));
     if (q.squaredNorm() > 0.01 && q.squaredNorm() < 1) return q.normalized().toRotationMatrix();
   }
 }
@@ -27,7 +28,11 @@ Frame random_frame(geom::Rng& rng) {
 class Tiling {
  public:
   Tiling(const geom::TriMesh& mesh, std::span<const SurfaceSample> samples, const TilingOptions& options)
-      : mesh_(mesh), samples_(samples), most_samples_(options.most_samples), rng_(options.seed), frame_(random_frame(rng_)) {}
+      : mesh_(mesh),
+        samples_(samples),
+        most_samples_(options.most_samples),
+        rng_(options.seed),
+        frame_(random_frame(rng_)) {}
 
   std::vector<Tile> take() {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -57,11 +62,12 @@ class Tiling {
     lower.box = upper.box = tile.box;
     lower.frame = upper.frame = frame_;
     lower.box.max()[axis] = upper.box.min()[axis] = plane;
-    for (const SiteId x : tile.samples) (coordinate(position(x), axis) < plane ? lower : upper).samples.push_back(x);
+    for (const SiteId x : tile.samples)
+      (coordinate(position(x), axis) < plane ? lower : upper).samples.push_back(x);
     for (const FacetId t : tile.facets) {
       const auto [least, most] =
           std::minmax({coordinate(mesh_.corner(t, 0), axis), coordinate(mesh_.corner(t, 1), axis),
- coordinate(mesh_.corner(t, 2), axis)});
+                       coordinate(mesh_.corner(t, 2), axis)});
       if (least <= plane) lower.facets.push_back(t);
       if (most >= plane) upper.facets.push_back(t);
     }
