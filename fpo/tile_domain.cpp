@@ -147,7 +147,7 @@ double TileDomain::cell_radius(SiteId x) const {
 
 bool TileDomain::holds_ball(const Vec3& center, double radius) const {
   const double r = radius * (1 + 1e-9) + margin_;
-  const Vec3 at = tile_.frame * center;
+  const Vec3 at = in_frame(tile_.frame, center);
   return (at.array() - r > tile_.box.min().array()).all() && (at.array() + r < tile_.box.max().array()).all();
 }
 

@@ -50,7 +50,7 @@ class Tiling {
     Box3 box;
     for (const SiteId x : tile.samples) {
       tile.sample_box.extend(position(x));
-      box.extend(frame_ * position(x));
+      box.extend(in_frame(frame_, position(x)));
     }
     int axis = 0;
     if (tile.samples.size() <= most_samples_ || !(box.sizes().maxCoeff(&axis) > 0)) {
@@ -91,7 +91,7 @@ class Tiling {
     return next;
   }
 
-  double coordinate(const Vec3& x, int axis) const { return frame_.row(axis).dot(x); }
+  double coordinate(const Vec3& x, int axis) const { return in_frame(frame_, x)[axis]; }
   const Vec3& position(SiteId x) const { return samples_[x.index()].position; }
 
   const geom::TriMesh& mesh_;

@@ -23,15 +23,15 @@ TEST_CASE("tiles: the boxes fill space, every sample is in one, every facet in a
       CHECK(std::ranges::is_sorted(tiles[a].samples));
       for (const SiteId x : tiles[a].samples) {
         ++times[x.index()];
-        CHECK(tiles[a].box.contains(samples[x.index()].position));
+        CHECK(tiles[a].box.contains(in_frame(tiles[a].frame, samples[x.index()].position)));
         CHECK(tiles[a].sample_box.contains(samples[x.index()].position));
       }
       for (std::size_t b = 0; b < a; ++b)
         CHECK((tiles[a].box.intersection(tiles[b].box).sizes().array() <= 0).any());
       std::vector<FacetId> met;
       for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
-        Box3 box(mesh.corner(t, 0));
-        box.extend(mesh.corner(t, 1)).extend(mesh.corner(t, 2));
+        Box3 box;
+        for (int i = 0; i < 3; ++i) box.extend(in_frame(tiles[a].frame, mesh.corner(t, i)));
         if (box.intersects(tiles[a].box)) met.push_back(t);
       }
       CHECK(met == tiles[a].facets);
