@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <mutex>
 #include <numeric>
+#include <optional>
 #include <string>
 
+#include "fpo/split_facets.h"
 #include "fpo/tile_domain.h"
 #include "geom/check.h"
 #include "geom/parallel.h"
@@ -15,6 +18,8 @@
 
 namespace fpo {
 namespace {
+
+constexpr double longest_edge = 4;  // in spacings: a tile is some fifty wide
 
 class TiledRun {
  public:
@@ -25,18 +30,17 @@ class TiledRun {
         options_(options),
         result_(result),
         samples_(task.samples),
+        sizing_(task.sizing),
         owed_(samples_.size(), 0),
-        rng_(options.seed) {}
+        rng_(options.seed) {
+    if (!has_long_edges(task.mesh, task.sizing, longest_edge)) return;
+    split_ = split_long_edges(task.mesh, task.sizing, longest_edge, samples_);
+    if (!sizing_.is_uniform()) sizing_ = Sizing(split_->mesh, split_->h);
+  }
 
   SurfaceDomain take();
 
  private:
-  /// Moves of samples of one tile in one round.
-  struct Visit {
-    std::size_t tile;
-    std::vector<SiteId> order;
-    std::uint64_t first_move;
-  };
   bool round();
   void work_on(const TiledSurface& whole, std::size_t tile, std::uint64_t seed,
                std::vector<SurfaceSample>& next);
@@ -49,13 +53,18 @@ class TiledRun {
   }
   bool is_fixed(SiteId x) const { return x.index() < task_.surface.num_fixed; }
   void announce_move();
+  const geom::TriMesh& mesh() const { return split_ ? split_->mesh : task_.mesh; }
+  /// From now on on the surface as it was given.
+  void unsplit();
 
   const SurfaceTask& task_;
   const TileOptions& tile_options_;
   const OptimizeOptions& options_;
   OptimizeResult& result_;
-  std::vector<SurfaceSample> samples_;
-  std::vector<int> owed_;  ///< moves that each sample is behind
+  std::vector<SurfaceSample> samples_;  ///< on mesh(), to the end of the last round
+  std::optional<SplitSurface> split_;   ///< if there are large facets
+  Sizing sizing_;                       ///< on mesh()
+  std::vector<int> owed_;               ///< moves that each sample is behind
   geom::Rng rng_;
   int iteration_ = 0, round_ = 0, sweeps_ = 0;
   std::size_t moved_ = 0;  ///< in the round
@@ -87,7 +96,7 @@ IterationReport TiledRun::measure_positions() const {
       spacings.size(), 1024, tile_options_.threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
           const SurfaceSample& x = samples_[first + i];
-          spacings[i] = std::sqrt(tree.nearest(x.position, SiteId(first + i)).radius2) / task_.sizing.at(x);
+          spacings[i] = std::sqrt(tree.nearest(x.position, SiteId(first + i)).radius2) / sizing_.at(x);
         }
       });
   IterationReport report;
@@ -143,8 +152,8 @@ bool TiledRun::round() {
   ++round_;
   sweeps_ = std::min({round_, tile_options_.sweeps, options_.max_iterations - iteration_});
   for (std::size_t i = task_.surface.num_fixed; i < samples_.size(); ++i) owed_[i] += sweeps_;
-  const TiledSurface whole(task_.mesh, task_.sizing, samples_, task_.surface,
-                           make_tiles(task_.mesh, samples_, {tile_options_.most_samples, rng_.bits()}));
+  const TiledSurface whole(mesh(), sizing_, samples_, task_.surface,
+                           make_tiles(mesh(), samples_, {tile_options_.most_samples, rng_.bits()}));
   std::vector<SurfaceSample> next = samples_;
   const std::uint64_t seed = rng_.bits();
   try {
@@ -175,6 +184,13 @@ std::size_t TiledRun::catch_up(SurfaceDomain& domain) {
   return moved;
 }
 
+void TiledRun::unsplit() {
+  if (!split_) return;
+  for (SurfaceSample& x : samples_) x.facet = split_->parents[x.facet];
+  sizing_ = task_.sizing;
+  split_.reset();
+}
+
 SurfaceDomain TiledRun::take() {
   geom::require(!samples_.empty(), "there must be at least one sample");
   report(measure_positions());
@@ -192,6 +208,7 @@ SurfaceDomain TiledRun::take() {
       continue;
     break;
   }
+  unsplit();
   SurfaceDomain domain(task_.mesh, task_.sizing, samples_, task_.surface);
   if (result_.reason == StopReason::iteration_cap) {
     moved_ += catch_up(domain);
