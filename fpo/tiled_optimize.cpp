@@ -41,10 +41,11 @@ class TiledRun {
   SurfaceDomain take();
 
  private:
+  StopReason rounds();
   bool round();
   void work_on(const TiledSurface& whole, std::size_t tile, std::uint64_t seed,
                std::vector<SurfaceSample>& next);
-  std::size_t catch_up(SurfaceDomain& domain);
+  void catch_up(SurfaceDomain& domain);
   void report(IterationReport report);
   IterationReport measure_positions() const;
 
@@ -163,25 +164,22 @@ bool TiledRun::round() {
     throw geom::Bug("after iteration " + std::to_string(iteration_) + ", " + bug.what());
   }
   samples_ = std::move(next);
-  if (getenv("DBG"))
-    fprintf(stderr, "round %d tiles %zu owed %.3f of %d, most %d\n", round_, whole.tiles().size(),
-            double(std::accumulate(owed_.begin(), owed_.end(), 0L)) / owed_.size(), sweeps_,
-            *std::ranges::max_element(owed_));
   iteration_ += sweeps_;
   return !interrupted();
 }
 
 /// Gives the samples what they are still owed.
-std::size_t TiledRun::catch_up(SurfaceDomain& domain) {
-  std::size_t moved = 0;
-  const int most = owed_.empty() ? 0 : *std::ranges::max_element(owed_);
-  for (int sweep = 0; sweep < most; ++sweep)
+void TiledRun::catch_up(SurfaceDomain& domain) {
+  for (int sweep = 0; sweep < *std::ranges::max_element(owed_); ++sweep)
     for (std::size_t i = 0; i < owed_.size() && !interrupted(); ++i) {
       if (owed_[i] <= sweep) continue;
       announce_move();
-      moved += move_to_farthest_point(domain, SiteId(i), options_.scope);
+      try {
+        moved_ += move_to_farthest_point(domain, SiteId(i), options_.scope);
+      } catch (const geom::Bug& bug) {
+        throw geom::Bug("after the last tiles, sample " + std::to_string(i) + ": " + bug.what());
+      }
     }
-  return moved;
 }
 
 void TiledRun::unsplit() {
@@ -191,34 +189,32 @@ void TiledRun::unsplit() {
   split_.reset();
 }
 
+/// Rounds until there is a reason to stop.
+StopReason TiledRun::rounds() {
+  while (iteration_ < options_.max_iterations) {
+    if (!round()) return StopReason::interrupted;
+    if (moved_ == 0 && std::ranges::count(owed_, 0) == std::ssize(owed_)) return StopReason::nothing_moved;
+    if (iteration_ == options_.max_iterations) break;
+    const IterationReport now = measure_positions();
+    if (now.delta > options_.target_delta) return StopReason::target_reached;
+    report(now);
+  }
+  return StopReason::iteration_cap;
+}
+
 SurfaceDomain TiledRun::take() {
   geom::require(!samples_.empty(), "there must be at least one sample");
   report(measure_positions());
-  result_.reason = StopReason::iteration_cap;
-  while (iteration_ < options_.max_iterations) {
-    const bool whole = round();
-    report(measure_positions());
-    if (!whole)
-      result_.reason = StopReason::interrupted;
-    else if (moved_ == 0)
-      result_.reason = StopReason::nothing_moved;
-    else if (result_.last.delta > options_.target_delta)
-      result_.reason = StopReason::target_reached;
-    else
-      continue;
-    break;
-  }
+  result_.reason = rounds();
   unsplit();
   SurfaceDomain domain(task_.mesh, task_.sizing, samples_, task_.surface);
-  if (result_.reason == StopReason::iteration_cap) {
-    moved_ += catch_up(domain);
-    if (interrupted()) result_.reason = StopReason::interrupted;
-  }
-  IterationReport last = measure(domain);
-  last.iteration = iteration_;
-  last.moved = moved_;
-  last.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  result_.last = last;
+  if (iteration_ == 0) return domain;
+  if (result_.reason == StopReason::iteration_cap) catch_up(domain);
+  report(measure(domain));
+  if (interrupted())
+    result_.reason = StopReason::interrupted;
+  else if (result_.last.delta > options_.target_delta)
+    result_.reason = StopReason::target_reached;
   return domain;
 }
 

@@ -1,5 +1,5 @@
 // Farthest point optimization in tiles beside that on the whole surface: quality and wall-clock time, by turns.
-//   bench-tiles MODEL.obj N ITERATIONS global|local [SAMPLES_A_TILE] [SWEEPS] [THREADS]
+//   bench-tiles MODEL.obj N ITERATIONS global|local [SAMPLES_A_TILE] [SWEEPS] [THREADS] [SEED]
 //   SAMPLES_A_TILE 0: the whole surface
 
 #include <chrono>
@@ -21,14 +21,14 @@ int main(int argc, char** argv) {
   options.order = fpo::VisitOrder::in_turn;
   options.target_delta = 2;
   options.on_iteration = [](const fpo::IterationReport& r) {
-    if (r.iteration % 10 == 0 || std::getenv("DBG"))
+    if (r.iteration % 10 == 0)
       std::printf("  %4d moved %8zu delta %.4f mean %.4f %8.2f s\n", r.iteration, r.moved, r.delta,
                   r.mean_delta, r.seconds);
   };
   const fpo::TileOptions tiles{static_cast<std::size_t>(number(5, 3000)), number(6, 10), number(7, 1)};
   const fpo::Sizing sizing = fpo::Sizing::uniform(fpo::hexagonal_spacing(mesh.area(), n));
   const fpo::SurfaceOptions surface;
-  const auto samples = fpo::random_samples(mesh, n, 1);
+  const auto samples = fpo::random_samples(mesh, n, static_cast<std::uint64_t>(number(8, 1)));
   const auto start = std::chrono::steady_clock::now();
   fpo::OptimizeResult result;
   if (tiles.most_samples == 0) {
