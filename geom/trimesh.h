@@ -40,7 +40,7 @@ class TriMesh {
 
   Vec3 normal(FacetId t) const;  ///< area-weighted: (q1 - q0) x (q2 - q0)
   double area(FacetId t) const { return 0.5 * normal(t).norm(); }
-  double area() const;  ///< sum over all facets
+  double area() const;                      ///< sum over all facets
   const Box3& box() const { return box_; }  ///< of a part: of the whole
   double diagonal() const { return box_.isEmpty() ? 0 : box_.diagonal().norm(); }
 
