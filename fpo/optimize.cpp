@@ -13,20 +13,6 @@
 namespace fpo {
 namespace {
 
-constexpr std::size_t look_ahead = 4;  ///< moves between Domain::expect() and the move itself
-
-/// Lines 4 to 9 of Algorithm 1 for one sample. True if it moved.
-bool move_to_farthest_point(Domain& domain, SiteId x, Scope scope) {
-  domain.remove(x);
-  const Circle c = domain.largest_empty(scope);
-  if (domain.is_farther(c, x)) {
-    domain.insert_at(x, c);
-    return true;
-  }
-  domain.put_back(x);
-  return false;
-}
-
 std::vector<SiteId> movable_samples(const Domain& domain) {
   std::vector<SiteId> samples;
   samples.reserve(domain.num_samples());
@@ -46,6 +32,17 @@ class Stopwatch {
 };
 
 }  // namespace
+
+bool move_to_farthest_point(Domain& domain, SiteId x, Scope scope) {
+  domain.remove(x);
+  const Circle c = domain.largest_empty(scope);
+  if (domain.is_farther(c, x)) {
+    domain.insert_at(x, c);
+    return true;
+  }
+  domain.put_back(x);
+  return false;
+}
 
 IterationReport measure(Domain& domain) {
   IterationReport report;

@@ -130,21 +130,43 @@ SurfaceOptions surface_options(const SharedSizing& shared, const RemeshOptions& 
   return result;
 }
 
+std::vector<SurfaceSample> samples_of(const SurfaceDomain& domain) {
+  std::vector<SurfaceSample> samples;
+  for (std::size_t i = 0; i < domain.num_samples(); ++i) samples.push_back(domain.sample(SiteId(i)));
+  return samples;
+}
+
+void remove_short_edges(SurfaceDomain& domain, const RemeshOptions& options, RemeshResult& result) {
+  if (!options.shortest_edge_removal) return;
+  ShortestEdgeOptions removal;
+  removal.interrupted = options.optimize.interrupted;
+  result.shortest_edges = remove_shortest_edges(domain, removal);
+}
+
 /// Farthest point optimization.
 SurfaceDomain optimized_samples(const geom::TriMesh& surface, const SharedSizing& shared,
                                 const RemeshOptions& options, RemeshResult& result) {
-  SurfaceDomain domain(surface, shared.sizing, initial_samples(surface, shared, options),
-                       surface_options(shared, options));
   OptimizeOptions optimization = options.optimize;
   optimization.seed = options.seed;
   optimization.order = VisitOrder::in_turn;  // the initial samples are in random order already
-  if (options.shortest_edge_removal) {
-    ShortestEdgeOptions removal;
-    removal.interrupted = optimization.interrupted;
-    result.shortest_edges = remove_shortest_edges(domain, removal);
+  const SurfaceOptions diagram = surface_options(shared, options);
+  std::vector<SurfaceSample> samples = initial_samples(surface, shared, options);
+  if (options.tile_samples == 0 || samples.size() <= options.tile_samples) {
+    SurfaceDomain domain(surface, shared.sizing, samples, diagram);
+    remove_short_edges(domain, options, result);
+    result.optimization = optimize(domain, optimization);
+    return domain;
   }
-  result.optimization = optimize(domain, optimization);
-  return domain;
+  if (options.shortest_edge_removal) {
+    SurfaceDomain domain(surface, shared.sizing, samples, diagram);
+    remove_short_edges(domain, options, result);
+    samples = samples_of(domain);
+  }
+  TileOptions tiles;
+  tiles.most_samples = options.tile_samples;
+  tiles.threads = options.threads;
+  return optimize_in_tiles({surface, shared.sizing, std::move(samples), diagram}, tiles, optimization,
+                           result.optimization);
 }
 
 using BaselineMethod = BaselineResult (*)(const BaselineTask&, const OptimizeOptions&);

@@ -15,6 +15,7 @@
 #include "fpo/shortest_edge.h"
 #include "fpo/sizing.h"
 #include "fpo/surface_domain.h"
+#include "fpo/tiled_optimize.h"
 
 namespace fpo {
 
@@ -39,7 +40,8 @@ struct RemeshOptions {
   /// Its seed and order are overruled. Other methods than fpo heed the greatest number of iterations (of radii
   /// tried, with mps and cps), the interruption and the callbacks.
   OptimizeOptions optimize;
-  int threads = 1;               ///< of cvt; no matter to the result
+  std::size_t tile_samples = 0;  ///< in a tile (tiled_optimize.h), if there are more; 0: no tiles
+  int threads = 1;               ///< of cvt and of tiles; no matter to the result
   bool mend = true;              ///< bring samples to where the remesh is no surface
   bool optimize_angles = true;   ///< afterwards (section 5)
   bool improve_fidelity = true;  ///< where the remesh is farthest from the input (fidelity.h)

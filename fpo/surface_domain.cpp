@@ -145,8 +145,13 @@ void SurfaceDomain::insert(SiteId x, SiteId hint) {
 }
 
 void SurfaceDomain::apply(const geom::RestrictedPower::Change& change) {
-  for (const CircleId c : change.circles_erased) circles_.erase(c);
-  for (const CircleId c : change.circles_created) circles_.push(c, diagram_->circle(c).radius2);
+  for (const CircleId c : change.circles_erased)
+    if (circles_.contains(c)) circles_.erase(c);
+  for (const CircleId c : change.circles_created) {
+    const geom::EmptyCircle& circle = diagram_->circle(c);
+    if (!options_.offers || options_.offers(circle, diagram_->site(circle.sites[0])))
+      circles_.push(c, circle.radius2);
+  }
   last_change_ = &change;
 }
 

@@ -6,6 +6,7 @@
 // weight is a squared length), or 0 if the sizing is uniform (or on request): equal weights do nothing. The weight is that of
 // the sample's own place: it changes as the sample moves.
 
+#include <functional>
 #include <memory>
 #include <span>
 
@@ -33,6 +34,9 @@ struct SurfaceOptions {
   std::size_t num_fixed = 0;  ///< the samples with smaller ids stay where they are
   std::uint64_t seed =
       1;  ///< of the order in which the first diagram is built (the result does not depend on it)
+  /// If given: only circles for which it is true may be the largest empty one, everywhere. Told the circle and
+  /// its first site; asked once, when the circle comes into being.
+  std::function<bool(const geom::EmptyCircle&, const geom::WeightedPoint3&)> offers{};
 };
 
 class SurfaceDomain final : public Domain {

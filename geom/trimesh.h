@@ -21,6 +21,12 @@ class TriMesh {
   /// of range, a coordinate that is not finite, a facet that names a vertex twice, more than 2^30 elements.
   TriMesh(Table<VertexId, Vec3> vertices, Table<FacetId, Facet> facets);
 
+  /// For each edge of a facet the facet across it, or none.
+  using Across = Table<FacetId, std::array<FacetId, 3>>;
+  /// A mesh of which adjacency and box are known: a part of another one (submesh.h). Checks nothing.
+  TriMesh(Table<VertexId, Vec3> vertices, Table<FacetId, Facet> facets, Across across, const Box3& box)
+      : vertices_(std::move(vertices)), facets_(std::move(facets)), across_(std::move(across)), box_(box) {}
+
   std::size_t num_vertices() const { return vertices_.size(); }
   std::size_t num_facets() const { return facets_.size(); }
   const Vec3& position(VertexId v) const { return vertices_[v]; }
@@ -34,14 +40,14 @@ class TriMesh {
 
   Vec3 normal(FacetId t) const;  ///< area-weighted: (q1 - q0) x (q2 - q0)
   double area(FacetId t) const { return 0.5 * normal(t).norm(); }
-  double area() const;  ///< sum over all facets
-  const Box3& box() const { return box_; }
+  double area() const;                      ///< sum over all facets
+  const Box3& box() const { return box_; }  ///< of a part: of the whole
   double diagonal() const { return box_.isEmpty() ? 0 : box_.diagonal().norm(); }
 
  private:
   Table<VertexId, Vec3> vertices_;
   Table<FacetId, Facet> facets_;
-  Table<FacetId, std::array<FacetId, 3>> across_;
+  Across across_;
   Box3 box_;
 };
 

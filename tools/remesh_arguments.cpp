@@ -14,6 +14,8 @@
 namespace tools {
 namespace {
 
+constexpr double least_tile_samples = 100;  // in fewer, hardly any could be moved
+
 void set_sizing(RemeshArguments& a, const std::string& text) {
   if (text == "uniform") {
     a.remesh.sizing = fpo::SizingKind::uniform;
@@ -34,6 +36,12 @@ void set_features(RemeshArguments& a, const std::string& text) {
   if (text == "auto") return;
   const double angle = parse_number(text, 1, 180);
   a.remesh.features = fpo::FeatureOptions{.crease_angle = angle, .weak_crease_angle = angle};
+}
+
+/// None: to be chosen. 0: no tiles.
+std::optional<std::size_t> tile_samples_of(const std::string& text) {
+  if (text == "auto") return {};
+  return text == "off" ? 0 : static_cast<std::size_t>(parse_number(text, least_tile_samples, 1e9));
 }
 
 void choose_scope(RemeshArguments& a, bool local, bool global, double weight_scale) {
@@ -108,6 +116,15 @@ void parse(CommandLine& cli, RemeshArguments& a) {
       {.name = "engine", .value = "search|triangulation", .help = "where neighbours come from; same result"},
       a.remesh.surface.engine,
       {{"search", fpo::Engine::search}, {"triangulation", fpo::Engine::triangulation}});
+  std::optional<std::size_t> tile_samples;
+  cli.custom(
+      {.name = "tiles",
+       .value = "auto|off|COUNT",
+       .help = "optimize the samples of one part of the surface at a time, COUNT at most, parts changing "
+               "from round to round: as many at once as there are threads, which do not change the "
+               "result; auto: 3000 if there are more than 6000 samples",
+       .standard = "auto"},
+      [&](const std::string& text) { tile_samples = tile_samples_of(text); });
   cli.custom(
       {.name = "sizing",
        .value = "KIND",
@@ -164,6 +181,7 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   if (angles) a.remesh.optimize_angles = *angles;
   if (fidelity) a.remesh.improve_fidelity = *fidelity;
   if (iterations >= 0) a.remesh.optimize.max_iterations = iterations;
+  a.remesh.tile_samples = tile_samples.value_or(default_tile_samples(a.remesh.num_samples));
   a.remesh.seed = cli.seed();
   a.remesh.threads = cli.threads();
   a.remesh.keep_cells = !a.rpd.empty() || !a.report.empty();

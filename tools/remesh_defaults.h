@@ -19,6 +19,12 @@ inline int default_iterations(fpo::Method method, fpo::SizingKind sizing) {
   return sizing == fpo::SizingKind::uniform || method == fpo::Method::cvt ? 100 : 40;
 }
 
+/// Samples a tile if there are so many that tiles pay; 0: none.
+inline std::size_t default_tile_samples(std::size_t num_samples) {
+  constexpr std::size_t most = 3000, least_tiles = 2;
+  return num_samples > least_tiles * most ? most : 0;
+}
+
 /// The other methods are compared as they are: the improvements that follow ours are for that one.
 inline void use_method(fpo::RemeshOptions& options, fpo::Method method) {
   options.method = method;

@@ -122,6 +122,28 @@ TEST_CASE("pipeline: a plate thinner than the spacing of its samples is closed a
   MESSAGE("plate: euler ", t.euler, ", non-manifold edges ", t.nonmanifold_edges);
 }
 
+TEST_CASE("pipeline: tiles, with features, sizes and shortest edge removal, give the same with any threads") {
+  const geom::TriMesh mesh = fixtures::box(geom::Vec3(1, 1, 1), 1);  // large facets, which are split
+  for (const SizingKind sizing : {SizingKind::uniform, SizingKind::curvature}) {
+    RemeshOptions options;
+    options.num_samples = 600;
+    options.sizing = sizing;
+    options.features = automatic_features();
+    options.shortest_edge_removal = true;
+    options.tile_samples = 150;
+    options.optimize.max_iterations = 5;
+    const RemeshResult one = remesh(mesh, options);
+    const geom::Topology t = geom::topology(one.mesh);
+    CHECK(t.manifold());
+    CHECK(t.euler == 2);
+    CHECK(one.broken_feature_edges == 0);
+    CHECK(one.optimization.moves == 5 * (600 - one.feature_samples));
+    for (const SurfaceSample& x : one.samples) CHECK(x.facet.index() < mesh.num_facets());
+    options.threads = 3;
+    CHECK(same(remesh(mesh, options).mesh, one.mesh));
+  }
+}
+
 TEST_CASE("pipeline: interruption keeps all samples; too few samples are refused") {
   const geom::TriMesh mesh = fixtures::blob(5);
   std::atomic<bool> stop{false};

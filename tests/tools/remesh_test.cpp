@@ -107,6 +107,8 @@ TEST_CASE("fpo-remesh: bad use is refused in one line, and nothing is written") 
   refused({"torus.obj", "-n", "50", "-o", "out.obj", "--bluer"}, "unknown option --bluer");
   refused({"torus.obj", "-n", "50", "-o", "out.obj", "--engine", "guess"}, "--engine: 'guess' is none of");
   refused({"torus.obj", "-n", "50", "-o", "out.obj", "--threads", "0"}, "--threads: 0 is not between");
+  refused({"torus.obj", "-n", "50", "-o", "out.obj", "--tiles", "5"}, "5 is not between 100 and");
+  refused({"torus.obj", "-n", "50", "-o", "out.obj", "--tiles", "on"}, "'on' is not a number");
   refused({"torus.obj", "-n", "50"}, "-o OUT is missing");
   refused({"-n", "50", "-o", "out.obj"}, "INPUT is missing");
 }
@@ -162,12 +164,17 @@ TEST_CASE("fpo-remesh: the same bytes again, from either engine and with any num
       std::filesystem::remove(place.folder / name);
     return files;
   };
-  const auto once = outputs({});
-  CHECK(once.at("rpd.obj").find("g cell_249\n") != std::string::npos);
-  CHECK(outputs({}) == once);
-  CHECK(outputs({"--engine", "triangulation"}) == once);
-  CHECK(outputs({"--engine", "triangulation", "--threads", "2"}) == once);
-  CHECK(outputs({"--threads", "1"}) == once);
-  CHECK(outputs({"--threads", "2"}) == once);
-  CHECK(outputs({"--seed", "2"}) != once);
+  const auto in_one_piece = outputs({});
+  for (const std::string tiles : {"auto", "off", "100"}) {
+    CAPTURE(tiles);
+    const auto once = outputs({"--tiles", tiles});
+    CHECK((once == in_one_piece) == (tiles != "100"));
+    CHECK(once.at("rpd.obj").find("g cell_249\n") != std::string::npos);
+    CHECK(outputs({"--tiles", tiles}) == once);
+    CHECK(outputs({"--tiles", tiles, "--engine", "triangulation"}) == once);
+    CHECK(outputs({"--tiles", tiles, "--engine", "triangulation", "--threads", "2"}) == once);
+    CHECK(outputs({"--tiles", tiles, "--threads", "1"}) == once);
+    CHECK(outputs({"--tiles", tiles, "--threads", "3"}) == once);
+    CHECK(outputs({"--tiles", tiles, "--seed", "2"}) != once);
+  }
 }

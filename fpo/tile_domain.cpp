@@ -1,0 +1,221 @@
+#include "fpo/tile_domain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geom/check.h"
+
+namespace fpo {
+namespace {
+
+using geom::Box3;
+using geom::FacetId;
+using geom::Vec3;
+
+constexpr double first_reach = 2;         // M is the square of so many spacings at first
+constexpr double reach_step = 1.5;        // and the reach grows by this factor
+constexpr double room_for_removals = 2;   // how much more power than at first may be where a cell is vacated
+constexpr double likely_clearance = 2.4;  // in radii of a cell: nearer to a cut it can hardly be removed
+constexpr double circle_clearance = 3;    // in radii: within, an insertion hardly ever changes more
+
+double root(double x) { return x > 0 ? std::sqrt(x) : 0; }
+double square(double x) { return x * x; }
+
+Box3 box_of(const geom::TriMesh& mesh, std::span<const FacetId> facets) {
+  Box3 box;
+  for (const FacetId t : facets)
+    for (int i = 0; i < 3; ++i) box.extend(mesh.corner(t, i));
+  return box;
+}
+
+}  // namespace
+
+TiledSurface::TiledSurface(const geom::TriMesh& mesh, const Sizing& sizing,
+                           std::span<const SurfaceSample> samples, const SurfaceOptions& options,
+                           std::vector<Tile> tiles)
+    : mesh_(mesh), sizing_(sizing), samples_(samples), options_(options), tiles_(std::move(tiles)) {
+  const bool weighted = !sizing.is_uniform() && options.weighted;
+  if (weighted) weights_.resize(samples.size());
+  for (const Tile& tile : tiles_) {
+    double weight = 0, spacing = 0;
+    for (const SiteId x : tile.samples) {
+      const double h = sizing.at(sample(x));
+      spacing = std::max(spacing, h);
+      if (weighted)
+        weight = std::max(weight, weights_[x.index()] = square(options.weight_factor * h) * (1 + 1e-9));
+    }
+    tile_weights_.push_back(weight);
+    spacings_.push_back(spacing);
+  }
+}
+
+std::vector<SiteId> TiledSurface::samples_near(const Box3& box, double M) const {
+  constexpr double less = 1 - 1e-9;  // for the rounding of distances
+  std::vector<SiteId> result;
+  for (std::size_t t = 0; t < tiles_.size(); ++t) {
+    if (tiles_[t].samples.empty() ||
+        box.squaredExteriorDistance(tiles_[t].sample_box) * less - tile_weights_[t] > M)
+      continue;
+    for (const SiteId x : tiles_[t].samples)
+      if (box.squaredExteriorDistance(sample(x).position) * less - weight(x) <= M) result.push_back(x);
+  }
+  std::ranges::sort(result);
+  return result;
+}
+
+TileDomain::TileDomain(const TiledSurface& whole, std::size_t tile)
+    : whole_(whole),
+      tile_(whole.tiles()[tile]),
+      part_(geom::submesh(whole.mesh(), tile_.facets)),
+      margin_(1e-12 * std::max(whole.mesh().box().min().lpNorm<Eigen::Infinity>(),
+                               whole.mesh().box().max().lpNorm<Eigen::Infinity>())) {
+  const Box3 box = box_of(whole.mesh(), part_.facets);
+  std::size_t all = 0;
+  for (const Tile& t : whole.tiles()) all += t.samples.size();
+  for (double reach = first_reach * whole.largest_spacing(tile);; reach *= reach_step) {
+    most_power_ = square(reach);
+    sites_ = whole.samples_near(box, most_power_);
+    if (sites_.size() == all) most_power_ = std::numeric_limits<double>::infinity();
+    build();
+    if (room_for_removals * largest_reach() <= most_power_) break;
+  }
+}
+
+/// The sizing for the samples, whose facets become those of sizing_mesh_: first the facets of the part, then
+/// those of samples outside.
+Sizing TileDomain::local_sizing(std::vector<SurfaceSample>& samples) {
+  for (SurfaceSample& x : samples) x.facet = part_.here(x.facet);
+  if (whole_.sizing().is_uniform()) return whole_.sizing();
+  std::vector<FacetId> facets = part_.facets;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (samples[i].facet.valid()) continue;
+    samples[i].facet = FacetId(facets.size());
+    facets.push_back(whole_.sample(sites_[i]).facet);
+  }
+  geom::Table<geom::VertexId, Vec3> corners;
+  geom::Table<FacetId, geom::TriMesh::Facet> renamed;
+  VertexField h;
+  for (const FacetId t : facets) {
+    geom::TriMesh::Facet& facet = renamed.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const geom::VertexId v = whole_.mesh().facet(t)[i];
+      facet[i] = corners.next_id();
+      corners.push_back(whole_.mesh().position(v));
+      h.push_back(whole_.sizing().at(v));
+    }
+  }
+  geom::TriMesh::Across across(renamed.size());
+  sizing_mesh_ =
+      geom::TriMesh(std::move(corners), std::move(renamed), std::move(across), whole_.mesh().box());
+  return {sizing_mesh_, std::move(h)};
+}
+
+void TileDomain::build() {
+  std::vector<SurfaceSample> samples;
+  for (const SiteId x : sites_) samples.push_back(whole_.sample(x));
+  const Sizing sizing = local_sizing(samples);
+  SurfaceOptions options = whole_.options();
+  options.num_fixed = static_cast<std::size_t>(
+      std::ranges::lower_bound(sites_, SiteId(whole_.options().num_fixed)) - sites_.begin());
+  options.offers = [this](const geom::EmptyCircle& circle, const geom::WeightedPoint3& site) {
+    return offers(circle, site);
+  };
+  domain_.emplace(part_.mesh, sizing, samples, options);
+}
+
+double TileDomain::largest_reach() const {
+  double reach = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < sites_.size(); ++i)
+    reach = std::max(reach, domain_->diagram().reach(SiteId(i)));
+  return reach;
+}
+
+SiteId TileDomain::here(SiteId of_whole) const {
+  return SiteId(static_cast<std::size_t>(std::ranges::lower_bound(sites_, of_whole) - sites_.begin()));
+}
+
+SurfaceSample TileDomain::sample(SiteId x) const {
+  const SurfaceSample& found = domain_->sample(here(x));
+  return {found.position, whole_id(found.facet)};
+}
+
+/// No location of the cell is farther from x.
+double TileDomain::cell_radius(SiteId x) const {
+  return root(domain_->diagram().reach(x) + domain_->diagram().site(x).weight);
+}
+
+bool TileDomain::holds_ball(const Vec3& center, double radius) const {
+  const double r = radius * (1 + 1e-9) + margin_;
+  const Vec3 at = in_frame(tile_.frame, center);
+  return (at.array() - r > tile_.box.min().array()).all() && (at.array() + r < tile_.box.max().array()).all();
+}
+
+/// Is x a T-site and its cell made of T-locations, given a bound of the power there?
+bool TileDomain::holds_cell(SiteId x, double power) const {
+  const geom::WeightedPoint3& site = domain_->diagram().site(x);
+  return holds_ball(site.position, std::max(cell_radius(x) + root(power), root(site.weight)));
+}
+
+/// After the removal of x, whose cell had that radius: is what it vacated held, and the place of x? `near`: some
+/// other sample.
+bool TileDomain::holds_vacancy(SiteId x, double cell, SiteId near) const {
+  const geom::WeightedPoint3& site = domain_->diagram().site(x);
+  double power = geom::power(site.position, domain_->diagram().site(near));
+  for (const SiteId heir : domain_->last_change().cells)
+    power = std::max(power, domain_->diagram().reach(heir));
+  return power <= most_power_ && holds_ball(site.position, std::max(cell + root(power), root(site.weight)));
+}
+
+/// After a removal: are the cells where Scope::two_ring looks held? `nearest`: the site nearest to the removed one
+/// if there are no heirs.
+bool TileDomain::holds_heirs(SiteId nearest) const {
+  const auto is_held = [&](SiteId y) { return holds_cell(y, domain_->diagram().reach(y)); };
+  const std::vector<SiteId>& heirs = domain_->last_change().cells;
+  return heirs.empty() ? is_held(nearest) : std::ranges::all_of(heirs, is_held);
+}
+
+bool TileDomain::offers(const geom::EmptyCircle& circle, const geom::WeightedPoint3& site) const {
+  return holds_ball(circle.center, circle_clearance * root(circle.radius2 + site.weight)) &&
+         std::ranges::find(barred_, circle.center) == barred_.end();
+}
+
+TileDomain::Outcome TileDomain::move(SiteId of_whole, Scope scope) {
+  const SiteId x = here(of_whole);
+  const SurfaceSample old = domain_->sample(x);
+  if (domain_->num_samples() == 1) return Outcome::out_of_reach;
+  const double cell = cell_radius(x);
+  if (!holds_ball(old.position, likely_clearance * cell)) return Outcome::out_of_reach;
+
+  domain_->remove(x);
+  const std::vector<SiteId>& heirs = domain_->last_change().cells;
+  const SiteId near =
+      heirs.empty() ? domain_->source().nearest(old.position, x, SiteId()).site : heirs.front();
+  if (!holds_vacancy(x, cell, near) || (scope == Scope::two_ring && !holds_heirs(near))) {
+    domain_->put_back(x);
+    return Outcome::out_of_reach;
+  }
+  const Circle c = domain_->largest_empty(scope);
+  if (!domain_->is_farther(c, x)) {
+    domain_->put_back(x);
+    return Outcome::stayed;
+  }
+  if (insert(x, c)) return Outcome::moved;
+  domain_->insert_at(x, old, 1);
+  return Outcome::out_of_reach;
+}
+
+/// Puts x at the center of c, unless that changes more than the tile holds: then x is left out.
+bool TileDomain::insert(SiteId x, const Circle& c) {
+  const geom::EmptyCircle circle = domain_->diagram().circle(c.id);
+  const double weight = domain_->diagram().site(circle.sites[0]).weight;
+  const double distance = root(circle.radius2 + weight);
+  if (!offers(circle, domain_->diagram().site(circle.sites[0]))) return false;
+  domain_->insert_at(x, c);
+  if (holds_cell(x, square(cell_radius(x) + distance) - weight)) return true;
+  barred_.push_back(circle.center);
+  domain_->remove(x);
+  return false;
+}
+
+}  // namespace fpo

@@ -1,0 +1,108 @@
+#include "fpo/tiled_optimize.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "doctest.h"
+#include "fpo/initial_samples.h"
+#include "tests/fixtures/surfaces.h"
+
+using namespace fpo;
+using geom::TriMesh;
+using geom::Vec3;
+
+namespace {
+
+Sizing graded(const TriMesh& mesh) {
+  VertexField h;
+  const double size = mesh.diagonal();
+  for (const Vec3& p : mesh.vertices())
+    h.push_back(size * (0.03 + 0.04 * (p - mesh.box().min()).norm() / size));
+  return {mesh, std::move(h)};
+}
+
+struct Run {
+  std::vector<SurfaceSample> samples;
+  OptimizeResult result;
+  std::vector<IterationReport> reports;
+  bool operator==(const Run& other) const {
+    return std::ranges::equal(samples, other.samples, [](const SurfaceSample& a, const SurfaceSample& b) {
+      return a.position == b.position && a.facet == b.facet;
+    });
+  }
+};
+
+Run run(const SurfaceTask& task, const TileOptions& tiles, OptimizeOptions options) {
+  Run run;
+  options.on_iteration = [&](const IterationReport& report) { run.reports.push_back(report); };
+  const SurfaceDomain domain = optimize_in_tiles(task, tiles, options, run.result);
+  for (std::size_t i = 0; i < domain.num_samples(); ++i) run.samples.push_back(domain.sample(SiteId(i)));
+  return run;
+}
+
+}  // namespace
+
+TEST_CASE("tiled optimization: any number of threads gives the same samples, each moved once an iteration") {
+  const TriMesh mesh = fixtures::blob(9);
+  for (const bool adaptive : {false, true}) {
+    const Sizing sizing = adaptive ? graded(mesh) : Sizing::uniform(hexagonal_spacing(mesh.area(), 900));
+    SurfaceOptions surface;
+    surface.num_fixed = 30;
+    const SurfaceTask task{mesh, sizing, random_samples(mesh, sizing, 900, 3), surface};
+    OptimizeOptions options;
+    options.max_iterations = 6;
+    options.scope = adaptive ? Scope::two_ring : Scope::global;
+    options.order = adaptive ? VisitOrder::shuffled : VisitOrder::in_turn;
+    const Run alone = run(task, {200, 4, 1}, options);
+    CHECK(alone.result.moves == 6 * (900 - 30));
+    CHECK(alone.result.reason == StopReason::iteration_cap);
+    CHECK(alone.result.last.iteration == 6);
+    CHECK(alone.result.last.delta > alone.reports.front().delta);
+    for (std::size_t i = 0; i < 30; ++i) CHECK(alone.samples[i].position == task.samples[i].position);
+    for (const int threads : {2, 3, 8}) {
+      const Run shared = run(task, {200, 4, threads}, options);
+      CHECK(shared == alone);
+      CHECK(shared.result.last.delta == alone.result.last.delta);
+    }
+    OptimizeOptions other = options;
+    other.seed = 2;
+    CHECK_FALSE(run(task, {200, 4, 1}, other) == alone);
+  }
+}
+
+TEST_CASE("tiled optimization: as good as on the whole surface") {
+  const TriMesh mesh = fixtures::blob(9);
+  constexpr std::size_t n = 1200;
+  const Sizing sizing = Sizing::uniform(hexagonal_spacing(mesh.area(), n));
+  const SurfaceOptions surface;
+  const auto samples = random_samples(mesh, n, 3);
+  for (const Scope scope : {Scope::global, Scope::two_ring}) {
+    OptimizeOptions options;
+    options.max_iterations = 20;
+    options.scope = scope;
+    const Run tiled = run({mesh, sizing, samples, surface}, {400, 5, 2}, options);
+    SurfaceDomain whole(mesh, sizing, samples, surface);
+    const IterationReport last = optimize(whole, options).last;
+    CHECK(tiled.result.last.mean_delta > 0.98 * last.mean_delta);
+    CHECK(tiled.result.last.delta > 0.9 * last.delta);
+    SurfaceDomain again(mesh, sizing, tiled.samples, surface);
+    CHECK(measure(again).delta == tiled.result.last.delta);
+  }
+}
+
+TEST_CASE("tiled optimization: an interruption leaves the moves done, and stops at once") {
+  const TriMesh mesh = fixtures::blob(6);
+  const Sizing sizing = Sizing::uniform(hexagonal_spacing(mesh.area(), 400));
+  const SurfaceOptions surface;
+  const SurfaceTask task{mesh, sizing, random_samples(mesh, 400, 3), surface};
+  std::atomic<bool> stop = false;
+  OptimizeOptions options;
+  options.interrupted = &stop;
+  options.on_move = [&](std::size_t move) { stop = move >= 150; };
+  const Run interrupted = run(task, {100, 5, 2}, options);
+  CHECK(interrupted.result.reason == StopReason::interrupted);
+  CHECK(interrupted.result.moves >= 151);
+  CHECK(interrupted.result.moves <= 153);
+  const auto same = [](const SurfaceSample& a, const SurfaceSample& b) { return a.position == b.position; };
+  CHECK_FALSE(std::ranges::equal(interrupted.samples, task.samples, same));
+}
