@@ -2,18 +2,19 @@
 //   bench-scaling [PREFIX [LARGEST]]     writes PREFIX.csv and PREFIX.svg; LARGEST n (default 100000). Models
 //   are those in the folder named by FPO_MODELS (default ../shared/models) that are there.
 //
-// us_per_move: CPU microseconds of a global move, the first iteration left out. to_90, to_92: CPU seconds
-// from samples to delta .90 and .92, the first diagram included (-: not within 100 iterations or 3 million
-// moves). peak: memory of the process at its largest, and that per sample.
+// us_per_move: microseconds of a global move, the first iteration left out; with tiles of all from the samples to
+// the last diagram, over all moves. to_90, to_92: seconds from samples to delta .90 and .92, the first diagram
+// included (-: not within 100 iterations or 3 million moves). Times are those of the clock, so run it on an idle
+// machine. peak: memory of the process at its largest, and that per sample.
 
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -25,6 +26,7 @@
 #include "fpo/plane_domain.h"
 #include "fpo/plane_sizing.h"
 #include "fpo/surface_domain.h"
+#include "fpo/tiled_optimize.h"
 #include "geom/shapes.h"
 #include "io/atomic_file.h"
 #include "io/chart.h"
@@ -32,7 +34,9 @@
 
 namespace {
 
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 struct Figures {
   std::size_t facets = 0;
@@ -43,31 +47,58 @@ struct Job {
   std::string surface, engine;
   std::size_t n;
   std::function<Figures(const Job&)> run;
+  int threads = 1;
 };
+
+fpo::OptimizeOptions options_for(std::size_t n) {
+  fpo::OptimizeOptions options;
+  options.max_iterations = static_cast<int>(std::clamp<std::size_t>(3'000'000 / n, 3, 100));
+  options.target_delta = 0.92;
+  return options;
+}
 
 /// Optimizes until delta .92.
 Figures optimized(fpo::Domain& domain, std::size_t n, double start) {
   Figures figures;
   double first = 0, last = 0;
   int iterations = 0;
-  fpo::OptimizeOptions options;
-  options.max_iterations = static_cast<int>(std::clamp<std::size_t>(3'000'000 / n, 3, 100));
-  options.target_delta = 0.92;
+  fpo::OptimizeOptions options = options_for(n);
   options.on_iteration = [&](const fpo::IterationReport& r) {
-    const double now = cpu_seconds();
-    if (r.iteration == 1) first = now;
-    if (r.delta > 0.9 && figures.to_90 < 0) figures.to_90 = now - start;
-    if (r.delta > 0.92 && figures.to_92 < 0) figures.to_92 = now - start;
-    last = now, iterations = r.iteration;
+    last = now();
+    if (r.iteration == 1) first = last;
+    if (r.delta > 0.9 && figures.to_90 < 0) figures.to_90 = last - start;
+    if (r.delta > 0.92 && figures.to_92 < 0) figures.to_92 = last - start;
+    iterations = r.iteration;
   };
   optimize(domain, options);
   figures.us_per_move = 1e6 * (last - first) / (static_cast<double>(n) * std::max(iterations - 1, 1));
   return figures;
 }
 
-Figures on_surface(const geom::TriMesh& mesh, const Job& job) {
+Figures in_tiles(const geom::TriMesh& mesh, const Job& job) {
+  const fpo::Sizing sizing = fpo::Sizing::uniform(fpo::hexagonal_spacing(mesh.area(), job.n));
   const auto samples = fpo::random_samples(mesh, job.n, 1);
-  const double start = cpu_seconds();
+  Figures figures;
+  figures.facets = mesh.num_facets();
+  const double start = now();
+  fpo::OptimizeOptions options = options_for(job.n);
+  options.order = fpo::VisitOrder::in_turn;
+  options.on_iteration = [&](const fpo::IterationReport& r) {
+    if (r.delta > 0.9 && figures.to_90 < 0) figures.to_90 = now() - start;
+    if (r.delta > 0.92 && figures.to_92 < 0) figures.to_92 = now() - start;
+  };
+  fpo::TileOptions tiles;
+  tiles.threads = job.threads;
+  fpo::OptimizeResult result;
+  optimize_in_tiles({mesh, sizing, samples, {}}, tiles, options, result);
+  figures.us_per_move = 1e6 * (now() - start) / static_cast<double>(result.moves);
+  return figures;
+}
+
+Figures on_surface(const geom::TriMesh& mesh, const Job& job) {
+  if (job.engine == "tiles") return in_tiles(mesh, job);
+  const auto samples = fpo::random_samples(mesh, job.n, 1);
+  const double start = now();
   fpo::SurfaceOptions options;
   options.engine = job.engine == "search" ? fpo::Engine::search : fpo::Engine::triangulation;
   fpo::SurfaceDomain domain(mesh, samples, options);
@@ -87,7 +118,7 @@ Figures on_torus(const Job& job) {
   const geom::FlatTorus torus({1, 1});
   const auto sizing = fpo::named_sizing("uniform", torus);
   const fpo::PlaneDensity density(*sizing, torus);
-  const double start = cpu_seconds();
+  const double start = now();
   fpo::PlaneDomain domain(torus, *sizing, density.edge_length_scale(job.n),
                           fpo::initial_plane_samples(density, job.n, 1, fpo::best_plane_start(true)));
   return optimized(domain, job.n, start);
@@ -101,13 +132,20 @@ std::vector<Job> jobs_up_to(std::size_t largest) {
     const auto file =
         std::filesystem::path(folder ? folder : "../shared/models") / (std::string(name) + ".obj");
     if (!std::filesystem::exists(file)) continue;
+    const auto run = [file](const Job& job) { return on_surface(io::read_mesh(file), job); };
     for (const char* engine : {"search", "triangulation"})
-      jobs.push_back({name, engine, static_cast<std::size_t>(n),
-                      [file](const Job& job) { return on_surface(io::read_mesh(file), job); }});
+      jobs.push_back({name, engine, static_cast<std::size_t>(n), run});
+    if (n > 3000)
+      for (const int threads : {1, 2})
+        jobs.push_back({name, "tiles", static_cast<std::size_t>(n), run, threads});
   }
   for (std::size_t n = 1000; n <= largest; n *= 10) {
-    for (const char* engine : {"search", "triangulation"}) jobs.push_back({"sphere", engine, n, on_sphere});
+    jobs.push_back({"sphere", "search", n, on_sphere});
+    if (n <= 10'000) jobs.push_back({"sphere", "triangulation", n, on_sphere});
+    if (n > 1000)
+      for (const int threads : {1, 2}) jobs.push_back({"sphere", "tiles", n, on_sphere, threads});
     jobs.push_back({"cube", "search", n, on_cube});
+    if (n > 1000) jobs.push_back({"cube", "tiles", n, on_cube, 2});
     jobs.push_back({"torus", "plane", n, on_torus});
   }
   return jobs;
@@ -148,8 +186,8 @@ std::string seconds(double value, const char* none) {
 
 std::string csv_line(const Row& r) {
   char line[240];
-  std::snprintf(line, sizeof line, "%s,%zu,%zu,%s,1,%.3f,%s,%s,%.1f\n", r.job.surface.c_str(),
-                r.figures.facets, r.job.n, r.job.engine.c_str(), r.figures.us_per_move,
+  std::snprintf(line, sizeof line, "%s,%zu,%zu,%s,%d,%.3f,%s,%s,%.1f\n", r.job.surface.c_str(),
+                r.figures.facets, r.job.n, r.job.engine.c_str(), r.job.threads, r.figures.us_per_move,
                 seconds(r.figures.to_90, "").c_str(), seconds(r.figures.to_92, "").c_str(), r.peak_mib);
   return line;
 }
@@ -158,13 +196,14 @@ std::string csv_line(const Row& r) {
 io::Chart chart_of(const std::vector<Row>& rows) {
   std::map<std::string, std::vector<geom::Vec2>> curves;
   for (const Row& r : rows)
-    curves[r.job.surface + ", " + r.job.engine].emplace_back(static_cast<double>(r.job.n),
-                                                             r.figures.us_per_move);
+    curves[r.job.surface + ", " + r.job.engine + (r.job.threads > 1 ? ", 2 threads" : "")].emplace_back(
+        static_cast<double>(r.job.n), r.figures.us_per_move);
   io::Chart chart;
-  chart.title = "CPU microseconds a move";
+  chart.title = "Microseconds a move";
   chart.x = {.label = "samples", .scale = io::Axis::Scale::logarithmic};
   chart.y = {.label = "us", .scale = io::Axis::Scale::logarithmic};
-  const std::array<const char*, 4> colours = {"#1d4f91", "#b3402a", "#2d7d46", "#7a4f9e"};
+  const std::array<const char*, 7> colours = {"#1d4f91", "#b3402a", "#2d7d46", "#7a4f9e",
+                                              "#c28a00", "#00838f", "#6d6d6d"};
   std::size_t next = 0;
   for (auto& [name, points] : curves)
     if (points.size() > 1)
@@ -191,7 +230,7 @@ int main(int argc, char** argv) {
     rows.push_back(*row);
     csv += csv_line(*row);
     std::printf("%-9s %8zu %8zu %-13s %7d %12.2f %8s %8s %9.1f %10.0f\n", job.surface.c_str(),
-                row->figures.facets, job.n, job.engine.c_str(), 1, row->figures.us_per_move,
+                row->figures.facets, job.n, job.engine.c_str(), job.threads, row->figures.us_per_move,
                 seconds(row->figures.to_90, "-").c_str(), seconds(row->figures.to_92, "-").c_str(),
                 row->peak_mib, row->peak_mib * 1048576 / static_cast<double>(job.n));
   }
