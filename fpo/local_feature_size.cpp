@@ -11,6 +11,7 @@
 #include "fpo/surface_cover.h"
 #include "geom/check.h"
 #include "geom/hilbert.h"
+#include "geom/parallel.h"
 #include "geom/regular3.h"
 #include "geom/rng.h"
 #include "geom/site_tree.h"
@@ -88,14 +89,16 @@ VoronoiBalls::VoronoiBalls(std::vector<CoverPoint> points, const LocalFeatureSiz
       chord_per_radius_within_facets_(chord_per_radius(options.min_angle_within_facets)) {
   const Regular3 triangulation = triangulate();
   cells_ = triangulation.cells();
-  balls_.reserve(cells_.size());
-  for (const Corners& cell : cells_) {
-    std::array<Vec3, 4> corner;
-    std::ranges::transform(cell, corner.begin(), [&](SiteId s) { return triangulation.point(s).position; });
-    balls_.push_back(circumscribed_ball(corner));
-    if (balls_.back().radius > 0 && std::ranges::none_of(cell, &Regular3::is_guard))
-      judge(cell, balls_.back());
-  }
+  balls_.resize(cells_.size());
+  geom::parallel_ranges(cells_.size(), 4096, options.threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      const Corners& cell = cells_[k];
+      std::array<Vec3, 4> corner;
+      std::ranges::transform(cell, corner.begin(), [&](SiteId s) { return triangulation.point(s).position; });
+      balls_[k] = circumscribed_ball(corner);
+      if (balls_[k].radius > 0 && std::ranges::none_of(cell, &Regular3::is_guard)) judge(cell, balls_[k]);
+    }
+  });
 }
 
 /// Rounds of random points, each several times as many as those before it together, lest the points be all on
@@ -246,18 +249,22 @@ std::vector<MedialPoint> medial_points(const TriMesh& mesh, const LocalFeatureSi
   return result;
 }
 
-std::vector<double> local_feature_size(std::span<const Vec3> locations, std::span<const MedialPoint> medial) {
+std::vector<double> local_feature_size(std::span<const Vec3> locations, std::span<const MedialPoint> medial,
+                                       int threads) {
   geom::SiteTree tree;
   for (std::size_t i = 0; i < medial.size(); ++i) tree.insert(SiteId(i), {medial[i].position, 0.0});
-  std::vector<double> size;
-  size.reserve(locations.size());
-  for (const Vec3& x : locations) size.push_back(std::sqrt(tree.nearest(x, SiteId()).radius2));
+  std::vector<double> size(locations.size());
+  geom::parallel_ranges(size.size(), 512, threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      size[i] = std::sqrt(tree.nearest(locations[i], SiteId()).radius2);
+  });
   return size;
 }
 
 Table<VertexId, double> local_feature_size(const TriMesh& mesh, const LocalFeatureSizeOptions& options) {
   const std::span vertices(mesh.vertices().data(), mesh.num_vertices());
-  const std::vector<double> size = local_feature_size(vertices, medial_points(mesh, options));
+  const std::vector<double> size =
+      local_feature_size(vertices, medial_points(mesh, options), options.threads);
   return Table<VertexId, double>(size.begin(), size.end());
 }
 

@@ -24,6 +24,7 @@ struct LocalFeatureSizeOptions {
   double min_angle = 60;    ///< degrees, at the pole between the touching points farthest apart
   double min_angle_within_facets = 75;  ///< the same for balls smaller than the facets they touch
   std::uint64_t seed = 1;               ///< of the surface points
+  int threads = 1;                      ///< for all but the triangulation; they do not change the result
 };
 
 /// A location of the medial axis, inside or outside, and the radius of its ball.
@@ -40,7 +41,7 @@ std::vector<MedialPoint> medial_points(const geom::TriMesh& mesh, const LocalFea
 /// The distance from each location to the nearest medial point, +infinity if there are none: 1-Lipschitz.
 /// O(log n) each, more where many medial points are equally far.
 std::vector<double> local_feature_size(std::span<const geom::Vec3> locations,
-                                       std::span<const MedialPoint> medial);
+                                       std::span<const MedialPoint> medial, int threads = 1);
 
 /// The local feature size at each vertex, named by a facet or not: about half a spacing, and where the
 /// surface bends a few percent, off the distance to the medial axis. Infinite everywhere if there is no

@@ -27,8 +27,10 @@ double cover_spacing(const geom::TriMesh& surface, std::size_t num_samples, doub
   return result;
 }
 
-VertexField local_feature_sizes(const geom::TriMesh& surface, std::size_t num_samples, double spacing) {
+VertexField local_feature_sizes(const geom::TriMesh& surface, std::size_t num_samples, double spacing,
+                                int threads) {
   LocalFeatureSizeOptions options;
+  options.threads = threads;
   options.spacing = cover_spacing(surface, num_samples, spacing);
   VertexField lfs = local_feature_size(surface, options);
   for (double& value : lfs) value = std::max(value, 1e-6 * spacing);  // 0 is not excluded
@@ -49,7 +51,7 @@ VertexField of_unit_size(VertexField rho) {
 VertexField wanted_sizes(const geom::TriMesh& surface, const RemeshOptions& options, double spacing) {
   switch (options.sizing) {
     case SizingKind::local_feature_size:
-      return local_feature_sizes(surface, options.num_samples, spacing);
+      return local_feature_sizes(surface, options.num_samples, spacing, options.threads);
     case SizingKind::curvature:
       return curvature_size(surface, {.min = 1e-6 * spacing});
     default:

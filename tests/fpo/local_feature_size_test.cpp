@@ -172,11 +172,12 @@ TEST_CASE("local feature size: medial points are as far from the surface as thei
   }
 }
 
-TEST_CASE("local feature size: 1-Lipschitz, and the same on every call") {
+TEST_CASE("local feature size: 1-Lipschitz, and the same on every call, by any number of threads") {
   const TriMesh mesh = geom::make_shape("blob", 8, 3);
   const fpo::LocalFeatureSizeOptions options{.spacing = 0.1};
   const auto size = local_feature_size(mesh, options);
   CHECK(size == local_feature_size(mesh, options));
+  CHECK(size == local_feature_size(mesh, {.spacing = 0.1, .threads = 3}));
   double steepest = 0;
   for (VertexId v(0); v.index() < size.size(); v = VertexId(v.value + 1))
     for (VertexId u(0); u < v; u = VertexId(u.value + 1))
