@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <mutex>
 #include <numeric>
@@ -154,8 +155,10 @@ bool TiledRun::round() {
   ++round_;
   sweeps_ = std::min({round_, tile_options_.sweeps, options_.max_iterations - iteration_});
   owe(sweeps_);
-  const TiledSurface whole(mesh(), sizing_, samples_, task_.surface,
-                           make_tiles(mesh(), samples_, {tile_options_.most_samples, rng_.bits()}));
+  std::vector<Tile> tiles = make_tiles(mesh(), samples_, {tile_options_.most_samples, rng_.bits()});
+  // Large ones first, so that threads end at about the same time.
+  std::ranges::stable_sort(tiles, std::greater(), [](const Tile& tile) { return tile.samples.size(); });
+  const TiledSurface whole(mesh(), sizing_, samples_, task_.surface, std::move(tiles));
   std::vector<SurfaceSample> next = samples_;
   const std::uint64_t seed = rng_.bits();
   try {

@@ -84,7 +84,7 @@ TEST_CASE("tiled optimization: as good as on the whole surface") {
     SurfaceDomain whole(mesh, sizing, samples, surface);
     const IterationReport last = optimize(whole, options).last;
     CHECK(tiled.result.last.mean_delta > 0.98 * last.mean_delta);
-    CHECK(tiled.result.last.delta > 0.9 * last.delta);
+    CHECK(tiled.result.last.delta > 0.85 * last.delta);  // a minimum, which is reached slowly
     SurfaceDomain again(mesh, sizing, tiled.samples, surface);
     CHECK(measure(again).delta == tiled.result.last.delta);
   }
