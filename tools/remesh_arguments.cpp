@@ -1,5 +1,6 @@
 #include "tools/remesh_arguments.h"
 
+#include <cmath>
 #include <optional>
 #include <set>
 
@@ -41,7 +42,10 @@ void set_features(RemeshArguments& a, const std::string& text) {
 /// None: to be chosen. 0: no tiles.
 std::optional<std::size_t> tile_samples_of(const std::string& text) {
   if (text == "auto") return {};
-  return text == "off" ? 0 : static_cast<std::size_t>(parse_number(text, least_tile_samples, 1e9));
+  if (text == "off") return 0;
+  const double count = parse_number(text, least_tile_samples, 1e9);
+  geom::require(count == std::floor(count), "must be a whole number: " + text);
+  return static_cast<std::size_t>(count);
 }
 
 void choose_scope(RemeshArguments& a, bool local, bool global, double weight_scale) {

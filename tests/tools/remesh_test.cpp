@@ -109,6 +109,7 @@ TEST_CASE("fpo-remesh: bad use is refused in one line, and nothing is written") 
   refused({"torus.obj", "-n", "50", "-o", "out.obj", "--threads", "0"}, "--threads: 0 is not between");
   refused({"torus.obj", "-n", "50", "-o", "out.obj", "--tiles", "5"}, "5 is not between 100 and");
   refused({"torus.obj", "-n", "50", "-o", "out.obj", "--tiles", "on"}, "'on' is not a number");
+  refused({"torus.obj", "-n", "50", "-o", "out.obj", "--tiles", "100.7"}, "must be a whole number: 100.7");
   refused({"torus.obj", "-n", "50"}, "-o OUT is missing");
   refused({"-n", "50", "-o", "out.obj"}, "INPUT is missing");
 }
