@@ -114,14 +114,13 @@ int trace(tools::CommandLine& cli) {
   tools::TracePicture picture(mesh, old, 3 * fpo::hexagonal_spacing(mesh.area(), a.n));
   std::printf("move %zu: sample %d at (%.9g, %.9g, %.9g) in facet %d\n", a.move, x.value, old.position.x(),
               old.position.y(), old.position.z(), old.facet.value);
-  std::printf("1 separation\n  d_x^2 = %.9g\n", d);
   const auto before = picture.draw(domain.diagram(), x, nullptr);
 
   domain.remove(x);
-  std::printf("2 remove, 3 re-clip, 4 heap\n");
+  std::printf("1 remove, 2 re-clip, 3 heap\n");
   print_change(domain);
   const fpo::Circle c = domain.largest_empty(fpo::Scope::global);
-  std::printf("5 pick\n");
+  std::printf("4 pick\n");
   if (c.id.valid()) print_circle(domain.diagram(), c.id);
   const bool moves = c.radius2 > d;
   std::printf("  r^2 = %.9g %s d_x^2 = %.9g: the sample %s\n", c.radius2, moves ? ">" : "<=", d,
@@ -134,7 +133,7 @@ int trace(tools::CommandLine& cli) {
   else
     domain.put_back(x);
   const geom::Vec3& p = domain.sample(x).position;
-  std::printf("6 insert at (%.9g, %.9g, %.9g)\n", p.x(), p.y(), p.z());
+  std::printf("5 insert at (%.9g, %.9g, %.9g)\n", p.x(), p.y(), p.z());
   print_change(domain);
   const auto after = tools::TracePicture(mesh, domain.sample(x), 3 * fpo::hexagonal_spacing(mesh.area(), a.n))
                          .draw(domain.diagram(), x, nullptr);
