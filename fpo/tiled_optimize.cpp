@@ -106,7 +106,8 @@ IterationReport TiledRun::measure_positions() const {
   return report;
 }
 
-/// All that is owed to the samples of a tile, spread evenly over the sweeps.
+/// All that is owed to the samples of a tile, spread evenly over the sweeps. Those that turn out to be too near
+/// to a cut are tried again after 1, 2, 4, ... sweeps.
 void TiledRun::work_on(const TiledSurface& whole, std::size_t tile, std::uint64_t seed,
                        std::vector<SurfaceSample>& next) {
   std::vector<SiteId> order;
@@ -115,7 +116,7 @@ void TiledRun::work_on(const TiledSurface& whole, std::size_t tile, std::uint64_
   if (order.empty() || interrupted()) return;
   TileDomain domain(whole, tile);
   geom::Rng rng(seed + tile);
-  std::vector<int> done(order.size(), 0), index(order.size());
+  std::vector<int> done(order.size(), 0), next_try(order.size(), 1), index(order.size());
   std::iota(index.begin(), index.end(), 0);
   std::size_t moved = 0, moves = 0;
   for (int sweep = 1; sweep <= sweeps_; ++sweep) {
@@ -126,11 +127,15 @@ void TiledRun::work_on(const TiledSurface& whole, std::size_t tile, std::uint64_
       const int i = index[k];
       const SiteId x = order[static_cast<std::size_t>(i)];
       int& times = done[static_cast<std::size_t>(i)];
+      if (sweep < next_try[static_cast<std::size_t>(i)]) continue;
       for (const int due = owed_[x.index()] * sweep / sweeps_; times < due; ++times) {
         if (interrupted()) break;
         try {
           const TileDomain::Outcome outcome = domain.move(x, options_.scope);
-          if (outcome == TileDomain::Outcome::out_of_reach) break;
+          if (outcome == TileDomain::Outcome::out_of_reach) {
+            next_try[static_cast<std::size_t>(i)] = 2 * sweep;
+            break;
+          }
           moved += outcome == TileDomain::Outcome::moved;
         } catch (const geom::Bug& bug) {
           throw geom::Bug("tile " + std::to_string(tile) + ", move " + std::to_string(moves) + ": " +
