@@ -116,7 +116,7 @@ bool SurfaceDomain::is_farther(const Circle& c, SiteId x) {
   const std::vector<SiteId>& heirs = last_change_->cells;
   for (const SiteId y : heirs)
     if (c.radius2 > geom::power(place, diagram_->site(y))) return true;
-  return c.radius2 > source_->nearest(place, x, heirs.empty() ? SiteId() : heirs.front()).radius2;
+  return c.radius2 > source_->nearest(place, x, heirs.empty() ? near_removed_ : heirs.front()).radius2;
 }
 
 void SurfaceDomain::insert_at(SiteId x, const Circle& c) {
