@@ -78,7 +78,7 @@ class TileDomain {
   };
   /// Lines 4 to 9 of Algorithm 1 for a sample of the tile that is not fixed. Scope::global: the largest circle
   /// that is well inside the tile.
-  Outcome move(SiteId x, Scope scope);
+  Outcome move(SiteId of_whole, Scope scope);
   /// Domain::expect().
   void expect(SiteId x) { domain_->expect(here(x)); }
 

@@ -21,8 +21,9 @@
 namespace geom {
 
 /// Leaves split when full, along the longest side of their sites' box, at the median; nothing is ever merged.
-/// Adapts to any grading, as long as few sites are nearer to each other than 2^-23 of the largest coordinate. insert, remove, set_reach, queries: O(log n) expected. A site is in one leaf, which
-/// it leaves only on remove.
+/// Adapts to any grading, as long as few sites are nearer to each other than 2^-23 of the largest coordinate.
+/// insert, remove, set_reach, queries: O(log n) expected. A site is in one leaf, which it leaves only on
+/// remove.
 class SiteTree final : public NeighbourSource {
  public:
   SiteTree() : nodes_(1) {}
