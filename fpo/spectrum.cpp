@@ -160,13 +160,10 @@ PowerSpectrum differential_spectrum(const SpectrumSet& set, const SpectrumOption
   const auto n = static_cast<double>(set.samples.size());
   PowerSpectrum spectrum({step, step}, half, half);
   for (std::size_t k = 0; k < pairs.size(); ++k) spectrum.power[k] = 1 + pairs[k] / n;
+  auto to_expect = expected.begin();
   for (int j = -low_half; j <= low_half; ++j)
-    for (int i = -low_half; i <= low_half; ++i) {
-      const auto row = static_cast<std::size_t>(j + low_half),
-                 column = static_cast<std::size_t>(i + low_half);
-      spectrum.at(i, j) -= background_share(step * std::hypot(i, j)) / n *
-                           expected[row * static_cast<std::size_t>(2 * low_half + 1) + column];
-    }
+    for (int i = -low_half; i <= low_half; ++i)
+      spectrum.at(i, j) -= background_share(step * std::hypot(i, j)) / n * *to_expect++;
   spectrum.smoothing = std::max(1.0, n * n / std::max(sums.squares, 1.0));
   return spectrum;
 }
