@@ -7,6 +7,7 @@
 #include "fpo/initial_samples.h"
 #include "geom/check.h"
 #include "geom/rng.h"
+#include "tests/fixtures/sizings.h"
 #include "tests/fixtures/surfaces.h"
 #include "tests/oracle/restricted_power_oracle.h"
 
@@ -50,14 +51,6 @@ double largest_by_brute_force(const TriMesh& mesh, const geom::Clipper::Sites& s
   return largest;
 }
 
-Sizing graded(const TriMesh& mesh) {
-  VertexField h;
-  const double size = mesh.diagonal();
-  for (const Vec3& p : mesh.vertices())
-    h.push_back(size * (0.08 + 0.2 * (p - mesh.box().min()).norm() / size));
-  return {mesh, std::move(h)};
-}
-
 }  // namespace
 
 TEST_CASE("surface domain: the largest empty circle is that of brute force, and every structure holds") {
@@ -65,7 +58,8 @@ TEST_CASE("surface domain: the largest empty circle is that of brute force, and 
     CAPTURE(name);
     for (const bool adaptive : {false, true}) {
       for (const geom::CornerTypes corners : {geom::CornerTypes::c_only, geom::CornerTypes::all}) {
-        const Sizing sizing = adaptive ? graded(mesh) : Sizing::uniform(hexagonal_spacing(mesh.area(), 25));
+        const Sizing sizing = adaptive ? fixtures::graded(mesh, 0.08, 0.2)
+                                       : Sizing::uniform(hexagonal_spacing(mesh.area(), 25));
         SurfaceOptions options;
         options.corners = corners;
         options.engine = adaptive ? Engine::triangulation : Engine::search;
@@ -98,7 +92,7 @@ TEST_CASE("surface domain: the separation is the least power of a linear scan") 
   for (const auto& [name, mesh] : fixtures::surfaces()) {
     CAPTURE(name);
     for (const Engine engine : {Engine::search, Engine::triangulation}) {
-      const Sizing sizing = graded(mesh);
+      const Sizing sizing = fixtures::graded(mesh, 0.08, 0.2);
       SurfaceOptions options;
       options.engine = engine;
       SurfaceDomain domain(mesh, sizing, random_samples(mesh, sizing, 60, 2), options);
@@ -156,7 +150,7 @@ TEST_CASE("surface domain: samples at one place, a single sample, none") {
 TEST_CASE("surface domain: both engines go the same way, move by move") {
   for (const auto& [name, mesh] : fixtures::surfaces()) {
     CAPTURE(name);
-    const Sizing sizing = graded(mesh);
+    const Sizing sizing = fixtures::graded(mesh, 0.08, 0.2);
     const auto samples = random_samples(mesh, sizing, 50, 6);
     SurfaceOptions options;
     SurfaceDomain a(mesh, sizing, samples, options);

@@ -4,12 +4,12 @@
 
 #include "doctest.h"
 #include "fpo/initial_samples.h"
+#include "tests/fixtures/sizings.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
 using geom::FacetId;
 using geom::TriMesh;
-using geom::Vec3;
 
 namespace {
 
@@ -76,14 +76,6 @@ void replay(SurfaceDomain& whole, const Move& move, Scope scope) {
     whole.put_back(move.x);
 }
 
-Sizing graded(const TriMesh& mesh) {
-  VertexField h;
-  const double size = mesh.diagonal();
-  for (const Vec3& p : mesh.vertices())
-    h.push_back(size * (0.03 + 0.04 * (p - mesh.box().min()).norm() / size));
-  return {mesh, std::move(h)};
-}
-
 /// The tiles' moves one tile after the other, the last one first, or interleaved at random.
 std::vector<Move> merged(const std::vector<std::vector<Move>>& tiles, int way) {
   std::vector<Move> result;
@@ -117,7 +109,8 @@ TEST_CASE("tile domain: the moves of all tiles are moves on the whole surface, i
         options.corners = combination % 3 == 0 ? geom::CornerTypes::all : geom::CornerTypes::c_only;
         options.engine = combination % 4 == 0 ? Engine::triangulation : Engine::search;
         options.num_fixed = 20;
-        const Sizing sizing = adaptive ? graded(mesh) : Sizing::uniform(hexagonal_spacing(mesh.area(), n));
+        const Sizing sizing = adaptive ? fixtures::graded(mesh, 0.03, 0.04)
+                                       : Sizing::uniform(hexagonal_spacing(mesh.area(), n));
         const auto samples = random_samples(mesh, sizing, n, 2);
         const TiledSurface whole(mesh, sizing, samples, options, make_tiles(mesh, samples, {250, 3}));
         std::vector<std::vector<Move>> tiles;
@@ -136,7 +129,7 @@ TEST_CASE("tile domain: the moves of all tiles are moves on the whole surface, i
 
 TEST_CASE("tile domain: its diagram is that of the whole on its facets") {
   const TriMesh mesh = fixtures::blob(8);
-  const Sizing sizing = graded(mesh);
+  const Sizing sizing = fixtures::graded(mesh, 0.03, 0.04);
   const auto samples = random_samples(mesh, sizing, 500, 6);
   const SurfaceOptions options;
   const SurfaceDomain domain(mesh, sizing, samples, options);

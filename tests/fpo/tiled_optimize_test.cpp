@@ -5,21 +5,13 @@
 
 #include "doctest.h"
 #include "fpo/initial_samples.h"
+#include "tests/fixtures/sizings.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
 using geom::TriMesh;
-using geom::Vec3;
 
 namespace {
-
-Sizing graded(const TriMesh& mesh) {
-  VertexField h;
-  const double size = mesh.diagonal();
-  for (const Vec3& p : mesh.vertices())
-    h.push_back(size * (0.03 + 0.04 * (p - mesh.box().min()).norm() / size));
-  return {mesh, std::move(h)};
-}
 
 struct Run {
   std::vector<SurfaceSample> samples;
@@ -45,7 +37,8 @@ Run run(const SurfaceTask& task, const TileOptions& tiles, OptimizeOptions optio
 TEST_CASE("tiled optimization: any number of threads gives the same samples, each moved once an iteration") {
   const TriMesh mesh = fixtures::blob(9);
   for (const bool adaptive : {false, true}) {
-    const Sizing sizing = adaptive ? graded(mesh) : Sizing::uniform(hexagonal_spacing(mesh.area(), 900));
+    const Sizing sizing =
+        adaptive ? fixtures::graded(mesh, 0.03, 0.04) : Sizing::uniform(hexagonal_spacing(mesh.area(), 900));
     SurfaceOptions surface;
     surface.num_fixed = 30;
     const SurfaceTask task{mesh, sizing, random_samples(mesh, sizing, 900, 3), surface};
