@@ -115,11 +115,11 @@ bool is_paper_model(std::string_view stem, std::string_view model) {
 }
 
 std::optional<PaperBlock> find_paper_block(std::string_view stem, std::size_t samples, bool adaptive) {
-  for (PaperBlock& block : paper_blocks()) {
+  for (const PaperBlock& block : paper_blocks()) {
     const auto n = static_cast<double>(block.samples);
     if (block.adaptive == adaptive && is_paper_model(stem, block.model) &&
         std::abs(static_cast<double>(samples) - n) <= 0.03 * n)
-      return std::move(block);
+      return block;
   }
   return std::nullopt;
 }
