@@ -128,6 +128,7 @@ Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const Re
 SurfaceOptions surface_options(const SharedSizing& shared, const RemeshOptions& options) {
   SurfaceOptions result = options.surface;
   result.seed = options.seed;
+  result.threads = options.threads;
   result.num_fixed = shared.features.samples.size();
   return result;
 }

@@ -35,13 +35,13 @@ struct RemeshOptions {
   /// If given: features are found, sampled and kept. The scale of turns is overruled: half the even spacing.
   std::optional<FeatureOptions> features;
   std::vector<geom::Vec3> fixed;       ///< points of the surface, which become vertices exactly
-  SurfaceOptions surface;              ///< its seed and number of fixed samples are overruled
+  SurfaceOptions surface;              ///< its seed, threads and number of fixed samples are overruled
   bool shortest_edge_removal = false;  ///< before the optimization (section 4.3); fpo only
   /// Its seed and order are overruled. Other methods than fpo heed the greatest number of iterations (of radii
   /// tried, with mps and cps), the interruption and the callbacks.
   OptimizeOptions optimize;
   std::size_t tile_samples = 0;  ///< in a tile (tiled_optimize.h), if there are more; 0: no tiles
-  int threads = 1;               ///< of cvt and of tiles; no matter to the result
+  int threads = 1;               ///< no matter to the result
   bool mend = true;              ///< bring samples to where the remesh is no surface
   bool optimize_angles = true;   ///< afterwards (section 5)
   bool improve_fidelity = true;  ///< where the remesh is farthest from the input (fidelity.h)

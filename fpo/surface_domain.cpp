@@ -53,7 +53,16 @@ SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,
   std::vector<SiteId> order;
   for (std::size_t i = 0; i < samples.size(); ++i) order.emplace_back(i);
   geom::Rng(options.seed).shuffle(std::span(order));
-  for (const SiteId x : order) insert(x, SiteId());
+  std::vector<geom::WeightedPoint3> points;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    points.push_back({samples[i].position, weight_at(SiteId(i))});
+  geom::SiteTree tree;
+  const bool has_tree = options.engine == Engine::search;
+  for (const SiteId x : order) {
+    source_->insert(x, points[x.index()], SiteId());
+    if (!has_tree) tree.insert(x, points[x.index()]);
+  }
+  apply(diagram_->build(points, has_tree ? *source_ : tree, options.threads));
 }
 
 double SurfaceDomain::full_weight(SiteId x) const {

@@ -32,8 +32,8 @@ struct SurfaceOptions {
   Engine engine = Engine::search;
   geom::CornerTypes corners = geom::CornerTypes::c_only;
   std::size_t num_fixed = 0;  ///< the samples with smaller ids stay where they are
-  std::uint64_t seed =
-      1;  ///< of the order in which the first diagram is built (the result does not depend on it)
+  std::uint64_t seed = 1;  ///< of the order in which the source is filled (the result does not depend on it)
+  int threads = 1;         ///< that build the first diagram; no matter to the result
   /// If given: only circles for which it is true may be the largest empty one, everywhere. Told the circle and
   /// its first site; asked once, when the circle comes into being.
   std::function<bool(const geom::EmptyCircle&, const geom::WeightedPoint3&)> offers{};
@@ -41,8 +41,7 @@ struct SurfaceOptions {
 
 class SurfaceDomain final : public Domain {
  public:
-  /// Keeps a reference to the mesh. Builds the diagram of the samples by inserting them in random order: O(F
-  /// + n log n) expected. Throws InputError if there is no sample or no facet.
+  /// Keeps a reference to the mesh. Cost: the facets and the fragments of the diagram, times log n. Throws InputError if there is no sample or no facet.
   SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing, std::span<const SurfaceSample> samples,
                 const SurfaceOptions& options = {});
   /// With uniform sizing.

@@ -116,6 +116,7 @@ void TileDomain::build() {
   for (const SiteId x : sites_) samples.push_back(whole_.sample(x));
   const Sizing sizing = local_sizing(samples);
   SurfaceOptions options = whole_.options();
+  options.threads = 1;  // as other tiles have theirs
   options.num_fixed = static_cast<std::size_t>(
       std::ranges::lower_bound(sites_, SiteId(whole_.options().num_fixed)) - sites_.begin());
   options.offers = [this](const geom::EmptyCircle& circle, const geom::WeightedPoint3& site) {

@@ -186,6 +186,7 @@ void TiledRun::catch_up(SurfaceDomain& domain) {
   for (int sweep = 0; sweep < *std::ranges::max_element(owed_); ++sweep)
     for (std::size_t i = 0; i < owed_.size() && !interrupted(); ++i) {
       if (owed_[i] <= sweep) continue;
+      if (i + look_ahead < owed_.size()) domain.expect(SiteId(i + look_ahead));
       announce_move();
       try {
         moved_ += move_to_farthest_point(domain, SiteId(i), options_.scope);

@@ -1,11 +1,15 @@
 #include "geom/clip.h"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "geom/check.h"
 
 namespace geom {
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::size_t next(std::size_t k, std::size_t n) { return k + 1 == n ? 0 : k + 1; }
 
@@ -20,15 +24,17 @@ std::pair<int, int> edge_ends(const TriMesh::Facet& facet, int e) {
 
 Clipper::Clipper(const TriMesh& mesh, const Sites& sites, double extent)
     : mesh_(mesh), sites_(sites), extent_(extent) {
-  balls_.reserve(mesh.num_facets());
+  Table<FacetId, Ball> balls;
+  balls.reserve(mesh.num_facets());
   for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
     Box3 box;
     for (int i = 0; i < 3; ++i) box.extend(mesh.corner(t, i));
     const Vec3 center = box.center();
     double radius = 0;
     for (int i = 0; i < 3; ++i) radius = std::max(radius, (mesh.corner(t, i) - center).norm());
-    balls_.push_back({center, radius * (1 + 0x1p-40) + 0x1p-48 * extent});
+    balls.push_back({center, radius * (1 + 0x1p-40) + 0x1p-48 * extent});
   }
+  balls_ = std::make_shared<const Table<FacetId, Ball>>(std::move(balls));
 }
 
 void Clipper::start(FacetPolygon& polygon, FacetId facet, SiteId owner) const {
@@ -38,6 +44,22 @@ void Clipper::start(FacetPolygon& polygon, FacetId facet, SiteId owner) const {
   for (int i = 0; i < 3; ++i)
     polygon.corners[static_cast<std::size_t>(i)] = {
         {mesh_.corner(facet, i), 0}, EdgeLabel::facet_edge(i), CircleId()};
+}
+
+/// Power is convex, so its maximum is at a corner. With a the rounded distance of a corner and b = sqrt(3)
+/// tolerance, (a + b)^2 <= a^2 (1 + e) + b^2 (1 + 1/e).
+double Clipper::bound_power(const FacetPolygon& polygon) const {
+  const WeightedPoint3& owner = sites_[polygon.owner];
+  constexpr double e = 1e-9;
+  double a2 = 0, tolerance = 0;
+  for (const PolygonCorner& corner : polygon.corners) {
+    a2 = std::max(a2, (corner.point.position - owner.position).squaredNorm());
+    tolerance = std::max(tolerance, corner.point.tolerance);
+  }
+  if (tolerance < infinity) return a2 * (1 + e) + 3 * tolerance * tolerance * (1 + 1 / e) - owner.weight;
+  double result = -infinity;
+  for (int i = 0; i < 3; ++i) result = std::max(result, power(mesh_.corner(polygon.facet, i), owner));
+  return result;
 }
 
 bool Clipper::beats_exactly(const CellCorner& corner, SiteId j) const {

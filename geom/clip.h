@@ -12,6 +12,7 @@
 // Positions are rounded and carry their error bound; they serve as filter, never as the judge.
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -77,7 +78,8 @@ struct CutPlace {
   EdgeLabel leaving, entering;
 };
 
-/// Clips facets of one mesh by bisectors of one set of sites.
+/// Clips facets of one mesh by bisectors of one set of sites. Copies share what is known of the facets; clipping
+/// needs room for its work, so each thread has its own.
 class Clipper {
  public:
   using Sites = Table<SiteId, WeightedPoint3>;
@@ -109,16 +111,19 @@ class Clipper {
   /// What can be said of j and the owner on the whole facet from a ball about it: the owner wins everywhere
   /// (untouched), j does (swallowed), or it depends (cut).
   Clip compare_on_facet(FacetId facet, const Bisector& b) const {
-    const Ball& ball = balls_[facet];
+    const Ball& ball = (*balls_)[facet];
     const double f = b(ball.center), bound = b.error + b.length * ball.radius;
     return f > bound ? Clip::untouched : f < -bound ? Clip::swallowed : Clip::cut;
   }
 
   /// Asks the memory for what that reads.
-  void prefetch_facet(FacetId facet) const { prefetch(balls_.data() + facet.index()); }
+  void prefetch_facet(FacetId facet) const { prefetch(balls_->data() + facet.index()); }
 
   /// The center of that ball.
-  const Vec3& middle(FacetId facet) const { return balls_[facet].center; }
+  const Vec3& middle(FacetId facet) const { return (*balls_)[facet].center; }
+
+  /// An upper bound of the power, to the owner, of the locations in the polygon.
+  double bound_power(const FacetPolygon& polygon) const;
 
   /// Which corners j takes: none, some, all. O(corners). Fills `beaten` where the answer is `cut`.
   Clip classify_corners(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners, SiteId j,
@@ -165,9 +170,9 @@ class Clipper {
   const TriMesh& mesh_;
   const Sites& sites_;
   double extent_;
-  Table<FacetId, Ball> balls_;          ///< around the facets
-  std::vector<char> beaten_;            // workspace
-  std::vector<PolygonCorner> scratch_;  // workspace
+  std::shared_ptr<const Table<FacetId, Ball>> balls_;  ///< around the facets
+  std::vector<char> beaten_;                           // workspace
+  std::vector<PolygonCorner> scratch_;                 // workspace
 };
 
 }  // namespace geom

@@ -9,8 +9,6 @@
 namespace geom {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Sites are rounded from locations on the surface and may leave its box by a little.
 double extent_of(const TriMesh& mesh) {
   require(mesh.num_facets() > 0, "the surface has no facet");
@@ -37,22 +35,6 @@ RestrictedPower::RestrictedPower(const TriMesh& mesh, NeighbourSource& neighbour
       if (!first_facet_[v].valid()) first_facet_[v] = t;
 }
 
-/// An upper bound of the power on a polygon: power is convex, so its maximum is at a corner. With a the
-/// rounded distance of a corner and b = sqrt(3) tolerance, (a + b)^2 <= a^2 (1 + e) + b^2 (1 + 1/e).
-double RestrictedPower::bound_radius2(const FacetPolygon& polygon) const {
-  const WeightedPoint3& owner = sites_[polygon.owner];
-  constexpr double e = 1e-9;
-  double a2 = 0, tolerance = 0;
-  for (const PolygonCorner& corner : polygon.corners) {
-    a2 = std::max(a2, (corner.point.position - owner.position).squaredNorm());
-    tolerance = std::max(tolerance, corner.point.tolerance);
-  }
-  if (tolerance < infinity) return a2 * (1 + e) + 3 * tolerance * tolerance * (1 + 1 / e) - owner.weight;
-  double result = -infinity;
-  for (int i = 0; i < 3; ++i) result = std::max(result, power(mesh_.corner(polygon.facet, i), owner));
-  return result;
-}
-
 // --- fragments and their circles -----------------------------------------------------------------
 
 /// Gives fragment f (created if none) this polygon; returns the bound of its power. Corners that stay bring
@@ -66,7 +48,7 @@ double RestrictedPower::commit(FragmentId f, FacetPolygon& polygon) {
   }
   register_corners(polygon);
   store_.set_corners(f, polygon.corners);
-  const double max_radius2 = bound_radius2(polygon);
+  const double max_radius2 = clipper_.bound_power(polygon);
   store_.set_max_radius2(f, max_radius2);
   return max_radius2;
 }

@@ -49,6 +49,10 @@ class RestrictedPower {
   /// Throws InputError if the mesh has no facet.
   RestrictedPower(const TriMesh& mesh, NeighbourSource& neighbours, CornerTypes types);
 
+  /// The diagram of sites 0, 1, ... at once, it being empty; the source holds them. `search` must, too, and answer
+  /// from several threads: a SiteTree. The number of threads does not matter to the result. The change does not list
+  /// the fragments: they are all. Cost: the facets and the fragments, times the logarithm of the number of sites.
+  const Change& build(std::span<const WeightedPoint3> points, const NeighbourSource& search, int threads);
   /// Makes room for p's cell; p has just been inserted into the neighbour source. Cost: the fragments of its
   /// rivals.
   const Change& after_insert(SiteId p, const WeightedPoint3& point);
@@ -130,6 +134,7 @@ class RestrictedPower {
   };
 
   void begin(SiteId p);
+  void admit(SiteId p, const WeightedPoint3& point);
   void finish();
   void touch_cell(SiteId j);
 
@@ -167,7 +172,6 @@ class RestrictedPower {
     const auto& sites = circles_[c].sites;
     return sites[0] == p ? 0 : sites[1] == p ? 1 : 2;
   }
-  double bound_radius2(const FacetPolygon& polygon) const;
 
   const TriMesh& mesh_;
   NeighbourSource& neighbours_;

@@ -24,6 +24,13 @@ void RestrictedPower::begin(SiteId p) {
   }
 }
 
+void RestrictedPower::admit(SiteId p, const WeightedPoint3& point) {
+  ensure(point.position.lpNorm<Eigen::Infinity>() <= extent_,
+         "restricted power diagram: a site outside the mesh's box");
+  if (p.index() >= sites_.size()) sites_.resize(p.index() + 1);
+  sites_[p] = point;
+}
+
 /// Tells the source how far the changed cells reach now.
 void RestrictedPower::finish() {
   for (const SiteId j : change_.cells) neighbours_.set_reach(j, reach_[j]);
@@ -41,11 +48,8 @@ void RestrictedPower::touch_cell(SiteId j) {
 // owner at a corner. First the fragments of all rivals are cut; then p's own fragment on each facet touched
 // is put together from the new edges.
 const RestrictedPower::Change& RestrictedPower::after_insert(SiteId p, const WeightedPoint3& point) {
-  ensure(point.position.lpNorm<Eigen::Infinity>() <= extent_,
-         "restricted power diagram: a site outside the mesh's box");
-  if (p.index() >= sites_.size()) sites_.resize(p.index() + 1);
-  sites_[p] = point;
   begin(p);
+  admit(p, point);
   reach_[p] = -std::numeric_limits<double>::infinity();
   if (store_.size() == 0) {
     occupy_everything(p);

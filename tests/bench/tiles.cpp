@@ -27,7 +27,8 @@ int main(int argc, char** argv) {
   };
   const fpo::TileOptions tiles{static_cast<std::size_t>(number(5, 3000)), number(6, 10), number(7, 1)};
   const fpo::Sizing sizing = fpo::Sizing::uniform(fpo::hexagonal_spacing(mesh.area(), n));
-  const fpo::SurfaceOptions surface;
+  fpo::SurfaceOptions surface;
+  surface.threads = tiles.threads;
   const auto samples = fpo::random_samples(mesh, n, static_cast<std::uint64_t>(number(8, 1)));
   const auto start = std::chrono::steady_clock::now();
   fpo::OptimizeResult result;

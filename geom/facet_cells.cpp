@@ -1,0 +1,149 @@
+#include "geom/facet_cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geom/check.h"
+
+namespace geom {
+namespace {
+
+constexpr std::size_t memory = 1024;   // sites whose surroundings are kept
+constexpr double more = 1 + 1e-9;      // for the rounding of distances and powers
+constexpr double radius_guess = 1.25;  // in distances to the nearest site
+constexpr double radius_step = 1.5;
+
+double root(double x) { return x > 0 ? std::sqrt(x) : 0; }
+
+/// Rounded up.
+double power_at(double distance2, double weight) {
+  return distance2 - weight + (more - 1) * (distance2 + std::abs(weight));
+}
+
+}  // namespace
+
+FacetCells::FacetCells(const TriMesh& mesh, const Clipper::Sites& sites, const Clipper& clipper,
+                       const NeighbourSource& search)
+    : mesh_(mesh),
+      sites_(sites),
+      clipper_(clipper),
+      search_(search),
+      known_(memory),
+      stamp_of_(sites.size(), 0) {}
+
+std::span<const FacetPolygon> FacetCells::divide(FacetId t) {
+  num_found_ = 0;
+  ++stamp_;
+  const SiteId first = search_.nearest(clipper_.middle(t), SiteId(), SiteId()).site;
+  follow(first, t);
+  if (num_found_ == 0) {  // rounding calls it nearest where another one is
+    find_candidates(t, first);
+    for (const SiteId s : candidates_) follow(s, t);
+    ensure(num_found_ > 0, "facet cells: a facet without owner");
+  }
+  return std::span(found_).first(num_found_);
+}
+
+/// Adds the fragments of a site and of all that border them.
+void FacetCells::follow(SiteId first, FacetId t) {
+  if (is_new(first)) waiting_.push_back(first);
+  while (!waiting_.empty()) {
+    if (num_found_ == found_.size()) found_.emplace_back();
+    FacetPolygon& polygon = found_[num_found_];
+    clipper_.start(polygon, t, waiting_.back());
+    waiting_.pop_back();
+    if (!clip(polygon)) continue;
+    std::ranges::rotate(polygon.corners, std::ranges::min_element(polygon.corners, {}, &PolygonCorner::edge));
+    ++num_found_;
+    for (const PolygonCorner& corner : polygon.corners)
+      if (corner.edge.is_site() && is_new(corner.edge.site())) waiting_.push_back(corner.edge.site());
+  }
+}
+
+bool FacetCells::is_new(SiteId s) {
+  if (stamp_of_[s] == stamp_) return false;
+  stamp_of_[s] = stamp_;
+  return true;
+}
+
+/// Cuts the facet down to the cell of polygon.owner. False if nothing is left.
+bool FacetCells::clip(FacetPolygon& polygon) {
+  Surroundings& around = surroundings(polygon.owner);
+  double bound = 0;
+  for (;;) {
+    if (!clip(polygon, around, bound)) return false;
+    if (bound <= around.power) return true;
+    const double weight = sites_[polygon.owner].weight;
+    const double seen = root(around.power + weight), needed = root(bound + weight) * more;
+    look_around(around, seen > 0 ? std::min(needed, radius_step * seen) : needed);
+  }
+}
+
+/// By what is known to be around the owner. False if nothing is left. `bound`: of the power on what is left.
+bool FacetCells::clip(FacetPolygon& polygon, const Surroundings& around, double& bound) {
+  const double weight = sites_[polygon.owner].weight;
+  double security = 0;
+  const auto measure = [&] {
+    bound = clipper_.bound_power(polygon);
+    security = more * (root(bound + weight) + root(bound + around.heaviest));
+  };
+  measure();
+  for (const Near& j : around.sites) {
+    if (j.distance > security) break;
+    const Clip outcome = clipper_.clip(polygon, j.site, j.bisector);
+    if (outcome == Clip::swallowed) return false;
+    if (outcome == Clip::cut) measure();
+  }
+  return true;
+}
+
+FacetCells::Surroundings& FacetCells::surroundings(SiteId owner) {
+  Surroundings& around = known_[owner.index() % known_.size()];
+  if (around.owner == owner) return around;
+  around.owner = owner;
+  if (!(likely_radius_ > 0)) {
+    const SiteId nearest = search_.nearest(sites_[owner].position, owner, SiteId()).site;
+    if (nearest.valid())
+      likely_radius_ = radius_guess * (sites_[nearest].position - sites_[owner].position).norm();
+  }
+  look_around(around, likely_radius_);
+  return around;
+}
+
+/// All that matters up to that radius from the owner.
+void FacetCells::look_around(Surroundings& around, double radius) {
+  const WeightedPoint3& owner = sites_[around.owner];
+  likely_radius_ = radius;
+  around.power = power_at(radius * radius, owner.weight);
+  candidates_.clear();
+  search_.heirs({around.owner, owner.position, radius, around.power}, candidates_);
+  around.sites.clear();
+  around.heaviest = owner.weight;
+  for (const SiteId j : candidates_) {
+    if (j == around.owner) continue;
+    const double distance = (sites_[j].position - owner.position).norm();
+    around.sites.push_back({distance, j, clipper_.bisector_of(around.owner, j)});
+    around.heaviest = std::max(around.heaviest, sites_[j].weight);
+  }
+  std::ranges::sort(around.sites, [](const Near& a, const Near& b) {
+    return a.distance < b.distance || (a.distance == b.distance && a.site < b.site);
+  });
+}
+
+/// All that can own anything of the facet: nowhere there has the owner more power than the farthest corner has to
+/// the first site.
+void FacetCells::find_candidates(FacetId t, SiteId first) {
+  const WeightedPoint3& site = sites_[first];
+  const Vec3& middle = clipper_.middle(t);
+  double radius2 = 0, power = -std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const Vec3& q = mesh_.corner(t, i);
+    radius2 = std::max(radius2, (q - middle).squaredNorm());
+    power = std::max(power, power_at((q - site.position).squaredNorm(), site.weight));
+  }
+  candidates_.clear();
+  search_.heirs({SiteId(), middle, root(radius2) * more, power}, candidates_);
+}
+
+}  // namespace geom

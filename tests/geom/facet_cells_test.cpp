@@ -1,0 +1,119 @@
+#include "geom/facet_cells.h"
+
+#include "doctest.h"
+#include "fpo/initial_samples.h"
+#include "geom/rng.h"
+#include "geom/site_tree.h"
+#include "tests/fixtures/surfaces.h"
+#include "tests/oracle/restricted_power_oracle.h"
+
+using namespace geom;
+
+namespace {
+
+/// Sites in a search tree.
+struct Sites {
+  void add(const WeightedPoint3& point) {
+    tree.insert(table.next_id(), point);
+    present.push_back(table.next_id());
+    table.push_back(point);
+  }
+  Clipper::Sites table;
+  SiteTree tree;
+  std::vector<SiteId> present;
+};
+
+Sites samples_with_weights(const TriMesh& mesh, std::size_t n, double share) {
+  Sites sites;
+  Rng rng(n);
+  for (const fpo::SurfaceSample& s : fpo::random_samples(mesh, n, 5))
+    sites.add({s.position, share * rng.uniform() * mesh.area() / static_cast<double>(n)});
+  return sites;
+}
+
+using Found = std::vector<FacetPolygon>;
+Found divided(FacetCells& cells, FacetId t) {
+  const std::span<const FacetPolygon> found = cells.divide(t);
+  return {found.begin(), found.end()};
+}
+
+bool same(const Found& a, const Found& b) {
+  const auto same_corner = [](const PolygonCorner& c, const PolygonCorner& d) {
+    return c.point.position == d.point.position && c.point.tolerance == d.point.tolerance && c.edge == d.edge;
+  };
+  return std::ranges::equal(a, b, [&](const FacetPolygon& p, const FacetPolygon& q) {
+    return p.facet == q.facet && p.owner == q.owner && std::ranges::equal(p.corners, q.corners, same_corner);
+  });
+}
+
+/// Against all sites clipping each other, facets in a random order.
+void compare_with_oracle(const TriMesh& mesh, const Sites& sites) {
+  const Clipper clipper(mesh, sites.table, 10 * mesh.diagonal());
+  FacetCells cells(mesh, sites.table, clipper, sites.tree);
+  std::vector<RestrictedPower::Canonical> all;
+  std::vector<FacetId> order;
+  for (std::size_t t = 0; t < mesh.num_facets(); ++t) order.emplace_back(t);
+  Rng(1).shuffle(std::span(order));
+  for (const FacetId t : order)
+    for (const FacetPolygon& polygon : cells.divide(t)) {
+      RestrictedPower::Canonical fragment{t, polygon.owner, {}};
+      for (const PolygonCorner& corner : polygon.corners) fragment.labels.push_back(corner.edge);
+      all.push_back(std::move(fragment));
+    }
+  std::ranges::sort(all);
+  CHECK(all == oracle::restricted_power_diagram(mesh, sites.table, sites.present));
+}
+
+}  // namespace
+
+TEST_CASE("facet cells: equal brute force") {
+  for (const fixtures::NamedSurface& surface : fixtures::surfaces())
+    for (const double share : {0.0, 0.3, 8.0})
+      for (const std::size_t n : {1u, 2u, 7u, 150u}) {
+        CAPTURE(surface.name);
+        CAPTURE(share);
+        CAPTURE(n);
+        compare_with_oracle(surface.mesh, samples_with_weights(surface.mesh, n, share));
+      }
+}
+
+TEST_CASE("facet cells: sites on a lattice, on edges, on vertices and twice at one place") {
+  const TriMesh cube = fixtures::box(Vec3(1, 1, 1), 2);
+  for (const double weight : {0.0, 0.0625, 2.0}) {
+    Sites sites;
+    for (int twice = 0; twice < 2; ++twice)
+      for (int x = 0; x <= 4; ++x)
+        for (int y = 0; y <= 4; ++y)
+          for (const int z : {0, 4}) {
+            sites.add({Vec3(z, x, y) / 4, 0});
+            sites.add({Vec3(y, z, x) / 4, (x + y) % 3 == 0 ? weight : 0});
+          }
+    compare_with_oracle(cube, sites);
+  }
+}
+
+TEST_CASE("facet cells: clusters far smaller than facets, and weights far larger than distances") {
+  const TriMesh cube = fixtures::box(Vec3(1, 1, 1), 1);
+  for (const double weight : {0.0, 1.0, 100.0}) {
+    CAPTURE(weight);
+    Sites sites = samples_with_weights(cube, 30, 0);
+    Rng rng(2);
+    for (int i = 0; i < 40; ++i)
+      sites.add(
+          {Vec3(0.25, 1e-7 * rng.uniform(), 0.5 + 1e-7 * rng.uniform()), weight + 1e-14 * rng.uniform()});
+    compare_with_oracle(cube, sites);
+  }
+}
+
+TEST_CASE("facet cells: the answer does not depend on the facets before") {
+  for (const fixtures::NamedSurface& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const Sites sites = samples_with_weights(surface.mesh, 200, 0.3);
+    const Clipper clipper(surface.mesh, sites.table, 10 * surface.mesh.diagonal());
+    FacetCells cells(surface.mesh, sites.table, clipper, sites.tree);
+    for (std::size_t t = surface.mesh.num_facets(); t-- > 0;) {
+      FacetCells fresh(surface.mesh, sites.table, clipper, sites.tree);
+      CHECK(same(divided(cells, FacetId(t)), divided(fresh, FacetId(t))));
+    }
+  }
+}
