@@ -20,10 +20,11 @@ CircleQueue::CircleQueue(const geom::Regular2& triangulation)
 
 void CircleQueue::apply(const geom::Regular2::Change& change) {
   if (!active_) return;
-  for (const CellId t : change.destroyed) {
-    if (std::erase(fresh_, t) == 0 && heap_.contains(t)) heap_.erase(t);
-  }
-  for (const CellId t : fresh_) heap_.push(t, triangulation_.radius2(t));
+  for (const CellId t : change.destroyed)
+    if (heap_.contains(t)) heap_.erase(t);
+  for (const CellId t : fresh_)
+    if (std::ranges::find(change.destroyed, t) == change.destroyed.end())
+      heap_.push(t, triangulation_.radius2(t));
   fresh_.clear();
   for (const CellId t : change.created) {
     if (triangulation_.radius2(t) >= bar_) fresh_.push_back(t);

@@ -61,10 +61,26 @@ double PlaneDomain::weight_at(const Vec2& x) const {
 
 void PlaneDomain::remove(SiteId x) {
   removed_ = triangulation_.point(x);
-  const Regular2::Nearest nearest = triangulation_.nearest_other(x);
-  removed_separation_ = nearest.power;
-  near_removed_ = triangulation_.is_hidden(x) ? nearest.id : SiteId();
+  const bool hidden = triangulation_.is_hidden(x);
+  owns_its_place_ = is_uniform() && !hidden;
+  near_removed_ = SiteId();
+  if (!owns_its_place_) {
+    const Regular2::Nearest nearest = triangulation_.nearest_other(x);
+    removed_separation_ = nearest.power;
+    if (hidden) near_removed_ = nearest.id;
+  }
   apply(triangulation_.remove(x));
+}
+
+/// A sample at the center of its cell borders its nearest one, which then is a corner of the triangles in its hole.
+bool PlaneDomain::is_farther(const Circle& c, SiteId) {
+  if (!owns_its_place_) return c.radius2 > removed_separation_;
+  return std::ranges::any_of(last_change_.created, [&](CellId t) {
+    return std::ranges::any_of(triangulation_.corners(t), [&](SiteId v) {
+      const Vec2 d = torus().shortest(triangulation_.point(v).position - removed_.position);
+      return c.radius2 > d.squaredNorm();
+    });
+  });
 }
 
 Circle PlaneDomain::largest_empty(Scope scope) {
@@ -93,8 +109,9 @@ CellId PlaneDomain::largest_in_two_ring() {
 
 void PlaneDomain::insert_at(SiteId x, const Circle& c) {
   const CellId t(c.id.value);
-  const Vec2 at = torus().snap(triangulation_.center(t));
-  apply(triangulation_.insert(x, {at, weight_share(x) * weight_at(at)}, t));
+  const Vec2 at = triangulation_.center(t);
+  const double weight = is_uniform() ? 0 : weight_share(x) * weight_at(torus().snap(at));
+  apply(triangulation_.insert(x, {at, weight}, t));
 }
 
 void PlaneDomain::insert_at(SiteId x, const Vec2& position, double weight_share) {

@@ -61,7 +61,7 @@ class PlaneDomain final : public Domain {
 
   std::size_t num_samples() const override { return input_index_.size(); }
   double separation(SiteId x) override { return triangulation_.nearest_other(x).power; }
-  bool is_farther(const Circle& c, SiteId) override { return c.radius2 > removed_separation_; }
+  bool is_farther(const Circle& c, SiteId) override;
   void remove(SiteId x) override;
   Circle largest_empty(Scope scope) override;
   void insert_at(SiteId x, const Circle& c) override;
@@ -106,8 +106,9 @@ class PlaneDomain final : public Domain {
   CircleQueue circles_;
   geom::Regular2::Change last_change_;
   geom::WeightedPoint2 removed_;    ///< where the sample that is out came from
+  bool owns_its_place_ = false;     ///< its place is in its cell for certain; else these two are known:
   double removed_separation_ = 0;   ///< its separation()
-  geom::SiteId near_removed_;       ///< a visible sample close to it
+  geom::SiteId near_removed_;       ///< a visible sample close to it, if it was hidden
   std::vector<SiteId> ring_;        ///< scratch: around the removed sample
   std::array<SiteId, 3> expected_;  ///< the last samples announced by expect(), the latest first
 };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geom/check.h"
+#include "geom/facet_cells.h"
 #include "geom/rng.h"
 #include "geom/scaling.h"
 #include "geom/site_tree.h"
@@ -20,6 +21,12 @@ constexpr Circle no_circle{-std::numeric_limits<double>::infinity(), CircleId()}
 std::unique_ptr<geom::NeighbourSource> make_source(Engine engine, const geom::Box3& box) {
   if (engine == Engine::search) return std::make_unique<geom::SiteTree>();
   return std::make_unique<geom::TriangulationSource>(box);
+}
+
+bool has_degenerate_facet(const geom::TriMesh& mesh) {
+  for (std::size_t t = 0; t < mesh.num_facets(); ++t)
+    if (geom::is_degenerate(mesh, geom::FacetId(t))) return true;
+  return false;
 }
 
 }  // namespace
@@ -53,16 +60,24 @@ SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,
   std::vector<SiteId> order;
   for (std::size_t i = 0; i < samples.size(); ++i) order.emplace_back(i);
   geom::Rng(options.seed).shuffle(std::span(order));
+  if (has_degenerate_facet(mesh))
+    for (const SiteId x : order) insert(x, SiteId());
+  else
+    build(order);
+}
+
+/// All samples at once. `order`: in which they enter the source.
+void SurfaceDomain::build(std::span<const SiteId> order) {
   std::vector<geom::WeightedPoint3> points;
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    points.push_back({samples[i].position, weight_at(SiteId(i))});
+  for (std::size_t i = 0; i < samples_.size(); ++i)
+    points.push_back({samples_[SiteId(i)].position, weight_at(SiteId(i))});
   geom::SiteTree tree;
-  const bool has_tree = options.engine == Engine::search;
+  const bool has_tree = options_.engine == Engine::search;
   for (const SiteId x : order) {
     source_->insert(x, points[x.index()], SiteId());
     if (!has_tree) tree.insert(x, points[x.index()]);
   }
-  apply(diagram_->build(points, has_tree ? *source_ : tree, options.threads));
+  apply(diagram_->build(points, has_tree ? *source_ : tree, options_.threads));
 }
 
 double SurfaceDomain::full_weight(SiteId x) const {

@@ -41,7 +41,8 @@ struct SurfaceOptions {
 
 class SurfaceDomain final : public Domain {
  public:
-  /// Keeps a reference to the mesh. Cost: the facets and the fragments of the diagram, times log n. Throws InputError if there is no sample or no facet.
+  /// Keeps a reference to the mesh. Cost: the facets and the fragments of the diagram, times log n
+  /// (more if a facet is degenerate: then samples are inserted one by one). Throws InputError if there is no sample or no facet.
   SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing, std::span<const SurfaceSample> samples,
                 const SurfaceOptions& options = {});
   /// With uniform sizing.
@@ -93,6 +94,7 @@ class SurfaceDomain final : public Domain {
 
   SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing, std::span<const SurfaceSample> samples,
                 geom::Table<SiteId, double> weight_shares, const SurfaceOptions& options);
+  void build(std::span<const SiteId> order);
   void insert(SiteId x, SiteId hint);
   double weight_at(SiteId x) const;
   bool equal_weights() const { return sizing_.is_uniform() || !options_.weighted; }

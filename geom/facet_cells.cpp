@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geom/check.h"
+#include "geom/hilbert.h"
 
 namespace geom {
 namespace {
@@ -144,6 +145,25 @@ void FacetCells::find_candidates(FacetId t, SiteId first) {
   }
   candidates_.clear();
   search_.heirs({SiteId(), middle, root(radius2) * more, power}, candidates_);
+}
+
+bool is_degenerate(const TriMesh& mesh, FacetId t) {
+  const auto turns_in = [&](int x, int y) {  // seen along the third axis
+    const auto seen = [&](int i) { return Vec2(mesh.corner(t, i)[x], mesh.corner(t, i)[y]); };
+    return orient2(seen(0), seen(1), seen(2)) != 0;
+  };
+  return !turns_in(0, 1) && !turns_in(1, 2) && !turns_in(2, 0);
+}
+
+std::vector<FacetId> facets_along_curve(const TriMesh& mesh) {
+  std::vector<Vec3> middles;
+  middles.reserve(mesh.num_facets());
+  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
+    middles.push_back((mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3);
+  std::vector<FacetId> facets;
+  facets.reserve(mesh.num_facets());
+  for (const std::uint32_t i : hilbert_order(middles, mesh.box())) facets.emplace_back(std::size_t{i});
+  return facets;
 }
 
 }  // namespace geom

@@ -16,8 +16,8 @@
 
 namespace geom {
 
-/// One object a thread. What is around a site is kept for the next facets: neighbours best come one after the
-/// other.
+/// One object a thread and set of sites. What is around a site is kept for the next facets: neighbours best come one
+/// after the other.
 class FacetCells {
  public:
   /// Keeps references, and a copy of the clipper. `search` must hold all sites, and answer any question of the
@@ -27,7 +27,7 @@ class FacetCells {
 
   /// All fragments on the facet, the same, to the bit, as insertion of the sites one by one leads to. Corners
   /// begin with the smallest label. Expected cost: the number of fragments, times the logarithm of that of
-  /// sites. There must be at least one site. Valid until the next call.
+  /// sites. There must be at least one site, and the facet must not be degenerate. Valid until the next call.
   std::span<const FacetPolygon> divide(FacetId t);
 
  private:
@@ -64,5 +64,12 @@ class FacetCells {
   Table<SiteId, std::uint32_t> stamp_of_;  ///< of the last facet where the site was met
   std::uint32_t stamp_ = 0;
 };
+
+/// Do the corners of the facet lie on one line? Exact. In a plane through that line the cells need not meet as they
+/// do in others, so which label an edge gets depends on the order of insertions.
+bool is_degenerate(const TriMesh& mesh, FacetId t);
+
+/// All facets along a space-filling curve: a good order to divide them. O(F log F).
+std::vector<FacetId> facets_along_curve(const TriMesh& mesh);
 
 }  // namespace geom

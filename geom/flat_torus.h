@@ -26,6 +26,7 @@ class FlatTorus {
     unit_ = std::exp2(std::ceil(std::log2(high)));
     if (unit_ < high) unit_ *= 2;
     grid_ = unit_ * 0x1p-50;
+    per_unit_ = 1 / grid_;
     period_ = {std::round(period.x() / grid_) * grid_, std::round(period.y() / grid_) * grid_};
     half_ = period_ / 2;
   }
@@ -63,12 +64,12 @@ class FlatTorus {
   }
   double snap(double x, double period) const {
     if (!(x >= 0 && x < period)) x -= std::floor(x / period) * period;
-    x = std::round(x / grid_) * grid_;
+    x = std::round(x * per_unit_) * grid_;
     return x >= 0 && x < period ? x : 0.0;
   }
 
   Vec2 period_, half_;
-  double unit_, grid_;
+  double unit_, grid_, per_unit_;  ///< grid points per unit of length
 };
 
 }  // namespace geom

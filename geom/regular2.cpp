@@ -107,26 +107,14 @@ CellId Regular2::create(const Corner& a, const Corner& b, const Corner& c) {
   t.corner = {a.id, b.id, c.id};
   t.first_hidden = SiteId();
   for (int k = 0; k < 3; ++k) sites_[t.corner[static_cast<std::size_t>(k)]].at = Side(id, k);
-  if (a.id < b.id && a.id < c.id)
-    set_dual(t, a, b, c);
-  else if (b.id < c.id)
-    set_dual(t, b, c, a);
-  else
-    set_dual(t, c, a, b);
+  // The corner of smallest id first; without branches, for they could not be predicted.
+  const std::array<const Corner*, 5> around{&a, &b, &c, &a, &b};
+  std::size_t base = b.id < a.id ? 1 : 0;
+  base = c.id < around[base]->id ? 2 : base;
+  set_dual(t, *around[base], *around[base + 1], *around[base + 2]);
   created_.push_back(id);
   recent_ = id;
   return id;
-}
-
-void Regular2::destroy(CellId t) {
-  cells_[t].corner[0] = SiteId();
-  free_.push_back(t);
-  destroyed_.push_back(t);
-}
-
-void Regular2::glue(Side one, Side other) {
-  cells_[one.cell()].neighbor[static_cast<std::size_t>(one.corner())] = other;
-  cells_[other.cell()].neighbor[static_cast<std::size_t>(other.corner())] = one;
 }
 
 // With the base at the origin and B = |b|^2 - w_b + w_a (same for C) the centre o solves 2 o.b = B, 2 o.c =
@@ -189,10 +177,6 @@ bool Regular2::in_conflict_exactly(const Cell& t, SiteId e, int corner) const {
 }
 
 // --- queries -------------------------------------------------------------------------------------
-
-Vec2 Regular2::difference(SiteId a, SiteId b) const {
-  return torus_.shortest({sites_[b].x - sites_[a].x, sites_[b].y - sites_[a].y});
-}
 
 /// A triangle that contains e, by a visibility walk on the unrolled plane: through any edge that separates
 /// the triangle from e. Each step strictly lessens the power of e to the circle (infinitesimals included), so

@@ -55,7 +55,9 @@ class Regular2 {
   bool is_hidden(SiteId id) const { return contains(id) && sites_[id].next_hidden != not_hidden; }
   WeightedPoint2 point(SiteId id) const { return {{sites_[id].x, sites_[id].y}, sites_[id].weight}; }
   /// The shortest vector from a to b: the edge, if they are joined.
-  Vec2 difference(SiteId a, SiteId b) const;
+  Vec2 difference(SiteId a, SiteId b) const {
+    return torus_.shortest({sites_[b].x - sites_[a].x, sites_[b].y - sites_[a].y});
+  }
   /// The site other than `id` with the least power at the position of `id`. Expected O(1).
   Nearest nearest_other(SiteId id) const;
   /// The sites joined to `id` by an edge, counterclockwise. Empty for a hidden site.
@@ -139,8 +141,15 @@ class Regular2 {
 
   void start_with_lattice(std::size_t first_id, double weight);
   CellId create(const Corner& a, const Corner& b, const Corner& c);
-  void destroy(CellId t);
-  void glue(Side one, Side other);
+  void destroy(CellId t) {
+    cells_[t].corner[0] = SiteId();
+    free_.push_back(t);
+    destroyed_.push_back(t);
+  }
+  void glue(Side one, Side other) {
+    cells_[one.cell()].neighbor[static_cast<std::size_t>(one.corner())] = other;
+    cells_[other.cell()].neighbor[static_cast<std::size_t>(other.corner())] = one;
+  }
   void set_dual(Cell& t, const Corner& base, const Corner& b, const Corner& c);
 
   Corner seen_from(const Site& origin, SiteId id) const {

@@ -51,7 +51,7 @@ class RestrictedPower {
 
   /// The diagram of sites 0, 1, ... at once, it being empty; the source holds them. `search` must, too, and answer
   /// from several threads: a SiteTree. The number of threads does not matter to the result. The change does not list
-  /// the fragments: they are all. Cost: the facets and the fragments, times the logarithm of the number of sites.
+  /// the fragments: they are all. No facet may be degenerate. Cost: the facets and the fragments, times the logarithm of the number of sites.
   const Change& build(std::span<const WeightedPoint3> points, const NeighbourSource& search, int threads);
   /// Makes room for p's cell; p has just been inserted into the neighbour source. Cost: the fragments of its
   /// rivals.

@@ -7,7 +7,6 @@
 
 #include "geom/check.h"
 #include "geom/facet_cells.h"
-#include "geom/hilbert.h"
 #include "geom/parallel.h"
 #include "geom/restricted_power.h"
 
@@ -35,8 +34,7 @@ struct Batch {
 };
 
 /// Divides the facets, each batch on one thread.
-void divide(std::span<const std::uint32_t> facets, std::vector<FacetCells>& lanes,
-            std::vector<Batch>& batches) {
+void divide(std::span<const FacetId> facets, std::vector<FacetCells>& lanes, std::vector<Batch>& batches) {
   batches.resize((facets.size() + facets_in_batch - 1) / facets_in_batch);
   std::atomic<std::size_t> next{0};
   parallel_ranges(lanes.size(), 1, static_cast<int>(lanes.size()), [&](std::size_t lane, std::size_t) {
@@ -44,18 +42,10 @@ void divide(std::span<const std::uint32_t> facets, std::vector<FacetCells>& lane
       batches[b].pieces.clear();
       batches[b].corners.clear();
       const std::size_t begin = b * facets_in_batch, end = std::min(begin + facets_in_batch, facets.size());
-      for (const std::uint32_t t : facets.subspan(begin, end - begin))
-        for (const FacetPolygon& polygon : lanes[lane].divide(FacetId(std::size_t{t})))
-          batches[b].add(polygon);
+      for (const FacetId t : facets.subspan(begin, end - begin))
+        for (const FacetPolygon& polygon : lanes[lane].divide(t)) batches[b].add(polygon);
     }
   });
-}
-
-std::vector<std::uint32_t> order_of_facets(const TriMesh& mesh, const Clipper& clipper) {
-  std::vector<Vec3> middles;
-  middles.reserve(mesh.num_facets());
-  for (std::size_t t = 0; t < mesh.num_facets(); ++t) middles.push_back(clipper.middle(FacetId(t)));
-  return hilbert_order(middles, mesh.box());
 }
 
 }  // namespace
@@ -69,7 +59,7 @@ const RestrictedPower::Change& RestrictedPower::build(std::span<const WeightedPo
   std::vector<FacetCells> lanes(static_cast<std::size_t>(std::max(threads, 1)),
                                 FacetCells(mesh_, sites_, clipper_, search));
   std::vector<Batch> batches;
-  const std::vector<std::uint32_t> order = order_of_facets(mesh_, clipper_);
+  const std::vector<FacetId> order = facets_along_curve(mesh_);
   const std::size_t at_once =
       std::max<std::size_t>(1, patience * order.size() / (order.size() + points.size()));
   for (std::size_t first = 0; first < order.size(); first += at_once) {

@@ -1,17 +1,13 @@
 #pragma once
 // Masses and centroids of restricted Voronoi cells, for methods that move all samples at once.
 //
-// The diagram of geom/restricted_power.h is made for moves of single samples. Here every facet is clipped anew
-// for each set of sites, by the same exact clipper and hence into the same fragments, but independently of the
-// other facets: some ten times faster than n insertions, and on several threads. Sites that may own a part of a
-// facet come from spatial search with the certificate of the security radius: if the farthest corner of a
-// fragment of p is at distance R from p, no site farther than 2 R from p takes a part of it.
+// The diagram of geom/restricted_power.h is made for moves of single samples. Here every facet is divided anew for
+// each set of sites (geom/facet_cells.h), on several threads, and nothing is kept but the integrals.
 
 #include <vector>
 
 #include "fpo/sizing.h"
-#include "geom/clip.h"
-#include "geom/site_tree.h"
+#include "geom/facet_cells.h"
 
 namespace fpo {
 
@@ -42,42 +38,20 @@ class VoronoiMoments {
   const geom::Table<geom::SiteId, CellMoments>& of(const std::vector<SurfaceSample>& samples);
 
  private:
-  struct Near {
-    double distance;
-    geom::SiteId site;
-    auto operator<=>(const Near&) const = default;
-  };
-  /// What is near a site: all sites up to a distance, nearest first.
-  struct Neighbourhood {
-    double radius;
-    std::vector<Near> sites;
-  };
   struct Piece {
     geom::SiteId site;
     CellMoments moments;
   };
-  /// What a thread works with.
-  struct Lane {
-    geom::Clipper clipper;
-    geom::FacetPolygon polygon;
-    std::vector<geom::SiteId> owners, found;
-    std::vector<Piece> pieces;
-  };
-
-  void find_neighbours(const std::vector<SurfaceSample>& samples);
-  std::vector<Near> sites_within(geom::SiteId p, double radius) const;
-  void clip_facet(geom::FacetId t, Lane& lane) const;
-  void clip_to_cell(Lane& lane) const;
   CellMoments integrate(const geom::FacetPolygon& polygon) const;
   double density(const geom::Vec3& x, geom::FacetId t) const;
 
   const geom::TriMesh& surface_;
   const Sizing& sizing_;
   double unit_length_;
+  int threads_;
+  std::vector<geom::FacetId> facets_;  ///< along a curve
   geom::Clipper::Sites sites_;
-  geom::SiteTree tree_;
-  geom::Table<geom::SiteId, Neighbourhood> near_;
-  std::vector<Lane> lanes_;
+  geom::Clipper clipper_;
   geom::Table<geom::SiteId, CellMoments> moments_;
 };
 

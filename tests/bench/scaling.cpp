@@ -89,8 +89,10 @@ Figures in_tiles(const geom::TriMesh& mesh, const Job& job) {
   };
   fpo::TileOptions tiles;
   tiles.threads = job.threads;
+  fpo::SurfaceOptions surface;
+  surface.threads = job.threads;
   fpo::OptimizeResult result;
-  optimize_in_tiles({mesh, sizing, samples, {}}, tiles, options, result);
+  optimize_in_tiles({mesh, sizing, samples, surface}, tiles, options, result);
   figures.us_per_move = 1e6 * (now() - start) / static_cast<double>(result.moves);
   return figures;
 }

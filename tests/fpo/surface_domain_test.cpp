@@ -147,6 +147,32 @@ TEST_CASE("surface domain: samples at one place, a single sample, none") {
   }
 }
 
+TEST_CASE("surface domain: degenerate facets are borne") {
+  // A triangle with a fourth point in the middle of one side, so that a facet without area fills the gap to the two
+  // triangles beyond; and a triangle whose corners are at one place.
+  const auto v = [](int i) { return geom::VertexId(i); };
+  const TriMesh mesh(
+      {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.4, 1, 0.1), Vec3(0.5, 0, 0), Vec3(0.6, -1, 0.2), Vec3(1, 0, 0),
+       Vec3(1, 0, 0)},
+      {{v(0), v(1), v(2)}, {v(1), v(0), v(3)}, {v(0), v(4), v(3)}, {v(3), v(4), v(1)}, {v(1), v(5), v(6)}});
+  for (const Engine engine : {Engine::search, Engine::triangulation}) {
+    SurfaceOptions options;
+    options.engine = engine;
+    SurfaceDomain domain(mesh, random_samples(mesh, 40, 4), options);
+    domain.check();
+    for (std::size_t move = 0; move < 200; ++move) {
+      const SiteId x(move % 40);
+      domain.remove(x);
+      const Circle c = domain.largest_empty(Scope::global);
+      if (domain.is_farther(c, x))
+        domain.insert_at(x, c);
+      else
+        domain.put_back(x);
+      domain.check();
+    }
+  }
+}
+
 TEST_CASE("surface domain: both engines go the same way, move by move") {
   for (const auto& [name, mesh] : fixtures::surfaces()) {
     CAPTURE(name);

@@ -1,5 +1,7 @@
 #include "geom/facet_cells.h"
 
+#include <cmath>
+
 #include "doctest.h"
 #include "fpo/initial_samples.h"
 #include "geom/rng.h"
@@ -115,5 +117,23 @@ TEST_CASE("facet cells: the answer does not depend on the facets before") {
       FacetCells fresh(surface.mesh, sites.table, clipper, sites.tree);
       CHECK(same(divided(cells, FacetId(t)), divided(fresh, FacetId(t))));
     }
+  }
+}
+
+TEST_CASE("facet cells: degenerate are facets whose corners lie on one line exactly") {
+  const auto facet = [](const Vec3& a, const Vec3& b, const Vec3& c) {
+    return TriMesh({a, b, c}, {{VertexId(0), VertexId(1), VertexId(2)}});
+  };
+  const Vec3 a(0.1, 0.2, 0.3), b(0.4, 0.8, 0.9);
+  CHECK(is_degenerate(facet(a, b, a), FacetId(0)));
+  CHECK(is_degenerate(facet(Vec3(1, 2, 4), Vec3(2, 4, 8), Vec3(3, 6, 12)), FacetId(0)));
+  CHECK(is_degenerate(facet(Vec3(0, 0, 1), Vec3(0, 0, 2), Vec3(0, 0, 4)), FacetId(0)));
+  for (int i = 0; i < 3; ++i) {
+    Vec3 c = Vec3(3, 6, 12);
+    c[i] = std::nextafter(c[i], 100.0);
+    CHECK(!is_degenerate(facet(Vec3(1, 2, 4), Vec3(2, 4, 8), c), FacetId(0)));
+    c = Vec3(0, 0, 4);
+    c[i] = std::nextafter(c[i], 100.0);
+    CHECK(is_degenerate(facet(Vec3(0, 0, 1), Vec3(0, 0, 2), c), FacetId(0)) == (i == 2));
   }
 }

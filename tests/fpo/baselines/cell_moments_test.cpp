@@ -1,8 +1,10 @@
 #include "fpo/baselines/cell_moments.h"
 
 #include "doctest.h"
+#include "fpo/extract.h"
 #include "fpo/initial_samples.h"
-#include "fpo/surface_domain.h"
+#include "geom/restricted_power.h"
+#include "geom/site_tree.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
@@ -27,12 +29,17 @@ CellMoments of_triangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3&
   return {area, area * (centroid - p), inertia + area * (centroid - p).squaredNorm()};
 }
 
-/// From the diagram that is made by insertions.
+/// From the diagram made by insertions one by one.
 geom::Table<SiteId, CellMoments> by_insertion(const TriMesh& mesh,
                                               const std::vector<SurfaceSample>& samples) {
-  const SurfaceDomain domain(mesh, samples);
+  geom::SiteTree tree;
+  geom::RestrictedPower diagram(mesh, tree, geom::CornerTypes::c_only);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    tree.insert(SiteId(i), {samples[i].position, 0});
+    diagram.after_insert(SiteId(i), {samples[i].position, 0});
+  }
   geom::Table<SiteId, CellMoments> result(samples.size());
-  for (const CellPolygon& cell : cell_polygons(domain.diagram()))
+  for (const CellPolygon& cell : cell_polygons(diagram))
     for (std::size_t k = 1; k + 1 < cell.corners.size(); ++k)
       result[cell.site] += of_triangle(cell.corners[0], cell.corners[k], cell.corners[k + 1],
                                        samples[cell.site.index()].position);
