@@ -97,16 +97,20 @@ void AtomicFile::open_temporary(const fs::path& folder) {
   }
 }
 
-void AtomicFile::name_temporary() {
+/// Gives the nameless file this name; false if it is taken.
+bool AtomicFile::take_name(const fs::path& name) {
   const std::string open_file = "/proc/self/fd/" + std::to_string(descriptor_);
+  if (::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) return true;
+  if (errno != EEXIST) fail(errno);
+  return false;
+}
+
+/// The target's name at once if that is free, else one to rename from.
+void AtomicFile::name_nameless() {
+  if (take_name(target_)) return;
   const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
-  while (temporary_.empty()) {
-    fs::path name = folder / temporary_name();
-    if (::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0)
-      temporary_ = std::move(name);
-    else if (errno != EEXIST)
-      fail(errno);
-  }
+  while (temporary_.empty())
+    if (fs::path name = folder / temporary_name(); take_name(name)) temporary_ = std::move(name);
 }
 
 AtomicFile& AtomicFile::write(std::string_view bytes) {
@@ -132,8 +136,8 @@ void AtomicFile::flush() {
 void AtomicFile::commit() {
   geom::ensure(descriptor_ >= 0, "AtomicFile: committed twice");
   flush();
-  const SignalsHeld held;  // for the moment that the temporary has a name
-  if (nameless_) name_temporary();
+  const SignalsHeld held;  // for the moment that a temporary has a name
+  if (nameless_) name_nameless();
   const int descriptor = std::exchange(descriptor_, -1);
   if (::close(descriptor) != 0) fail(errno);
   if (temporary_.empty()) return;

@@ -28,7 +28,8 @@ class AtomicFile {
  private:
   [[noreturn]] void fail(int error) const;
   void open_temporary(const std::filesystem::path& folder);
-  void name_temporary();
+  bool take_name(const std::filesystem::path& name);
+  void name_nameless();
   void flush();
 
   std::string name_;                 ///< for messages
