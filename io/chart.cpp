@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "geom/check.h"
 #include "io/numbers.h"
@@ -154,11 +155,24 @@ std::string stroke(const Series& series) {
 
 std::string fill(const Series& series) { return "style=\"fill:" + series.colour + "\""; }
 
-/// Where a name may stand: above and left of a point of the curve, inside the frame.
-void write_name(Svg& svg, const PlotFrame& frame, const Series& series, const Vec2& at) {
+/// Writes a curve's name above and left of one of its points, inside the frame, and so far above (else below) the
+/// names that are there already that both can be read.
+void write_name(Svg& svg, const PlotFrame& frame, const Series& series, const Vec2& at,
+                std::vector<Vec2>& names) {
   if (series.name.empty()) return;
-  const Vec2 place(std::min(at.x(), frame.corner().x() + frame.size().x() - 4),
-                   std::max(at.y() - 6, frame.corner().y() + 12));
+  constexpr double line = 12, width = 120;
+  const double highest = frame.corner().y() + line;
+  Vec2 place(std::min(at.x(), frame.corner().x() + frame.size().x() - 4), std::max(at.y() - 6, highest));
+  const auto covers_a_name = [&] {
+    return std::ranges::any_of(names, [&](const Vec2& other) {
+      return std::abs(other.x() - place.x()) < width && std::abs(other.y() - place.y()) < line;
+    });
+  };
+  const double wanted = place.y();
+  while (covers_a_name() && place.y() - 1 >= highest) place.y() -= 1;
+  if (covers_a_name()) place.y() = wanted;
+  while (covers_a_name()) place.y() += 1;
+  names.push_back(place);
   svg.text(place, series.name, "class=\"name\" text-anchor=\"end\" " + fill(series));
 }
 
@@ -299,8 +313,9 @@ PlotFrame draw_chart(Svg& svg, const Chart& chart, const Vec2& corner, const Vec
         break;
     }
   }
+  std::vector<Vec2> names;
   for (std::size_t i = 0; i < ends.size(); ++i)
-    if (ends[i]) write_name(svg, frame, chart.series[i], *ends[i]);
+    if (ends[i]) write_name(svg, frame, chart.series[i], *ends[i], names);
   frame.draw_axes(svg);
   return frame;
 }

@@ -1,8 +1,10 @@
 #include "io/chart.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "doctest.h"
 #include "geom/check.h"
@@ -182,6 +184,23 @@ TEST_CASE("draw_chart: every series, name and guide is drawn once; text is escap
   CHECK(count(text, "time &amp; more") == 1);
   CHECK(text.find("nan") == text.npos);
   CHECK(text.find("inf") == text.npos);
+}
+
+TEST_CASE("draw_chart: names of curves that end at one place stand apart") {
+  for (const double end : {1.0, 5.0, 9.9}) {
+    io::Chart chart;
+    chart.x = {.label = "x", .low = 0, .high = 10};
+    chart.y = {.label = "y", .low = 0, .high = 10};
+    for (int i = 0; i < 5; ++i)
+      chart.series.push_back({.points = {{0, 0}, {10, end + 0.01 * i}}, .name = "curve"});
+    const std::string text = io::draw_chart(chart).document();
+    std::vector<double> heights;
+    for (std::size_t at = 0; (at = text.find("class=\"name\"", at)) != text.npos; ++at)
+      heights.push_back(std::stod(text.substr(text.rfind("y=\"", at) + 3)));
+    std::ranges::sort(heights);
+    REQUIRE(heights.size() == 5);
+    for (std::size_t i = 1; i < 5; ++i) CHECK(heights[i] - heights[i - 1] >= 11.9);
+  }
 }
 
 TEST_CASE("draw_chart: the area of a histogram's bars is the sum of their heights") {
