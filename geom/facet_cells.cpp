@@ -12,14 +12,23 @@ namespace {
 
 constexpr std::size_t memory = 1024;   // sites whose surroundings are kept
 constexpr double more = 1 + 1e-9;      // for the rounding of distances and powers
-constexpr double radius_guess = 1.25;  // in distances to the nearest site
+constexpr double radius_guess = 1.25;  // in radii of the fragment before, or distances to the nearest site
+constexpr double radius_memory = 0.9;  // a guess is at least so much of the guess before
 constexpr double radius_step = 1.5;
 
 double root(double x) { return x > 0 ? std::sqrt(x) : 0; }
 
-/// Rounded up.
+/// The power to a site of that weight at a distance, and the distance where it has that power: both rounded up,
+/// whatever cancels out.
 double power_at(double distance2, double weight) {
   return distance2 - weight + (more - 1) * (distance2 + std::abs(weight));
+}
+double distance_at(double power, double weight) {
+  return root(power + weight + (more - 1) * (std::abs(power) + std::abs(weight))) * more;
+}
+
+Vec3 centroid(const TriMesh& mesh, FacetId t) {
+  return (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
 }
 
 }  // namespace
@@ -36,9 +45,9 @@ FacetCells::FacetCells(const TriMesh& mesh, const Clipper::Sites& sites, const C
 std::span<const FacetPolygon> FacetCells::divide(FacetId t) {
   num_found_ = 0;
   ++stamp_;
-  const SiteId first = search_.nearest(clipper_.middle(t), SiteId(), SiteId()).site;
+  const SiteId first = search_.nearest(centroid(mesh_, t), SiteId(), SiteId()).site;
   follow(first, t);
-  if (num_found_ == 0) {  // rounding calls it nearest where another one is
+  if (num_found_ == 0) {  // powers tie there, or rounding moved the centroid off a tiny facet
     find_candidates(t, first);
     for (const SiteId s : candidates_) follow(s, t);
     ensure(num_found_ > 0, "facet cells: a facet without owner");
@@ -68,15 +77,19 @@ bool FacetCells::is_new(SiteId s) {
   return true;
 }
 
-/// Cuts the facet down to the cell of polygon.owner. False if nothing is left.
+/// Cuts the facet down to the cell of polygon.owner. False if nothing is left. After a wider look those known before
+/// clip again, to no effect: what is left is on their other side, ties included.
 bool FacetCells::clip(FacetPolygon& polygon) {
   Surroundings& around = surroundings(polygon.owner);
   double bound = 0;
   for (;;) {
     if (!clip(polygon, around, bound)) return false;
-    if (bound <= around.power) return true;
     const double weight = sites_[polygon.owner].weight;
-    const double seen = root(around.power + weight), needed = root(bound + weight) * more;
+    const double seen = distance_at(around.power, weight), needed = distance_at(bound, weight);
+    if (bound <= around.power) {
+      likely_radius_ = std::max(radius_guess * needed, radius_memory * likely_radius_);
+      return true;
+    }
     look_around(around, seen > 0 ? std::min(needed, radius_step * seen) : needed);
   }
 }
@@ -87,7 +100,7 @@ bool FacetCells::clip(FacetPolygon& polygon, const Surroundings& around, double&
   double security = 0;
   const auto measure = [&] {
     bound = clipper_.bound_power(polygon);
-    security = more * (root(bound + weight) + root(bound + around.heaviest));
+    security = distance_at(bound, weight) + distance_at(bound, around.heaviest);
   };
   measure();
   for (const Near& j : around.sites) {
@@ -115,10 +128,11 @@ FacetCells::Surroundings& FacetCells::surroundings(SiteId owner) {
 /// All that matters up to that radius from the owner.
 void FacetCells::look_around(Surroundings& around, double radius) {
   const WeightedPoint3& owner = sites_[around.owner];
-  likely_radius_ = radius;
   around.power = power_at(radius * radius, owner.weight);
   candidates_.clear();
-  search_.heirs({around.owner, owner.position, radius, around.power}, candidates_);
+  search_.heirs({around.owner, owner.position, distance_at(around.power, owner.weight), around.power},
+                candidates_);
+  sites_looked_at_ += candidates_.size();
   around.sites.clear();
   around.heaviest = owner.weight;
   for (const SiteId j : candidates_) {
@@ -136,7 +150,7 @@ void FacetCells::look_around(Surroundings& around, double radius) {
 /// the first site.
 void FacetCells::find_candidates(FacetId t, SiteId first) {
   const WeightedPoint3& site = sites_[first];
-  const Vec3& middle = clipper_.middle(t);
+  const Vec3 middle = centroid(mesh_, t);
   double radius2 = 0, power = -std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
     const Vec3& q = mesh_.corner(t, i);
@@ -159,7 +173,7 @@ std::vector<FacetId> facets_along_curve(const TriMesh& mesh) {
   std::vector<Vec3> middles;
   middles.reserve(mesh.num_facets());
   for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
-    middles.push_back((mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3);
+    middles.push_back(centroid(mesh, t));
   std::vector<FacetId> facets;
   facets.reserve(mesh.num_facets());
   for (const std::uint32_t i : hilbert_order(middles, mesh.box())) facets.emplace_back(std::size_t{i});

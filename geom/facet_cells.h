@@ -30,6 +30,9 @@ class FacetCells {
   /// sites. There must be at least one site, and the facet must not be degenerate. Valid until the next call.
   std::span<const FacetPolygon> divide(FacetId t);
 
+  /// In all, around all owners: what the time depends on. For tests.
+  std::size_t sites_looked_at() const { return sites_looked_at_; }
+
  private:
   struct Near {
     double distance;
@@ -57,6 +60,7 @@ class FacetCells {
   const NeighbourSource& search_;
   std::vector<Surroundings> known_;  ///< of site s in place s mod size, if of s at all
   double likely_radius_ = 0;         ///< how far the next fragment will reach from its owner
+  std::size_t sites_looked_at_ = 0;
   std::vector<FacetPolygon> found_;
   std::size_t num_found_ = 0;
   std::vector<SiteId> waiting_;            ///< owners, perhaps, to be looked at

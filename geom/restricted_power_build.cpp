@@ -13,9 +13,8 @@
 namespace geom {
 namespace {
 
-constexpr std::size_t facets_in_batch = 64;
-constexpr std::size_t patience =
-    1 << 14;  // about so many facets and cells are divided before they are entered
+constexpr std::size_t in_batch = 128;      // facets and cells, about, that a thread divides at a time
+constexpr std::size_t patience = 1 << 14;  // and that all divide before their fragments are entered
 
 /// The fragments of a few facets.
 struct Batch {
@@ -33,8 +32,9 @@ struct Batch {
   }
 };
 
-/// Divides the facets, each batch on one thread.
-void divide(std::span<const FacetId> facets, std::vector<FacetCells>& lanes, std::vector<Batch>& batches) {
+/// Divides the facets, each batch of so many on one thread.
+void divide(std::span<const FacetId> facets, std::size_t facets_in_batch, std::vector<FacetCells>& lanes,
+            std::vector<Batch>& batches) {
   batches.resize((facets.size() + facets_in_batch - 1) / facets_in_batch);
   std::atomic<std::size_t> next{0};
   parallel_ranges(lanes.size(), 1, static_cast<int>(lanes.size()), [&](std::size_t lane, std::size_t) {
@@ -60,10 +60,13 @@ const RestrictedPower::Change& RestrictedPower::build(std::span<const WeightedPo
                                 FacetCells(mesh_, sites_, clipper_, search));
   std::vector<Batch> batches;
   const std::vector<FacetId> order = facets_along_curve(mesh_);
-  const std::size_t at_once =
-      std::max<std::size_t>(1, patience * order.size() / (order.size() + points.size()));
+  const auto facets_of = [&](std::size_t facets_and_cells) {
+    return std::max<std::size_t>(1, facets_and_cells * order.size() / (order.size() + points.size()));
+  };
+  const std::size_t at_once = facets_of(patience);
   for (std::size_t first = 0; first < order.size(); first += at_once) {
-    divide(std::span(order).subspan(first, std::min(at_once, order.size() - first)), lanes, batches);
+    divide(std::span(order).subspan(first, std::min(at_once, order.size() - first)), facets_of(in_batch),
+           lanes, batches);
     for (const Batch& batch : batches) {
       std::size_t begin = 0;
       for (const Batch::Piece& piece : batch.pieces) {
@@ -76,7 +79,7 @@ const RestrictedPower::Change& RestrictedPower::build(std::span<const WeightedPo
       }
     }
   }
-  change_.created = {};
+  std::vector<Change::Piece>().swap(change_.created);
   finish();
   return change_;
 }

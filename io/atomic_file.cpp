@@ -139,7 +139,11 @@ void AtomicFile::commit() {
   const SignalsHeld held;  // for the moment that a temporary has a name
   if (nameless_) name_nameless();
   const int descriptor = std::exchange(descriptor_, -1);
-  if (::close(descriptor) != 0) fail(errno);
+  if (::close(descriptor) != 0) {
+    const int error = errno;
+    if (nameless_ && temporary_.empty()) ::unlink(target_.c_str());
+    fail(error);
+  }
   if (temporary_.empty()) return;
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
   temporary_.clear();

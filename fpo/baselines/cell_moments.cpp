@@ -1,7 +1,6 @@
 #include "fpo/baselines/cell_moments.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "geom/parallel.h"
 #include "geom/site_tree.h"
@@ -27,7 +26,9 @@ VoronoiMoments::VoronoiMoments(const geom::TriMesh& surface, const Sizing& sizin
       unit_length_(unit_length),
       threads_(threads),
       facets_(geom::facets_along_curve(surface)),
-      clipper_(surface, sites_, (1 + 1e-9) * largest_coordinate(surface)) {}
+      clipper_(surface, sites_, (1 + 1e-9) * largest_coordinate(surface)) {
+  std::erase_if(facets_, [&](FacetId t) { return geom::is_degenerate(surface, t); });  // no area, no moments
+}
 
 const geom::Table<SiteId, CellMoments>& VoronoiMoments::of(const std::vector<SurfaceSample>& samples) {
   geom::SiteTree tree;

@@ -144,6 +144,25 @@ TEST_CASE("plane domain: the separation never falls below the largest circle's r
   CHECK(last > 0.88);
 }
 
+TEST_CASE("plane domain: farther is what is farther than the separation, by the last bit, twins included") {
+  for (const std::string name : {"uniform", "waves5"}) {
+    Setting s(name, 100);
+    std::vector<Vec2> places;
+    for (const PlaneSample& x : s.domain.samples()) places.push_back(x.position);
+    for (std::size_t i = 0; i < 20; ++i) places[i + 20] = places[i];
+    PlaneDomain domain(s.torus, *s.sizing, s.density.edge_length_scale(100), places);
+    for (SiteId x(0); x.index() < 100; ++x.value) {
+      const double separation = domain.separation(x);
+      domain.remove(x);
+      const Circle top = domain.largest_empty(Scope::global);
+      CHECK(domain.is_farther(top, x) == (top.radius2 > separation));
+      CHECK(!domain.is_farther({separation, top.id}, x));
+      CHECK(domain.is_farther({std::nextafter(separation, INFINITY), top.id}, x));
+      domain.put_back(x);
+    }
+  }
+}
+
 TEST_CASE("plane domain: normalized spacing is the distance to the nearest other sample") {
   for (const std::string name : {"uniform", "waves5"}) {
     Setting s(name, 300, {2, 1});

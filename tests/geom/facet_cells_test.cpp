@@ -1,5 +1,6 @@
 #include "geom/facet_cells.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "doctest.h"
@@ -48,9 +49,14 @@ bool same(const Found& a, const Found& b) {
   });
 }
 
+double extent_of(const TriMesh& mesh) {
+  return std::max(mesh.box().min().lpNorm<Eigen::Infinity>(), mesh.box().max().lpNorm<Eigen::Infinity>()) *
+         (1 + 1e-9);
+}
+
 /// Against all sites clipping each other, facets in a random order.
 void compare_with_oracle(const TriMesh& mesh, const Sites& sites) {
-  const Clipper clipper(mesh, sites.table, 10 * mesh.diagonal());
+  const Clipper clipper(mesh, sites.table, extent_of(mesh));
   FacetCells cells(mesh, sites.table, clipper, sites.tree);
   std::vector<RestrictedPower::Canonical> all;
   std::vector<FacetId> order;
@@ -96,14 +102,39 @@ TEST_CASE("facet cells: sites on a lattice, on edges, on vertices and twice at o
 
 TEST_CASE("facet cells: clusters far smaller than facets, and weights far larger than distances") {
   const TriMesh cube = fixtures::box(Vec3(1, 1, 1), 1);
-  for (const double weight : {0.0, 1.0, 100.0}) {
-    CAPTURE(weight);
-    Sites sites = samples_with_weights(cube, 30, 0);
-    Rng rng(2);
-    for (int i = 0; i < 40; ++i)
-      sites.add(
-          {Vec3(0.25, 1e-7 * rng.uniform(), 0.5 + 1e-7 * rng.uniform()), weight + 1e-14 * rng.uniform()});
-    compare_with_oracle(cube, sites);
+  for (const double weight : {0.0, -0.5, 0.5, 1.0, 100.0})
+    for (const double size : {1e-4, 1e-6, 1e-8})
+      for (const double x : {0.25, 0.5})
+        for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+          CAPTURE(weight);
+          CAPTURE(size);
+          CAPTURE(seed);
+          Sites sites = samples_with_weights(cube, 10, 0);
+          Rng rng(seed);
+          for (int i = 0; i < 50; ++i)
+            sites.add({Vec3(x + size * rng.uniform(-1, 1), 0.5 + size * rng.uniform(-1, 1), 0),
+                       weight + (seed % 2) * size * size * rng.uniform()});
+          compare_with_oracle(cube, sites);
+        }
+}
+
+TEST_CASE("facet cells: one sparse place does not make all others slow") {
+  // Many samples on a ball and a triangle far away, which is divided first or last.
+  for (const double side : {-1.0, 1.0}) {
+    const TriMesh ball = fixtures::blob(10);
+    Table<VertexId, Vec3> vertices = ball.vertices();
+    Table<FacetId, TriMesh::Facet> facets = ball.facets();
+    const VertexId a = vertices.next_id(), b(a.value + 1), c(a.value + 2);
+    for (const Vec3& p : {Vec3(40, 0, 0), Vec3(40.1, 0, 0), Vec3(40, 0.1, 0)}) vertices.push_back(side * p);
+    facets.push_back({a, b, c});
+    const TriMesh mesh(std::move(vertices), std::move(facets));
+    const Sites sites = samples_with_weights(ball, 4000, 0);
+    const Clipper clipper(mesh, sites.table, extent_of(mesh));
+    FacetCells cells(mesh, sites.table, clipper, sites.tree);
+    std::size_t fragments = 0;
+    for (const FacetId t : facets_along_curve(mesh)) fragments += cells.divide(t).size();
+    CHECK(fragments > 4000);
+    CHECK(cells.sites_looked_at() < 100 * 4000);
   }
 }
 
@@ -111,7 +142,7 @@ TEST_CASE("facet cells: the answer does not depend on the facets before") {
   for (const fixtures::NamedSurface& surface : fixtures::surfaces()) {
     CAPTURE(surface.name);
     const Sites sites = samples_with_weights(surface.mesh, 200, 0.3);
-    const Clipper clipper(surface.mesh, sites.table, 10 * surface.mesh.diagonal());
+    const Clipper clipper(surface.mesh, sites.table, extent_of(surface.mesh));
     FacetCells cells(surface.mesh, sites.table, clipper, sites.tree);
     for (std::size_t t = surface.mesh.num_facets(); t-- > 0;) {
       FacetCells fresh(surface.mesh, sites.table, clipper, sites.tree);
