@@ -190,8 +190,8 @@ TileDomain::Outcome TileDomain::move(SiteId of_whole, Scope scope) {
 
   domain_->remove(x);
   const std::vector<SiteId>& heirs = domain_->last_change().cells;
-  const SiteId near =
-      heirs.empty() ? domain_->source().nearest(old.position, x, SiteId()).site : heirs.front();
+  const SiteId near = heirs.empty() ? domain_->source().nearest(old.position, x, SiteId()).site
+                                    : *std::ranges::min_element(heirs);  // whatever their order
   if (!holds_vacancy(x, cell, near) || (scope == Scope::two_ring && !holds_heirs(near))) {
     domain_->put_back(x);
     return Outcome::out_of_reach;
