@@ -5,6 +5,7 @@
 
 #include "doctest.h"
 #include "fpo/initial_samples.h"
+#include "fpo/optimize.h"
 #include "geom/check.h"
 #include "geom/rng.h"
 #include "tests/fixtures/sizings.h"
@@ -161,13 +162,7 @@ TEST_CASE("surface domain: degenerate facets are borne") {
     SurfaceDomain domain(mesh, random_samples(mesh, 40, 4), options);
     domain.check();
     for (std::size_t move = 0; move < 200; ++move) {
-      const SiteId x(move % 40);
-      domain.remove(x);
-      const Circle c = domain.largest_empty(Scope::global);
-      if (domain.is_farther(c, x))
-        domain.insert_at(x, c);
-      else
-        domain.put_back(x);
+      move_to_farthest_point(domain, SiteId(move % 40), Scope::global);
       domain.check();
     }
   }
