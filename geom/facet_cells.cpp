@@ -64,7 +64,8 @@ void FacetCells::follow(SiteId first, FacetId t) {
     clipper_.start(polygon, t, waiting_.back());
     waiting_.pop_back();
     if (!clip(polygon)) continue;
-    std::ranges::rotate(polygon.corners, std::ranges::min_element(polygon.corners, {}, &PolygonCorner::edge));
+    std::rotate(polygon.corners.begin(), std::ranges::min_element(polygon.corners, {}, &PolygonCorner::edge),
+                polygon.corners.end());
     ++num_found_;
     for (const PolygonCorner& corner : polygon.corners)
       if (corner.edge.is_site() && is_new(corner.edge.site())) waiting_.push_back(corner.edge.site());
