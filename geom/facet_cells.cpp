@@ -86,11 +86,12 @@ bool FacetCells::clip(FacetPolygon& polygon) {
   for (;;) {
     if (!clip(polygon, around, bound)) return false;
     const double weight = sites_[polygon.owner].weight;
-    const double seen = distance_at(around.power, weight), needed = distance_at(bound, weight);
+    const double needed = distance_at(bound, weight);
     if (bound <= around.power) {
       likely_radius_ = std::max(radius_guess * needed, radius_memory * likely_radius_);
       return true;
     }
+    const double seen = distance_at(around.power, weight);
     look_around(around, seen > 0 ? std::min(needed, radius_step * seen) : needed);
   }
 }

@@ -69,8 +69,8 @@ class FacetCells {
   std::uint32_t stamp_ = 0;
 };
 
-/// Do the corners of the facet lie on one line? Exact. In a plane through that line the cells need not meet as they
-/// do in others, so which label an edge gets depends on the order of insertions.
+/// Do the corners of the facet lie on one line? Exact. Such a facet spans no plane, in which three cells would meet at
+/// one location, and that location is what the predicates for corners of type C ask about.
 bool is_degenerate(const TriMesh& mesh, FacetId t);
 
 /// All facets along a space-filling curve: a good order to divide them. O(F log F).
