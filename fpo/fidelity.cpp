@@ -23,20 +23,25 @@ class Distances {
  public:
   explicit Distances(const SurfaceDomain& domain) : domain_(domain), tree_(domain.mesh()) {}
 
-  double of(const EmptyCircle& circle) const { return farthest(circle).distance; }
+  /// The largest one of some points of the triangle, or 0 if the circle's facet shows that it is at most `enough`:
+  /// mostly it does, and saves a search.
+  double beyond(const EmptyCircle& circle, double enough) const { return farthest(circle, enough).distance; }
 
-  /// The point of the surface below the point of the triangle that is farthest from it.
+  /// The point of the surface below the point of the triangle that is farthest from it, those left out that
+  /// the circle's facet shows to be no farther than `enough`.
   struct Farthest {
     double distance;
     SurfaceSample below;
   };
-  Farthest farthest(const EmptyCircle& circle) const {
+  Farthest farthest(const EmptyCircle& circle, double enough = -1) const {
     std::array<Vec3, 3> x;
     for (std::size_t i = 0; i < 3; ++i) x[i] = domain_.sample(circle.sites[i]).position;
     const std::array<Vec3, 4> middles{(x[0] + x[1]) / 2, (x[1] + x[2]) / 2, (x[2] + x[0]) / 2,
                                       (x[0] + x[1] + x[2]) / 3};
     Farthest result{0, {circle.center, circle.facet}};
+    const std::array<Vec3, 3>& facet = tree_.triangle(circle.facet);
     for (const Vec3& middle : middles) {
+      if (enough >= 0 && geom::closest_point(middle, facet).distance2 <= enough * enough) continue;
       const geom::AabbTree::Closest closest = tree_.closest(middle, circle.facet);
       if (closest.distance2 > result.distance * result.distance)
         result = {std::sqrt(closest.distance2), {geom::snapped(closest.point), closest.facet}};
@@ -50,7 +55,7 @@ class Distances {
       for (CircleId c = domain_.diagram().first_circle(SiteId(i)); c.valid();
            c = domain_.diagram().next_circle(c, SiteId(i))) {
         const EmptyCircle& circle = domain_.diagram().circle(c);
-        if (circle.sites[0] == SiteId(i) && circle.sites[2].valid()) most = std::max(most, of(circle));
+        if (circle.sites[0] == SiteId(i) && circle.sites[2].valid()) most = std::max(most, beyond(circle, most));
       }
     return most;
   }
@@ -85,7 +90,7 @@ FidelityResult improve_fidelity(SurfaceDomain& domain, const AngleOptions& angle
   const double bound = options.share_of_largest * result.largest_before;
   if (!(bound > 0)) return result;
   Flaws far(domain, [&](const EmptyCircle& circle) {
-    const double beyond = std::max(distances.of(circle) / bound - 1, 0.0);
+    const double beyond = std::max(distances.beyond(circle, bound) / bound - 1, 0.0);
     return beyond * beyond;
   });
   Flaws bad(domain, bad_angles(domain, angles));

@@ -33,11 +33,18 @@ Flaws::Flaws(const SurfaceDomain& domain, FlawMeasure measure)
 }
 
 void Flaws::follow(const geom::RestrictedPower::Change& change) {
-  for (const CircleId c : change.circles_erased) forget(c);
-  for (const CircleId c : change.circles_created) add(c);
+  for (const CircleId c : change.circles_erased)
+    if (std::erase(unmeasured_, c) == 0) forget(c);
+  unmeasured_.insert(unmeasured_.end(), change.circles_created.begin(), change.circles_created.end());
+}
+
+void Flaws::catch_up() {
+  for (const CircleId c : unmeasured_) add(c);
+  unmeasured_.clear();
 }
 
 CircleId Flaws::take_worst() {
+  catch_up();
   if (untried_.empty()) return CircleId();
   const CircleId c = untried_.top().slot;
   untried_.erase(c);
@@ -46,6 +53,7 @@ CircleId Flaws::take_worst() {
 }
 
 void Flaws::try_all_again() {
+  catch_up();
   tried_.clear();
   for (std::size_t c = 0; c < badness_of_.size(); ++c)
     if (badness_of_[CircleId(c)] > 0 && !untried_.contains(CircleId(c)))

@@ -24,12 +24,13 @@ class Flaws {
   /// Keeps a reference to the domain. One measurement a triangle.
   Flaws(const SurfaceDomain& domain, FlawMeasure measure);
 
-  /// Takes in what a removal or insertion has changed.
+  /// Takes in what a removal or insertion has changed. What is new is measured when next somebody asks, so what
+  /// exists between a removal and an insertion only costs nothing.
   void follow(const geom::RestrictedPower::Change& change);
 
-  std::size_t number() const { return number_; }
-  double badness() const { return badness_; }  ///< the sum of all measures
-  double badness(CircleId c) const { return badness_of_[c]; }
+  std::size_t number() { return catch_up(), number_; }
+  double badness() { return catch_up(), badness_; }  ///< the sum of all measures
+  double badness(CircleId c) const { return badness_of_[c]; }  ///< of one that take_worst() gave
 
   /// The worst that take_worst() has not given yet since try_all_again(); none if there is none.
   CircleId take_worst();
@@ -41,11 +42,13 @@ class Flaws {
     bool operator()(CircleId a, CircleId b) const { return diagram->circle_before(a, b); }
   };
 
+  void catch_up();
   void add(CircleId c);
   void forget(CircleId c);
 
   const SurfaceDomain& domain_;
   FlawMeasure measure_;
+  std::vector<CircleId> unmeasured_;
   geom::IndexedHeap<CircleId, Order> untried_;
   std::set<std::array<SiteId, 3>> tried_;     ///< triangles: what is undone comes back as another circle
   geom::Table<CircleId, double> badness_of_;  ///< 0: good or no triangle

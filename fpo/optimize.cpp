@@ -63,7 +63,7 @@ IterationReport measure(Domain& domain) {
 OptimizeResult optimize(Domain& domain, const OptimizeOptions& options) {
   const Stopwatch watch;
   geom::Rng rng(options.seed);
-  std::vector<SiteId> order = movable_samples(domain);
+  std::vector<SiteId> samples = movable_samples(domain);
   OptimizeResult result;
 
   const auto report = [&](int iteration, std::size_t moved) {
@@ -77,11 +77,12 @@ OptimizeResult optimize(Domain& domain, const OptimizeOptions& options) {
     return options.interrupted && options.interrupted->load(std::memory_order_relaxed);
   };
 
-  if (options.order == VisitOrder::shuffled_once) rng.shuffle(std::span(order));
+  if (options.order == VisitOrder::shuffled_once) rng.shuffle(std::span(samples));
   report(0, 0);
   for (int iteration = 1; iteration <= options.max_iterations; ++iteration) {
     std::size_t moved = 0;
-    if (options.order == VisitOrder::shuffled) rng.shuffle(std::span(order));
+    if (options.order == VisitOrder::shuffled) rng.shuffle(std::span(samples));
+    const std::vector<SiteId> order = restless(domain, samples, options.rest_spacing);
     for (std::size_t i = 0; i < order.size(); ++i) {
       const SiteId x = order[i];
       if (i + look_ahead < order.size()) domain.expect(order[i + look_ahead]);

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <functional>
 
-#include "fpo/domain.h"
+#include "fpo/rest.h"
 
 namespace fpo {
 
-/// The state after an iteration, in which every sample that is not fixed was removed and inserted once.
+/// The state after an iteration, in which every sample that is not fixed and did not rest was removed and inserted once.
 struct IterationReport {
   int iteration = 0;      ///< 1, 2, ...; 0: the initial set
   std::size_t moved = 0;  ///< samples that went to a new position
@@ -28,6 +28,7 @@ enum class StopReason { target_reached, nothing_moved, iteration_cap, interrupte
 struct OptimizeOptions {
   int max_iterations = 100;
   double target_delta = 0.926;  ///< stop as soon as delta exceeds it (section 3.2)
+  double rest_spacing = no_rest;  ///< at each iteration's start it is seen who rests (rest.h)
   Scope scope = Scope::global;
   VisitOrder order = VisitOrder::shuffled;
   std::uint64_t seed = 1;                          ///< of the random orders

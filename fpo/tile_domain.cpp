@@ -141,6 +141,14 @@ SurfaceSample TileDomain::sample(SiteId x) const {
   return {found.position, whole_id(found.facet)};
 }
 
+std::vector<SiteId> TileDomain::restless(std::span<const SiteId> of_whole, double rest_spacing) {
+  std::vector<SiteId> samples(of_whole.begin(), of_whole.end());
+  for (SiteId& x : samples) x = here(x);
+  samples = fpo::restless(*domain_, samples, rest_spacing);
+  for (SiteId& x : samples) x = whole_id(x);
+  return samples;
+}
+
 /// No location of the cell is farther from x.
 double TileDomain::cell_radius(SiteId x) const {
   return root(domain_->diagram().reach(x) + domain_->diagram().site(x).weight);

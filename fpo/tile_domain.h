@@ -27,6 +27,7 @@
 #include <span>
 #include <vector>
 
+#include "fpo/rest.h"
 #include "fpo/surface_domain.h"
 #include "fpo/tiles.h"
 #include "geom/submesh.h"
@@ -79,6 +80,8 @@ class TileDomain {
   /// Lines 4 to 9 of Algorithm 1 for a sample of the tile that is not fixed. Scope::global: the largest circle
   /// that is well inside the tile.
   Outcome move(SiteId of_whole, Scope scope);
+  /// Those of the tile's samples that do not rest (rest.h), by what the tile knows.
+  std::vector<SiteId> restless(std::span<const SiteId> of_whole, double rest_spacing);
   /// Domain::expect().
   void expect(SiteId x) { domain_->expect(here(x)); }
 

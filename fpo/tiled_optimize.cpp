@@ -107,7 +107,7 @@ IterationReport TiledRun::measure_positions() const {
 }
 
 /// All that is owed to the samples of a tile, spread evenly over the sweeps. Those that turn out to be too near
-/// to a cut are tried again after 1, 2, 4, ... sweeps.
+/// to a cut are tried again after 1, 2, 4, ... sweeps. Those that rest count as moved.
 void TiledRun::work_on(const TiledSurface& whole, std::size_t tile, std::uint64_t seed,
                        std::vector<SurfaceSample>& next) {
   std::vector<SiteId> order;
@@ -121,6 +121,7 @@ void TiledRun::work_on(const TiledSurface& whole, std::size_t tile, std::uint64_
   std::size_t moved = 0, moves = 0;
   for (int sweep = 1; sweep <= sweeps_; ++sweep) {
     if (options_.order != VisitOrder::in_turn) rng.shuffle(std::span(index));
+    const std::vector<SiteId> awake = domain.restless(order, options_.rest_spacing);  // ascending
     for (std::size_t k = 0; k < index.size(); ++k) {
       if (k + look_ahead < index.size())
         domain.expect(order[static_cast<std::size_t>(index[k + look_ahead])]);
@@ -128,7 +129,9 @@ void TiledRun::work_on(const TiledSurface& whole, std::size_t tile, std::uint64_
       const SiteId x = order[static_cast<std::size_t>(i)];
       int& times = done[static_cast<std::size_t>(i)];
       if (sweep < next_try[static_cast<std::size_t>(i)]) continue;
-      for (const int due = owed_[x.index()] * sweep / sweeps_; times < due; ++times) {
+      const int due = owed_[x.index()] * sweep / sweeps_;
+      if (!std::ranges::binary_search(awake, x)) times = due;
+      for (; times < due; ++times) {
         if (interrupted()) break;
         try {
           const TileDomain::Outcome outcome = domain.move(x, options_.scope);

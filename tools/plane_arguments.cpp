@@ -67,12 +67,13 @@ void declare_domain(CommandLine& cli, PlaneArguments& a) {
              a.corners, {{"c", geom::CornerTypes::c_only}, {"all", geom::CornerTypes::all}});
 }
 
-void declare_optimization(CommandLine& cli, PlaneArguments& a, bool& local, bool& global) {
+void declare_optimization(CommandLine& cli, PlaneArguments& a, bool& local, bool& global, bool& rest) {
   cli.group("Optimization");
   cli.integer({.name = "iterations", .value = "MAX", .help = "at most so many"}, a.optimize.max_iterations, 0,
               1'000'000);
   cli.number({.name = "target-delta", .value = "D", .help = "stop when delta exceeds it"},
              a.optimize.target_delta, 0, 2);
+  cli.toggle({.name = "rest", .help = "do not move samples where the target is met already"}, rest);
   cli.toggle({.name = "ser", .help = "shortest edge removal first"}, a.ser);
   cli.flag({.name = "local", .help = "look for farthest points nearby only (default if not uniform)"}, local);
   cli.flag({.name = "global", .help = "look for them everywhere (default if uniform)"}, global);
@@ -100,13 +101,13 @@ bool PlaneArguments::writes_svg() const { return io::lower_extension(output) == 
 
 PlaneArguments parse_plane_arguments(CommandLine& cli) {
   PlaneArguments a;
-  bool local = false, global = false;
+  bool local = false, global = false, rest = false;
   cli.describe(
       "", std::string("Spreads COUNT samples of blue noise over a rectangle, periodic unless --bounded. ") +
               interrupt_help);
   declare_result(cli, a);
   declare_domain(cli, a);
-  declare_optimization(cli, a, local, global);
+  declare_optimization(cli, a, local, global, rest);
   cli.parse(0, 0);
   if (local && global) throw UsageError("--local and --global exclude each other");
   if (a.bounded && a.start) throw UsageError("--start is for tori: --bounded has random initial samples");
@@ -115,6 +116,7 @@ PlaneArguments parse_plane_arguments(CommandLine& cli) {
   if (local) a.scope = fpo::Scope::two_ring;
   if (global) a.scope = fpo::Scope::global;
   a.optimize.seed = cli.seed();
+  if (rest) a.optimize.rest_spacing = a.optimize.target_delta + fpo::rest_margin;
   for (const std::filesystem::path& path : {a.output, a.log})
     if (!path.empty()) io::require_writable(path);
   return a;

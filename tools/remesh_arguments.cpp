@@ -102,6 +102,7 @@ void parse(CommandLine& cli, RemeshArguments& a) {
               {"mps", fpo::Method::mps},
               {"cps", fpo::Method::cps}});
   int iterations = -1;
+  bool rest = false;
   cli.integer(
       {.name = "iterations",
        .value = "MAX",
@@ -111,6 +112,10 @@ void parse(CommandLine& cli, RemeshArguments& a) {
       iterations, 0, 1'000'000);
   cli.number({.name = "target-delta", .value = "D", .help = "stop when delta exceeds it"},
              a.remesh.optimize.target_delta, 0, 2);
+  cli.toggle({.name = "rest",
+              .help = "do not move samples that, like their neighbours, are as far from others as the target "
+                      "asks: faster to a delta below .92, smaller mean"},
+             rest);
   cli.choice({.name = "corners",
               .value = "c|all",
               .help = "where the farthest point may lie: on type C corners as in the "
@@ -179,8 +184,10 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   cli.flag({.name = "global", .help = "look for them everywhere"}, global);
   a.input = cli.parse(1, 1).front();
   choose_scope(a, local, global, weight_scale);
-  geom::require(a.remesh.method == fpo::Method::fpo || !(a.remesh.shortest_edge_removal || local || global),
-                "--ser, --local and --global work with --method fpo only");
+  geom::require(
+      a.remesh.method == fpo::Method::fpo || !(a.remesh.shortest_edge_removal || local || global || rest),
+      "--ser, --local, --global and --rest work with --method fpo only");
+  if (rest) a.remesh.optimize.rest_spacing = a.remesh.optimize.target_delta + fpo::rest_margin;
   use_method(a.remesh, a.remesh.method);
   if (angles) a.remesh.optimize_angles = *angles;
   if (fidelity) a.remesh.improve_fidelity = *fidelity;
