@@ -16,6 +16,7 @@ namespace fpo {
 namespace {
 
 constexpr int futile_mending_rounds = 10;  // in a row, without fewer defects
+constexpr std::size_t least_fidelity_moves = 2000;
 
 /// Some ten surface points a sample. On needles, which have edges but no area, the estimate knows no bound:
 /// there the points lie farther apart.
@@ -216,6 +217,8 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
   if (options.improve_fidelity) {
     FidelityOptions fidelity;
     fidelity.interrupted = options.optimize.interrupted;
+    if (options.method == Method::fpo)  // who wants it fast wants this fast, too
+      fidelity.most_moves = least_fidelity_moves + result.optimization.moves / 4;
     if (!shared.features.samples.empty()) {  // fixed samples keep delta from more, and shape matters more
       fidelity.share_of_largest = 0.5;
       fidelity.enough_delta = 0.9;
