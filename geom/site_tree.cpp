@@ -27,14 +27,6 @@ double SiteTree::distance2(const Vec3& x, const Entry& e) const {
   return dx * dx + dy * dy + dz * dz;
 }
 
-/// Can the distance of a site be `reach` if that of its rounded position is this? With room for the rounding of
-/// the distances, which were computed from coordinates within a few ulps of each other or of a corner whose
-/// error is of that order.
-bool SiteTree::within(double distance2, double reach) const {
-  const double far = reach + slack_;
-  return distance2 <= far * far * (1 + 1e-9) + 1e-300;
-}
-
 void SiteTree::insert(SiteId id, const WeightedPoint3& point, SiteId) {
   if (id.index() >= places_.size()) {
     places_.resize(id.index() + 1);
@@ -133,54 +125,81 @@ void SiteTree::refresh(NodeId node) {
   }
 }
 
-template <class Wanted, class OnEntry>
-void SiteTree::visit(const Vec3& x, Wanted wanted, OnEntry on_entry) const {
+/// The squared distance within which a rounded position can be if that of its site is `reach`. With room for the
+/// rounding of the distances, which were computed from coordinates within a few ulps of each other or of a corner
+/// whose error is of that order.
+double SiteTree::limit2(double reach) const {
+  const double far = reach + slack_;
+  return far * far * (1 + 1e-9) + 1e-300;
+}
+
+/// From the leaf where x belongs up to the root, and down into those siblings on the way that are near enough.
+template <class Limit2, class OnEntry>
+void SiteTree::visit(const Vec3& x, Limit2 limit2, OnEntry on_entry) const {
+  const double widest = limit2(nodes_[NodeId(0)]);
+  const auto look_into = [&](NodeId leaf, double leaf_limit2) {
+    for (const Entry& e : leaves_[leaf])
+      if (const double d2 = distance2(x, e); d2 <= leaf_limit2) on_entry(e, d2);
+  };
+  NodeId node(0);
+  while (!nodes_[node].leaf())
+    node = NodeId(nodes_[node].child.value + (x[nodes_[node].axis] >= nodes_[node].plane));
+  look_into(node, limit2(nodes_[node]));
+
   std::array<Visit, max_depth + 2> stack;
-  std::size_t size = 0;
-  stack[size++] = {NodeId(0), {0, 0, 0}};
-  while (size > 0) {
-    const Visit v = stack[--size];
-    const Node& node = nodes_[v.node];
-    if (!wanted(node, v.distance2())) continue;
-    if (node.leaf()) {
-      for (const Entry& e : leaves_[v.node]) on_entry(e);
-      continue;
+  for (NodeId parent = nodes_[node].parent; parent.valid(); node = parent, parent = nodes_[node].parent) {
+    const Node& split = nodes_[parent];
+    std::size_t size = 0;
+    stack[0] = {NodeId(2 * split.child.value + 1 - node.value), {0, 0, 0}};  // the sibling
+    stack[0].gap[static_cast<std::size_t>(split.axis)] = x[split.axis] - split.plane;
+    if (stack[0].distance2() <= widest) size = 1;
+    while (size > 0) {
+      const Visit v = stack[--size];
+      const Node& at = nodes_[v.node];
+      const double at_limit2 = limit2(at);
+      if (v.distance2() > at_limit2) continue;
+      if (at.leaf()) {
+        look_into(v.node, at_limit2);
+        continue;
+      }
+      const double d = x[at.axis] - at.plane;
+      Visit far = v;
+      far.gap[static_cast<std::size_t>(at.axis)] = d;
+      far.node = NodeId(at.child.value + (d < 0));
+      if (far.distance2() <= at_limit2) stack[size++] = far;
+      stack[size++] = {NodeId(at.child.value + (d >= 0)), v.gap};
     }
-    const double d = x[node.axis] - node.plane;
-    Visit far = v;
-    far.gap[static_cast<std::size_t>(node.axis)] = d;
-    far.node = NodeId(node.child.value + (d < 0));
-    stack[size++] = far;
-    stack[size++] = {NodeId(node.child.value + (d >= 0)), v.gap};
   }
 }
 
 void SiteTree::rivals(SiteId p, std::vector<SiteId>& out) const {
   const WeightedPoint3& own = points_[p];
+  const auto limit2_of = [&](double reach, double weight) {
+    const double rho2 = reach + own.weight;
+    return rho2 < 0 ? -1 : limit2(root(rho2) + root(reach + weight));
+  };
   visit(
-      own.position,
-      [&](const Node& node, double distance2) {
-        const double rho2 = node.max_reach + own.weight;
-        return rho2 >= 0 && within(distance2, root(rho2) + root(double{node.max_reach} + node.max_weight));
-      },
-      [&](const Entry& e) {
-        const double rho2 = e.reach + own.weight;
-        if (rho2 < 0 || e.site == p) return;
-        if (within(distance2(own.position, e), root(rho2) + root(double{e.reach} + e.weight)))
-          out.push_back(e.site);
+      own.position, [&](const Node& node) { return limit2_of(node.max_reach, node.max_weight); },
+      [&](const Entry& e, double distance2) {
+        if (distance2 <= limit2_of(e.reach, e.weight) && e.site != p) out.push_back(e.site);
       });
 }
 
 void SiteTree::heirs(const Vacancy& vacancy, std::vector<SiteId>& out) const {
+  float known_weight = nothing;  // mostly many have the same
+  double known_limit2 = -1;
+  const auto limit2_of = [&](float weight) {
+    if (weight != known_weight) {
+      const double rho2 = vacancy.max_radius2 + weight;
+      known_limit2 = rho2 < 0 ? -1 : limit2(vacancy.radius + root(rho2));
+      known_weight = weight;
+    }
+    return known_limit2;
+  };
   visit(
-      vacancy.center,
-      [&](const Node& node, double distance2) {
-        return within(distance2, vacancy.radius + root(vacancy.max_radius2 + node.max_weight));
-      },
-      [&](const Entry& e) {
-        if (vacancy.max_radius2 + e.weight < 0) return;
-        if (within(distance2(vacancy.center, e), vacancy.radius + root(vacancy.max_radius2 + e.weight)))
-          out.push_back(e.site);
+      vacancy.center, [&](const Node& node) { return limit2_of(node.max_weight); },
+      [&](const Entry& e, double distance2) {
+        if (distance2 <= limit2_of(e.weight)) out.push_back(e.site);
       });
 }
 
@@ -189,13 +208,13 @@ NeighbourSource::Nearest SiteTree::nearest(const Vec3& x, SiteId without, SiteId
   constexpr double e = 0x1p-10;
   const double allowance = slack_ * slack_ / e;
   Nearest best{SiteId(), infinity};
-  const auto hopeless = [&](double distance2, double weight) {
-    return best.site.valid() && distance2 * (1 - e) - allowance - weight > best.radius2;
+  const auto limit2_of = [&](double weight) {
+    return best.site.valid() ? (best.radius2 + weight + allowance) * (1 + 2 * e) : infinity;
   };
   visit(
-      x, [&](const Node& node, double distance2) { return !hopeless(distance2, node.max_weight); },
-      [&](const Entry& entry) {
-        if (entry.site == without || hopeless(distance2(x, entry), entry.weight)) return;
+      x, [&](const Node& node) { return limit2_of(node.max_weight); },
+      [&](const Entry& entry, double distance2) {
+        if (entry.site == without || distance2 > limit2_of(entry.weight)) return;
         const double radius2 = power(x, points_[entry.site]);
         if (radius2 < best.radius2 || (radius2 == best.radius2 && entry.site < best.site) ||
             !best.site.valid())

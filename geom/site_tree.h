@@ -72,11 +72,12 @@ class SiteTree final : public NeighbourSource {
   void split(NodeId node);
   void refresh(NodeId node);
   double distance2(const Vec3& x, const Entry& e) const;
-  bool within(double distance2, double reach) const;
-  /// Calls on_entry for the entries of each leaf whose node passes `wanted(node, squared distance of x to its
-  /// region)`.
-  template <class Wanted, class OnEntry>
-  void visit(const Vec3& x, Wanted wanted, OnEntry on_entry) const;
+  double limit2(double reach) const;
+  /// Calls on_entry(entry, squared distance of its rounded position) for the entries that are no farther from x than
+  /// limit2(node) of their leaf's node; leaves whose region is farther than that are not looked at. The limit of a node
+  /// must not be less than that of those below.
+  template <class Limit2, class OnEntry>
+  void visit(const Vec3& x, Limit2 limit2, OnEntry on_entry) const;
 
   Table<NodeId, Node> nodes_;
   ShortLists<NodeId, Entry> leaves_;
