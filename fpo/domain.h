@@ -2,6 +2,7 @@
 // What Algorithm 1 needs from a sampling domain. It never sees a coordinate.
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "geom/check.h"
@@ -50,6 +51,10 @@ class Domain {
   virtual void insert_at(SiteId x, const Circle& c) = 0;
   /// Line 9: puts the removed sample back with its old position and weight.
   virtual void put_back(SiteId x) = 0;
+
+  /// The whole move at once where a domain knows a shorter way to the same outcome: whether x moved. Else none, and
+  /// nothing is done.
+  virtual std::optional<bool> move_directly(SiteId, Scope) { return {}; }
 
   /// Distance from x to the nearest other sample in units of the spacing that a hexagonal arrangement of the
   /// wanted density would have there (d_max of section 2.1 if uniform). The minimum over all x is delta, the

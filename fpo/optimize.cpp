@@ -34,6 +34,7 @@ class Stopwatch {
 }  // namespace
 
 bool move_to_farthest_point(Domain& domain, SiteId x, Scope scope) {
+  if (const std::optional<bool> moved = domain.move_directly(x, scope)) return *moved;
   domain.remove(x);
   const Circle c = domain.largest_empty(scope);
   if (domain.is_farther(c, x)) {

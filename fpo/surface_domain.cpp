@@ -23,6 +23,11 @@ std::unique_ptr<geom::NeighbourSource> make_source(Engine engine, const geom::Bo
   return std::make_unique<geom::TriangulationSource>(box);
 }
 
+/// The heap's order.
+bool larger_circle(const geom::EmptyCircle& a, const geom::EmptyCircle& b) {
+  return a.radius2 > b.radius2 || (a.radius2 == b.radius2 && geom::RestrictedPower::circle_before(a, b));
+}
+
 bool has_degenerate_facet(const geom::TriMesh& mesh) {
   for (std::size_t t = 0; t < mesh.num_facets(); ++t)
     if (geom::is_degenerate(mesh, geom::FacetId(t))) return true;
@@ -128,19 +133,66 @@ Circle SurfaceDomain::largest_in_two_ring() {
   return best.valid() ? Circle{diagram_->circle(best).radius2, best} : no_circle;
 }
 
-/// The heap's order.
 bool SurfaceDomain::larger(CircleId a, CircleId b) const {
-  const double ra = diagram_->circle(a).radius2, rb = diagram_->circle(b).radius2;
-  return ra > rb || (ra == rb && diagram_->circle_before(a, b));
+  return larger_circle(diagram_->circle(a), diagram_->circle(b));
+}
+
+bool SurfaceDomain::is_farther(const Circle& c, SiteId x) {
+  return is_farther(c.radius2, x, last_change_->cells);
 }
 
 /// First against the heirs of the removed cell; one that is nearest of all but no heir is rare.
-bool SurfaceDomain::is_farther(const Circle& c, SiteId x) {
+bool SurfaceDomain::is_farther(double radius2, SiteId x, std::span<const SiteId> heirs) const {
   const geom::Vec3& place = samples_[x].position;
-  const std::vector<SiteId>& heirs = last_change_->cells;
   for (const SiteId y : heirs)
-    if (c.radius2 > geom::power(place, diagram_->site(y))) return true;
-  return c.radius2 > source_->nearest(place, x, heirs.empty() ? near_removed_ : heirs.front()).radius2;
+    if (radius2 > geom::power(place, diagram_->site(y))) return true;
+  return radius2 > source_->nearest(place, x, heirs.empty() ? near_removed_ : heirs.front()).radius2;
+}
+
+// --- a move at once ------------------------------------------------------------------------------
+
+std::optional<bool> SurfaceDomain::move_directly(SiteId x, Scope scope) {
+  if (diagram_->fragments().of_cell(x).empty()) return {};
+  source_->remove(x);
+  const std::optional<geom::RestrictedPower::Plan> plan = diagram_->plan_removal(x);
+  const geom::EmptyCircle* const best = plan ? largest_planned(x, *plan, scope) : nullptr;
+  const bool moves = best && is_farther(best->radius2, x, plan->heirs);
+  if (moves) samples_[x] = {best->center, best->facet};
+  const geom::WeightedPoint3 point{samples_[x].position, weight_at(x)};
+  source_->insert(x, point, moves ? best->sites[0] : SiteId());
+  if (moves)
+    apply(diagram_->after_move(x, point));
+  else
+    diagram_->stay(x);
+  if (!best) return {};
+  return moves;
+}
+
+/// The largest empty circle once the plan is carried out; none if that cannot be told: the top of the heap may be
+/// at x and go with it.
+const geom::EmptyCircle* SurfaceDomain::largest_planned(SiteId x, const geom::RestrictedPower::Plan& plan,
+                                                        Scope scope) const {
+  const geom::EmptyCircle* best = nullptr;
+  const auto consider = [&](const geom::EmptyCircle& circle) {
+    if (!best || larger_circle(circle, *best)) best = &circle;
+  };
+  const auto touches_x = [&](const geom::EmptyCircle& circle) {
+    return std::ranges::find(circle.sites, x) != circle.sites.end();
+  };
+  for (const geom::EmptyCircle& circle : plan.circles)
+    if (scope == Scope::two_ring || is_offered(circle)) consider(circle);
+  if (scope == Scope::two_ring) {
+    for (const SiteId y : plan.heirs)
+      for (CircleId c = diagram_->first_circle(y); c.valid(); c = diagram_->next_circle(c, y))
+        if (!touches_x(diagram_->circle(c))) consider(diagram_->circle(c));
+  } else if (!circles_.empty()) {
+    consider(diagram_->circle(circles_.top().slot));
+  }
+  return best && !touches_x(*best) ? best : nullptr;
+}
+
+bool SurfaceDomain::is_offered(const geom::EmptyCircle& circle) const {
+  return !options_.offers || options_.offers(circle, diagram_->site(circle.sites[0]));
 }
 
 void SurfaceDomain::insert_at(SiteId x, const Circle& c) {
@@ -173,8 +225,14 @@ void SurfaceDomain::apply(const geom::RestrictedPower::Change& change) {
     if (circles_.contains(c)) circles_.erase(c);
   for (const CircleId c : change.circles_created) {
     const geom::EmptyCircle& circle = diagram_->circle(c);
-    if (!options_.offers || options_.offers(circle, diagram_->site(circle.sites[0])))
-      circles_.push(c, circle.radius2);
+    if (is_offered(circle)) circles_.push(c, circle.radius2);
+  }
+  for (const CircleId c : change.circles_moved) {
+    const geom::EmptyCircle& circle = diagram_->circle(c);
+    const bool listed = circles_.contains(c), offered = is_offered(circle);
+    if (listed && offered) circles_.update(c, circle.radius2);
+    if (listed && !offered) circles_.erase(c);
+    if (!listed && offered) circles_.push(c, circle.radius2);
   }
   last_change_ = &change;
 }

@@ -57,6 +57,9 @@ class SurfaceDomain final : public Domain {
   bool is_farther(const Circle& c, SiteId x) override;
   void insert_at(SiteId x, const Circle& c) override;
   void put_back(SiteId x) override;
+  /// Plans the removal of x and looks for the largest circle in the plan and around. What is removed for good, or
+  /// for a moment, is what the plan cannot tell of (rare).
+  std::optional<bool> move_directly(SiteId x, Scope scope) override;
   /// Distance over h to the nearest sample in space; with weights to the nearest of those that are first in
   /// power or in neighbours(x).
   double normalized_spacing(SiteId x) override;
@@ -99,7 +102,10 @@ class SurfaceDomain final : public Domain {
   double weight_at(SiteId x) const;
   bool equal_weights() const { return sizing_.is_uniform() || !options_.weighted; }
   Circle largest_in_two_ring();
+  const geom::EmptyCircle* largest_planned(SiteId x, const geom::RestrictedPower::Plan& plan, Scope scope) const;
   bool larger(CircleId a, CircleId b) const;
+  bool is_farther(double radius2, SiteId x, std::span<const SiteId> heirs) const;
+  bool is_offered(const geom::EmptyCircle& circle) const;
   void apply(const geom::RestrictedPower::Change& change);
 
   const geom::TriMesh& mesh_;

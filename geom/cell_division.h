@@ -52,6 +52,8 @@ class CellDivision {
   /// Of the last division; for the caller to move from or read.
   std::span<Share> shares() { return std::span(shares_).first(num_shares_); }
   bool misfit() const { return misfit_; }
+  /// Those that were not corners of the cell; maybe more than once, with different owners.
+  std::span<const CellCorner> corners() const { return corners_; }
   /// Is j nearer than the heirs somewhere in the vacated fragments? It is iff it is at a corner of the
   /// division that was not one of the cell, because the difference of two powers is affine on each share.
   bool is_missing(SiteId j) const;

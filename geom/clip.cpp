@@ -11,8 +11,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::size_t next(std::size_t k, std::size_t n) { return k + 1 == n ? 0 : k + 1; }
-
 /// Ends of edge e of a facet, the smaller mesh-vertex id first.
 std::pair<int, int> edge_ends(const TriMesh::Facet& facet, int e) {
   const int a = e, b = e == 2 ? 0 : e + 1;
@@ -48,17 +46,17 @@ void Clipper::start(FacetPolygon& polygon, FacetId facet, SiteId owner) const {
 
 /// Power is convex, so its maximum is at a corner. With a the rounded distance of a corner and b = sqrt(3)
 /// tolerance, (a + b)^2 <= a^2 (1 + e) + b^2 (1 + 1/e).
-double Clipper::bound_power(const FacetPolygon& polygon) const {
-  const WeightedPoint3& owner = sites_[polygon.owner];
+double Clipper::bound_power(FacetId facet, SiteId site, std::span<const PolygonCorner> corners) const {
+  const WeightedPoint3& owner = sites_[site];
   constexpr double e = 1e-9;
   double a2 = 0, tolerance = 0;
-  for (const PolygonCorner& corner : polygon.corners) {
+  for (const PolygonCorner& corner : corners) {
     a2 = std::max(a2, (corner.point.position - owner.position).squaredNorm());
     tolerance = std::max(tolerance, corner.point.tolerance);
   }
   if (tolerance < infinity) return a2 * (1 + e) + 3 * tolerance * tolerance * (1 + 1 / e) - owner.weight;
   double result = -infinity;
-  for (int i = 0; i < 3; ++i) result = std::max(result, power(mesh_.corner(polygon.facet, i), owner));
+  for (int i = 0; i < 3; ++i) result = std::max(result, power(mesh_.corner(facet, i), owner));
   return result;
 }
 
@@ -134,10 +132,10 @@ CutPlace Clipper::place_of_cut(std::span<const PolygonCorner> corners, const std
   while (!(beaten[place.first == 0 ? n - 1 : place.first - 1] && !beaten[place.first]))
     ensure(++place.first < n, "clip: beaten corners are not consecutive");
   place.last = place.first;
-  while (!beaten[next(place.last, n)]) place.last = next(place.last, n);
-  std::size_t last_beaten = next(place.last, n);
-  while (beaten[next(last_beaten, n)]) last_beaten = next(last_beaten, n);
-  ensure(next(last_beaten, n) == place.first, "clip: beaten corners are not consecutive");
+  while (!beaten[next_corner(place.last, n)]) place.last = next_corner(place.last, n);
+  std::size_t last_beaten = next_corner(place.last, n);
+  while (beaten[next_corner(last_beaten, n)]) last_beaten = next_corner(last_beaten, n);
+  ensure(next_corner(last_beaten, n) == place.first, "clip: beaten corners are not consecutive");
   place.leaving = corners[place.last].edge;
   place.entering = corners[last_beaten].edge;
   return place;
@@ -146,7 +144,7 @@ CutPlace Clipper::place_of_cut(std::span<const PolygonCorner> corners, const std
 void Clipper::cut(std::span<const PolygonCorner> old, const CutPlace& place, SiteId j,
                   const std::array<RoundedPoint, 2>& leave_and_enter, std::vector<PolygonCorner>& out) {
   out.clear();
-  for (std::size_t k = place.first;; k = next(k, old.size())) {
+  for (std::size_t k = place.first;; k = next_corner(k, old.size())) {
     out.push_back(old[k]);
     if (k == place.last) break;
   }

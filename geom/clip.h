@@ -47,13 +47,17 @@ struct PolygonCorner {
   CircleId circle;  ///< the circle registered here, if any
 };
 
+/// The corners of a polygon of n corners are in a cycle.
+inline std::size_t next_corner(std::size_t k, std::size_t n) { return k + 1 == n ? 0 : k + 1; }
+inline std::size_t previous_corner(std::size_t k, std::size_t n) { return k == 0 ? n - 1 : k - 1; }
+
 /// A clipped facet under work. No corners: empty.
 struct FacetPolygon {
   FacetId facet;
   SiteId owner;
   std::vector<PolygonCorner> corners;
 
-  EdgeLabel edge_before(std::size_t k) const { return corners[k == 0 ? corners.size() - 1 : k - 1].edge; }
+  EdgeLabel edge_before(std::size_t k) const { return corners[previous_corner(k, corners.size())].edge; }
 };
 
 /// A corner of the polygon of `owner` on a facet, by itself: between the edges `before` and `after`.
@@ -66,7 +70,7 @@ struct CellCorner {
 
 inline CellCorner cell_corner(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners,
                               std::size_t k) {
-  return {facet, owner, corners[k == 0 ? corners.size() - 1 : k - 1].edge, corners[k].edge, corners[k].point};
+  return {facet, owner, corners[previous_corner(k, corners.size())].edge, corners[k].edge, corners[k].point};
 }
 
 enum class Clip { untouched, cut, swallowed };
@@ -123,7 +127,10 @@ class Clipper {
   const Vec3& middle(FacetId facet) const { return (*balls_)[facet].center; }
 
   /// An upper bound of the power, to the owner, of the locations in the polygon.
-  double bound_power(const FacetPolygon& polygon) const;
+  double bound_power(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners) const;
+  double bound_power(const FacetPolygon& polygon) const {
+    return bound_power(polygon.facet, polygon.owner, polygon.corners);
+  }
 
   /// Which corners j takes: none, some, all. O(corners). Fills `beaten` where the answer is `cut`.
   Clip classify_corners(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners, SiteId j,

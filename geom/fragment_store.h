@@ -41,6 +41,10 @@ class FragmentStore {
   std::span<const PolygonCorner> corners(FragmentId f) const;
   /// The corners in any case; those of a whole facet are written to `buffer`.
   std::span<const PolygonCorner> corners(FragmentId f, std::array<PolygonCorner, 3>& buffer) const;
+  /// The stored corners, to move them and to set their circles: their edges must stay.
+  std::span<PolygonCorner> corners_to_move(FragmentId f) {
+    return {corners_.data() + std::max(fragments_[f].polygon, 0), fragments_[f].size};
+  }
   /// Replaces the polygon; three facet edges mean whole.
   void set_corners(FragmentId f, std::span<const PolygonCorner> corners);
 

@@ -120,13 +120,6 @@ CircleId RestrictedPower::create_circle(const FacetPolygon& polygon, std::size_t
     free_circles_.pop_back();
   }
   EmptyCircle& circle = circles_[c];
-  // A site may come there: not outside of the facet's box, hence the mesh's, by rounding.
-  const Vec3 &q0 = mesh_.corner(polygon.facet, 0), &q1 = mesh_.corner(polygon.facet, 1),
-             &q2 = mesh_.corner(polygon.facet, 2);
-  circle.center = snapped(polygon.corners[corner]
-                              .point.position.cwiseMax(q0.cwiseMin(q1).cwiseMin(q2))
-                              .cwiseMin(q0.cwiseMax(q1).cwiseMax(q2)));
-  circle.radius2 = power(circle.center, sites_[polygon.owner]);
   circle.facet = polygon.facet;
   circle.place = place;
   circle.sites = {polygon.owner, SiteId(), SiteId()};
@@ -134,9 +127,19 @@ CircleId RestrictedPower::create_circle(const FacetPolygon& polygon, std::size_t
   for (const EdgeLabel label : {polygon.edge_before(corner), polygon.corners[corner].edge})
     if (label.is_site()) circle.sites[n++] = label.site();
   if (n == 3 && circle.sites[2] < circle.sites[1]) std::swap(circle.sites[1], circle.sites[2]);
+  center_circle(circle, polygon.corners[corner].point.position);
   list_circle(c);
   change_.circles_created.push_back(c);
   return c;
+}
+
+/// A site may come to the center: not outside of the facet's box, hence the mesh's, by rounding.
+void RestrictedPower::center_circle(EmptyCircle& circle, const Vec3& corner) const {
+  const Vec3 &q0 = mesh_.corner(circle.facet, 0), &q1 = mesh_.corner(circle.facet, 1),
+             &q2 = mesh_.corner(circle.facet, 2);
+  circle.center =
+      snapped(corner.cwiseMax(q0.cwiseMin(q1).cwiseMin(q2)).cwiseMin(q0.cwiseMax(q1).cwiseMax(q2)));
+  circle.radius2 = power(circle.center, sites_[circle.sites[0]]);
 }
 
 /// The id is used again only after the next update has begun, so the owner of a heap can still compare it in
@@ -164,9 +167,8 @@ void RestrictedPower::list_circle(CircleId c) {
   }
 }
 
-bool RestrictedPower::circle_before(CircleId a, CircleId b) const {
-  const EmptyCircle &x = circles_[a], &y = circles_[b];
-  return std::tie(x.facet, x.place, x.sites) < std::tie(y.facet, y.place, y.sites);
+bool RestrictedPower::circle_before(const EmptyCircle& a, const EmptyCircle& b) {
+  return std::tie(a.facet, a.place, a.sites) < std::tie(b.facet, b.place, b.sites);
 }
 
 // --- for tests -----------------------------------------------------------------------------------

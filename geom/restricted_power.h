@@ -8,6 +8,7 @@
 // fragment, the farthest point of the whole surface can also be of type B (border, crease) or A (tip):
 // CornerTypes says which are registered.
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,6 +38,7 @@ class RestrictedPower {
   /// first.
   struct Change {
     std::vector<CircleId> circles_erased, circles_created;
+    std::vector<CircleId> circles_moved;  ///< other centers, the same sites; by after_move() only
     std::vector<SiteId> cells;  ///< that won or lost something, the site itself left out
     struct Piece {
       SiteId site;
@@ -59,6 +61,24 @@ class RestrictedPower {
   /// Gives p's cell to its heirs; p has just been removed from the neighbour source.
   const Change& after_remove(SiteId p);
 
+  // A removal and an insertion in one, for a site that mostly comes back nearby (restricted_power_move.cpp). First
+  // the removal is only planned, and the plan tells the circles that it would bring; then one of three follows.
+  struct Plan {
+    std::span<const SiteId> heirs;
+    std::span<const EmptyCircle> circles;  ///< some maybe more than once
+    double max_radius2;                    ///< an upper bound of the power that p's cell would have
+  };
+  /// p has just been removed from the source. None if p has no cell, or all of its surface alone, or with
+  /// CornerTypes::all: then after_remove() is the way.
+  std::optional<Plan> plan_removal(SiteId p);
+  /// What after_remove() does.
+  const Change& carry_out_removal(SiteId p);
+  /// p has just been inserted into the source at another place: the same diagram as by after_remove() and
+  /// after_insert(), for less.
+  const Change& after_move(SiteId p, const WeightedPoint3& point);
+  /// p has just been inserted into the source where it was.
+  void stay(SiteId p) { neighbours_.set_reach(p, reach_[p]); }
+
   /// Takes these fragments away from their owner p and divides them among the other sites, those in
   /// `excluded` left out, as if only there p did not exist. From then on the diagram is no power diagram: no
   /// insertion or removal may follow. `search` must hold all sites. Does nothing if no other site borders the
@@ -73,7 +93,8 @@ class RestrictedPower {
   const WeightedPoint3& site(SiteId p) const { return sites_[p]; }
   const EmptyCircle& circle(CircleId c) const { return circles_[c]; }
   /// The order of circles of equal radius2: by facet, place and sites.
-  bool circle_before(CircleId a, CircleId b) const;
+  bool circle_before(CircleId a, CircleId b) const { return circle_before(circles_[a], circles_[b]); }
+  static bool circle_before(const EmptyCircle& a, const EmptyCircle& b);
 
   const FragmentStore& fragments() const { return store_; }
   const TriMesh& mesh() const { return mesh_; }
@@ -108,12 +129,14 @@ class RestrictedPower {
   struct Cut {
     SiteId rival;
     EdgeLabel leaving, entering;
-    RoundedPoint leave, enter;
-    std::int32_t next;  ///< on the same facet, index into cuts_ or -1
+    RoundedPoint leave{}, enter{};
+    std::int32_t next = -1;  ///< on the same facet, index into cuts_ or -1
   };
   struct TouchedFacet {
     FacetId facet;
     std::int32_t cuts = -1;  ///< head of a list in cuts_
+    FragmentId own;          ///< what p had there before a move
+    bool won = false;        ///< p has something there now
   };
 
   /// A circle in the list of one of its sites: the circle, and the place of the site in it.
@@ -141,13 +164,19 @@ class RestrictedPower {
   void preload(std::span<const SiteId> cells) const;
   void occupy_everything(SiteId p);
   bool take_from(SiteId j, SiteId p);
-  void cut_fragment(FragmentId f, std::span<const PolygonCorner> corners, SiteId p, const Bisector& b);
+  Clip take_from(FragmentId f, SiteId p, const Bisector& b);
+  void cut_polygon(FacetId t, SiteId j, std::span<const PolygonCorner> corners, SiteId p, const Bisector& b);
+  std::array<RoundedPoint, 2> note_cut(FacetId t, Cut cut, SiteId p, const Bisector& b);
   TouchedFacet& touch_facet(FacetId t);
+  TouchedFacet& win_on(FacetId t);
+  void forget_touched_facets();
   const Cut* cut_of(FacetId t, SiteId rival) const;
   const Cut* cut_entered_from(const TouchedFacet& touched, EdgeLabel label) const;
   const RoundedPoint* known_corner(FacetId t, EdgeLabel label, SiteId rival) const;
   void assemble(const TouchedFacet& touched, SiteId p);
 
+  bool vacate(SiteId p);
+  void divide_vacancy(SiteId p);
   bool add_missing_heirs(SiteId p, const NeighbourSource& source);
   struct Seam {
     std::size_t in_old, in_share;  ///< the edges labelled p
@@ -155,7 +184,18 @@ class RestrictedPower {
   };
   Seam seam_of(FragmentId old, const FacetPolygon& share, SiteId p) const;
   void join(FragmentId old, const FacetPolygon& share, SiteId p);
+  void unite(FragmentId old, const FacetPolygon& share, const Seam& seam, FacetPolygon& out) const;
   void carry_out_division(SiteId p);
+
+  void list_planned_circles();
+  const FacetPolygon* share_of(FragmentId f);
+  Clip redraw(FragmentId f, const FacetPolygon& share, SiteId p, const Bisector& b);
+  bool keeps_its_edges(FragmentId f, const FacetPolygon& share, const Seam& seam, const Bisector& b) const;
+  void move_edge(FragmentId f, std::size_t edge, SiteId p, const Bisector& b);
+  void take_new_shares(SiteId p);
+  double redraw_own(const TouchedFacet& touched, SiteId p);
+  bool move_corners(FragmentId f);
+  void move_circle(const PolygonCorner& corner);
 
   double commit(FragmentId f, FacetPolygon& polygon);
   void forget(FragmentId f);
@@ -163,6 +203,7 @@ class RestrictedPower {
   void register_on_edge(FacetPolygon& polygon, std::size_t k);
   void register_at_vertex(const FacetPolygon& polygon, std::size_t k);
   CircleId create_circle(const FacetPolygon& polygon, std::size_t corner, std::int32_t place);
+  void center_circle(EmptyCircle& circle, const Vec3& corner) const;
   void erase_circle_of(const PolygonCorner& corner) {
     if (corner.circle.valid()) erase_circle(corner.circle);
   }
@@ -196,7 +237,10 @@ class RestrictedPower {
   std::vector<TouchedFacet> touched_facets_;
   std::vector<Cut> cuts_;
   std::vector<char> beaten_;
-  FacetPolygon polygon_;
+  FacetPolygon polygon_, union_;
+  std::vector<EmptyCircle> planned_circles_;
+  Table<FragmentId, std::int32_t> share_index_;  ///< of the share that continues it, in the division, or -1
+  bool moving_ = false;                          ///< share_index_ counts
   Table<FacetId, std::int32_t> facet_mark_;  ///< index into touched_facets_ or -1
   Table<SiteId, std::uint32_t> cell_stamp_;
   std::uint32_t stamp_ = 0;

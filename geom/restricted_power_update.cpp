@@ -13,6 +13,7 @@ void RestrictedPower::begin(SiteId p) {
   free_circles_.insert(free_circles_.end(), change_.circles_erased.begin(), change_.circles_erased.end());
   change_.circles_erased.clear();
   change_.circles_created.clear();
+  change_.circles_moved.clear();
   change_.cells.clear();
   change_.erased.clear();
   change_.created.clear();
@@ -64,13 +65,17 @@ const RestrictedPower::Change& RestrictedPower::after_insert(SiteId p, const Wei
       assemble(touched, p);
       reach_[p] = std::max(reach_[p], commit(FragmentId(), polygon_));
     }
-    for (const TouchedFacet& touched : touched_facets_) facet_mark_[touched.facet] = -1;
-    touched_facets_.clear();
-    cuts_.clear();
+    forget_touched_facets();
   }
   finish();
   neighbours_.set_reach(p, reach_[p]);
   return change_;
+}
+
+void RestrictedPower::forget_touched_facets() {
+  for (const TouchedFacet& touched : touched_facets_) facet_mark_[touched.facet] = -1;
+  touched_facets_.clear();
+  cuts_.clear();
 }
 
 /// These cells are about to be read: asks the memory for all of it at once, in as many steps as there are
@@ -107,64 +112,85 @@ void RestrictedPower::occupy_everything(SiteId p) {
   }
 }
 
-/// Cuts the fragments of j by p and notes the facets where p wins something. True if it does. Computes the
-/// reach of what is left of j.
+/// Cuts the fragments of j by p and notes the facets where p wins something; first those that continue into p's old
+/// cell get their shares of it, if p moves. True if anything changes. Computes the reach of what is left of j.
 bool RestrictedPower::take_from(SiteId j, SiteId p) {
   const Bisector b = clipper_.bisector_of(j, p);
-  std::array<PolygonCorner, 3> buffer;
   double reach = -std::numeric_limits<double>::infinity();
-  bool took = false;
+  bool changed = false;
   for (std::size_t i = 0; i < store_.of_cell(j).size();) {
     const FragmentId f = store_.of_cell(j)[i];
-    const FacetId t = store_.facet(f);
-    Clip outcome = clipper_.compare_on_facet(t, b);
-    if (outcome == Clip::cut) {
-      const std::span<const PolygonCorner> corners = store_.corners(f, buffer);
-      outcome = clipper_.classify_corners(t, j, corners, p, b, beaten_);
-      if (outcome == Clip::cut) cut_fragment(f, corners, p, b);
-    }
+    const FacetPolygon* const share = share_of(f);
+    const Clip outcome = share ? redraw(f, *share, p, b) : take_from(f, p, b);
     if (outcome == Clip::swallowed) {
-      touch_facet(t);
+      win_on(store_.facet(f));
       forget(f);  // the last one of the list takes its place
     } else {
       ++i;
       reach = std::max(reach, store_.max_radius2(f));
     }
-    took = took || outcome != Clip::untouched;
+    changed = changed || share || outcome != Clip::untouched;
   }
-  if (took) reach_[j] = reach;
-  return took;
+  if (changed) reach_[j] = reach;
+  return changed;
 }
 
-/// Takes from fragment f what p beats of it: the corners noted in beaten_.
-void RestrictedPower::cut_fragment(FragmentId f, std::span<const PolygonCorner> corners, SiteId p,
-                                   const Bisector& b) {
+Clip RestrictedPower::take_from(FragmentId f, SiteId p, const Bisector& b) {
   const FacetId t = store_.facet(f);
   const SiteId j = store_.site(f);
+  const Clip whole = clipper_.compare_on_facet(t, b);
+  if (whole != Clip::cut) return whole;
+  std::array<PolygonCorner, 3> buffer;
+  const std::span<const PolygonCorner> corners = store_.corners(f, buffer);
+  const Clip outcome = clipper_.classify_corners(t, j, corners, p, b, beaten_);
+  if (outcome == Clip::cut) {
+    cut_polygon(t, j, corners, p, b);
+    commit(f, polygon_);
+  }
+  return outcome;
+}
+
+/// Puts into polygon_ what p leaves of j's polygon on facet t: takes away the corners noted in beaten_. Notes the
+/// cut and erases the circles of those corners.
+void RestrictedPower::cut_polygon(FacetId t, SiteId j, std::span<const PolygonCorner> corners, SiteId p,
+                                  const Bisector& b) {
   const CutPlace place = Clipper::place_of_cut(corners, beaten_);
-  const auto meet = [&](EdgeLabel label) {
-    const RoundedPoint* known = known_corner(t, label, j);
-    return known ? *known : clipper_.corner(t, label, j, p, b);
-  };
-  const std::array<RoundedPoint, 2> ends{meet(place.leaving), meet(place.entering)};
-  TouchedFacet& touched = touch_facet(t);
-  cuts_.push_back({j, place.leaving, place.entering, ends[0], ends[1], touched.cuts});
-  touched.cuts = static_cast<std::int32_t>(cuts_.size()) - 1;
+  const std::array<RoundedPoint, 2> ends = note_cut(t, {j, place.leaving, place.entering}, p, b);
   for (std::size_t k = 0; k < corners.size(); ++k)
     if (beaten_[k]) erase_circle_of(corners[k]);
   polygon_.facet = t;
   polygon_.owner = j;
   Clipper::cut(corners, place, p, ends, polygon_.corners);
-  commit(f, polygon_);
+}
+
+/// Notes what p takes from a rival's fragment on facet t and computes the ends of the new edge.
+std::array<RoundedPoint, 2> RestrictedPower::note_cut(FacetId t, Cut cut, SiteId p, const Bisector& b) {
+  const auto meet = [&](EdgeLabel label) {
+    const RoundedPoint* known = known_corner(t, label, cut.rival);
+    return known ? *known : clipper_.corner(t, label, cut.rival, p, b);
+  };
+  cut.leave = meet(cut.leaving);
+  cut.enter = meet(cut.entering);
+  TouchedFacet& touched = win_on(t);
+  cut.next = touched.cuts;
+  cuts_.push_back(cut);
+  touched.cuts = static_cast<std::int32_t>(cuts_.size()) - 1;
+  return {cut.leave, cut.enter};
 }
 
 RestrictedPower::TouchedFacet& RestrictedPower::touch_facet(FacetId t) {
   std::int32_t& mark = facet_mark_[t];
   if (mark < 0) {
     mark = static_cast<std::int32_t>(touched_facets_.size());
-    touched_facets_.push_back({t, -1});
+    touched_facets_.push_back({.facet = t, .own = FragmentId()});
   }
   return touched_facets_[static_cast<std::size_t>(mark)];
+}
+
+RestrictedPower::TouchedFacet& RestrictedPower::win_on(FacetId t) {
+  TouchedFacet& touched = touch_facet(t);
+  touched.won = true;
+  return touched;
 }
 
 const RestrictedPower::Cut* RestrictedPower::cut_of(FacetId t, SiteId rival) const {
@@ -244,6 +270,26 @@ void RestrictedPower::assemble(const TouchedFacet& touched, SiteId p) {
 // result. If there are any, they join the heirs and the vacancy is divided again.
 const RestrictedPower::Change& RestrictedPower::after_remove(SiteId p) {
   begin(p);
+  if (vacate(p)) {
+    if (division_.heirs().empty()) {  // p owned whole components of the surface alone
+      const SiteId nearest = neighbours_.nearest(sites_[p].position, p, SiteId()).site;
+      if (nearest.valid()) division_.add_heir(nearest);
+    }
+    if (!division_.heirs().empty()) divide_vacancy(p);
+    carry_out_division(p);
+    if (division_.heirs().empty()) {
+      for (CircleId& c : vertex_circle_) {
+        if (c.valid()) erase_circle(c);
+        c = CircleId();
+      }
+    }
+  }
+  finish();
+  return change_;
+}
+
+/// Begins to divide p's cell; false if that is empty.
+bool RestrictedPower::vacate(SiteId p) {
   const std::span<const FragmentId> cell = store_.of_cell(p);
   for (const FragmentId f : cell) store_.prefetch_members(store_.facet(f));
   for (const FragmentId f : cell)
@@ -253,25 +299,14 @@ const RestrictedPower::Change& RestrictedPower::after_remove(SiteId p) {
       prefetch(spokes_.data() + corner.circle.index());
     }
   vacated_.assign(cell.begin(), cell.end());
-  if (vacated_.empty()) return change_;
+  if (vacated_.empty()) return false;
   division_.begin(p, vacated_);
-  if (division_.heirs().empty()) {  // p owned whole components of the surface alone
-    const SiteId nearest = neighbours_.nearest(sites_[p].position, p, SiteId()).site;
-    if (nearest.valid()) division_.add_heir(nearest);
-  }
-  const bool any_left = !division_.heirs().empty();
-  if (any_left) do
-      division_.divide();
-    while (add_missing_heirs(p, neighbours_));
-  carry_out_division(p);
-  if (!any_left) {
-    for (CircleId& c : vertex_circle_) {
-      if (c.valid()) erase_circle(c);
-      c = CircleId();
-    }
-  }
-  finish();
-  return change_;
+  return true;
+}
+
+void RestrictedPower::divide_vacancy(SiteId p) {
+  do division_.divide();
+  while (add_missing_heirs(p, neighbours_));
 }
 
 const RestrictedPower::Change& RestrictedPower::abandon(SiteId p, std::span<const FragmentId> fragments,
@@ -334,19 +369,25 @@ RestrictedPower::Seam RestrictedPower::seam_of(FragmentId old, const FacetPolygo
 
 /// Puts the union of an old fragment and a share of p's into polygon_.
 void RestrictedPower::join(FragmentId old, const FacetPolygon& share, SiteId p) {
-  const auto [q, g, fits] = seam_of(old, share, p);
+  const Seam seam = seam_of(old, share, p);
+  unite(old, share, seam, polygon_);
+  const std::span<const PolygonCorner> corners = store_.corners(old);
+  erase_circle_of(corners[seam.in_old]);
+  erase_circle_of(corners[next_corner(seam.in_old, corners.size())]);
+}
+
+void RestrictedPower::unite(FragmentId old, const FacetPolygon& share, const Seam& seam, FacetPolygon& out) const {
+  const auto [q, g, fits] = seam;
   ensure(fits, "restricted power diagram: a share does not fit its neighbour");
   const std::span<const PolygonCorner> corners = store_.corners(old);
   const std::size_t n = corners.size(), m = share.corners.size();
-  const auto next = [](std::size_t i, std::size_t size) { return i + 1 == size ? 0 : i + 1; };
-  erase_circle_of(corners[q]);
-  erase_circle_of(corners[next(q, n)]);
-  polygon_.facet = share.facet;
-  polygon_.owner = share.owner;
-  polygon_.corners.clear();
-  for (std::size_t i = next(next(q, n), n); i != q; i = next(i, n)) polygon_.corners.push_back(corners[i]);
-  for (std::size_t i = next(next(g, m), m); i != g; i = next(i, m))
-    polygon_.corners.push_back(share.corners[i]);
+  out.facet = share.facet;
+  out.owner = share.owner;
+  out.corners.clear();
+  for (std::size_t i = next_corner(next_corner(q, n), n); i != q; i = next_corner(i, n))
+    out.corners.push_back(corners[i]);
+  for (std::size_t i = next_corner(next_corner(g, m), m); i != g; i = next_corner(i, m))
+    out.corners.push_back(share.corners[i]);
 }
 
 }  // namespace geom

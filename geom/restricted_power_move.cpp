@@ -1,0 +1,200 @@
+// A site moves: removal and insertion (paper, section 4.2) in one.
+//
+//      .-----.-----.          In a set that is nearly optimal a sample goes to a place nearby, and its new cell p' is
+//     /  j  / \  k  \         bounded by the same neighbours on the same facets as the old one. Then the fragments
+//    .-----.   .-----.        around keep their edges, and only their corners on the border of p move. That is so
+//     \    | p |    /         for the fragment of j, with the share of p's old cell that continues it, if p' takes
+//      '---'---'---'          exactly those corners that p had: all of the share, and none of j's own.
+//
+// Where it is not, the fragment and its share are united and cut again.
+
+#include <algorithm>
+#include <limits>
+
+#include "geom/check.h"
+#include "geom/restricted_power.h"
+
+namespace geom {
+
+std::optional<RestrictedPower::Plan> RestrictedPower::plan_removal(SiteId p) {
+  if (types_ == CornerTypes::all || !vacate(p) || division_.heirs().empty()) return {};
+  divide_vacancy(p);
+  list_planned_circles();
+  return Plan{division_.heirs(), planned_circles_, std::max(reach(p), division_.max_radius2())};
+}
+
+void RestrictedPower::list_planned_circles() {
+  planned_circles_.clear();
+  for (const CellCorner& corner : division_.corners()) {
+    if (!corner.before.is_site() || !corner.after.is_site()) continue;
+    EmptyCircle circle;
+    circle.facet = corner.facet;
+    circle.sites = {corner.owner, corner.before.site(), corner.after.site()};
+    std::ranges::sort(circle.sites);
+    center_circle(circle, corner.point.position);
+    planned_circles_.push_back(circle);
+  }
+}
+
+const RestrictedPower::Change& RestrictedPower::carry_out_removal(SiteId p) {
+  begin(p);
+  carry_out_division(p);
+  finish();
+  return change_;
+}
+
+// The rivals at the new place, p being out, and the heirs of the old cell: all others keep what they have. (The
+// source knows how far the heirs reach without their shares.)
+const RestrictedPower::Change& RestrictedPower::after_move(SiteId p, const WeightedPoint3& point) {
+  begin(p);
+  admit(p, point);
+  for (const FragmentId f : vacated_) touch_facet(store_.facet(f)).own = f;
+  const std::span<const CellDivision::Share> shares = division_.shares();
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const FragmentId f = shares[i].joins;
+    if (!f.valid()) continue;
+    if (f.index() >= share_index_.size()) share_index_.resize(f.index() + 1, -1);
+    share_index_[f] = static_cast<std::int32_t>(i);
+  }
+
+  candidates_.clear();
+  neighbours_.rivals(p, candidates_);
+  candidates_.insert(candidates_.end(), division_.heirs().begin(), division_.heirs().end());
+  std::ranges::sort(candidates_);
+  candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
+  preload(candidates_);
+  moving_ = true;
+  for (const SiteId j : candidates_)
+    if (take_from(j, p)) touch_cell(j);
+  moving_ = false;
+  take_new_shares(p);
+  reach_[p] = -std::numeric_limits<double>::infinity();
+  for (const TouchedFacet& touched : touched_facets_) reach_[p] = std::max(reach_[p], redraw_own(touched, p));
+
+  for (const auto& share : shares)
+    if (share.joins.valid()) share_index_[share.joins] = -1;
+  forget_touched_facets();
+  finish();
+  neighbours_.set_reach(p, reach_[p]);
+  return change_;
+}
+
+/// What fragment f gets of the old cell of the site that moves, or none.
+const FacetPolygon* RestrictedPower::share_of(FragmentId f) {
+  if (!moving_ || f.index() >= share_index_.size() || share_index_[f] < 0) return nullptr;
+  return &division_.shares()[static_cast<std::size_t>(share_index_[f])].polygon;
+}
+
+/// Gives fragment f its share of p's old cell, and p what it wins of both.
+Clip RestrictedPower::redraw(FragmentId f, const FacetPolygon& share, SiteId p, const Bisector& b) {
+  const Seam seam = seam_of(f, share, p);
+  if (keeps_its_edges(f, share, seam, b)) {
+    move_edge(f, seam.in_old, p, b);
+    return Clip::cut;
+  }
+  unite(f, share, seam, union_);
+  const Clip outcome = clipper_.classify(union_.facet, union_.owner, union_.corners, p, b, beaten_);
+  if (outcome == Clip::swallowed) return outcome;
+  const std::span<const PolygonCorner> old = store_.corners(f);
+  erase_circle_of(old[seam.in_old]);
+  erase_circle_of(old[next_corner(seam.in_old, old.size())]);
+  if (outcome == Clip::cut) cut_polygon(union_.facet, union_.owner, union_.corners, p, b);
+  commit(f, outcome == Clip::cut ? polygon_ : union_);
+  return outcome;
+}
+
+/// Does p, at its new place, take all of the share and no corner of f? The union of both is convex and p takes
+/// consecutive corners, so of f only the corners next to p's old border must be looked at.
+bool RestrictedPower::keeps_its_edges(FragmentId f, const FacetPolygon& share, const Seam& seam,
+                                      const Bisector& b) const {
+  const auto [q, g, fits] = seam;
+  ensure(fits, "restricted power diagram: a share does not fit its neighbour");
+  const std::span<const PolygonCorner> corners = store_.corners(f);
+  const std::size_t n = corners.size(), m = share.corners.size();
+  const SiteId p = corners[q].edge.site();
+  const auto takes = [&](std::span<const PolygonCorner> of, std::size_t k) {
+    return clipper_.beats_at(cell_corner(share.facet, share.owner, of, k), p, b);
+  };
+  if (takes(corners, previous_corner(q, n)) || takes(corners, next_corner(next_corner(q, n), n))) return false;
+  for (std::size_t k = next_corner(next_corner(g, m), m); k != g; k = next_corner(k, m))
+    if (!takes(share.corners, k)) return false;
+  return true;
+}
+
+/// Moves the edge of f that borders p, which starts in that corner.
+void RestrictedPower::move_edge(FragmentId f, std::size_t edge, SiteId p, const Bisector& b) {
+  const std::span<PolygonCorner> corners = store_.corners_to_move(f);
+  const FacetId t = store_.facet(f);
+  const SiteId j = store_.site(f);
+  PolygonCorner &start = corners[edge], &end = corners[next_corner(edge, corners.size())];
+  const EdgeLabel before = corners[previous_corner(edge, corners.size())].edge;
+  const std::array<RoundedPoint, 2> ends = note_cut(t, {.rival = j, .leaving = before, .entering = end.edge}, p, b);
+  start.point = ends[0];
+  end.point = ends[1];
+  move_circle(start);
+  move_circle(end);
+  store_.set_max_radius2(f, clipper_.bound_power(t, j, corners));
+  change_.cut.push_back({j, t});
+}
+
+/// The shares of p's old cell that continue no fragment.
+void RestrictedPower::take_new_shares(SiteId p) {
+  for (auto& [joins, share] : division_.shares()) {
+    if (joins.valid()) continue;
+    const Bisector b = clipper_.bisector_of(share.owner, p);
+    const Clip outcome = clipper_.classify(share.facet, share.owner, share.corners, p, b, beaten_);
+    if (outcome == Clip::swallowed) {
+      win_on(share.facet);
+      continue;
+    }
+    if (outcome == Clip::cut) cut_polygon(share.facet, share.owner, share.corners, p, b);
+    touch_cell(share.owner);
+    reach_[share.owner] =
+        std::max(reach_[share.owner], commit(FragmentId(), outcome == Clip::cut ? polygon_ : share));
+  }
+}
+
+/// p's fragment on a facet where it had or has one; returns the bound of its power.
+double RestrictedPower::redraw_own(const TouchedFacet& touched, SiteId p) {
+  if (!touched.won) {
+    forget(touched.own);
+    return -std::numeric_limits<double>::infinity();
+  }
+  assemble(touched, p);
+  if (!touched.own.valid()) return commit(FragmentId(), polygon_);
+  if (!move_corners(touched.own)) {
+    for (const PolygonCorner& corner : store_.corners(touched.own)) erase_circle_of(corner);
+    return commit(touched.own, polygon_);
+  }
+  change_.cut.push_back({p, touched.facet});
+  const double max_radius2 = clipper_.bound_power(polygon_);
+  store_.set_max_radius2(touched.own, max_radius2);
+  return max_radius2;
+}
+
+/// Moves the corners of f to where those of polygon_ are, if the edges are the same. Else false.
+bool RestrictedPower::move_corners(FragmentId f) {
+  std::array<PolygonCorner, 3> buffer;
+  const std::span<const PolygonCorner> old = store_.corners(f, buffer), now = polygon_.corners;
+  const std::size_t n = old.size();
+  const auto first = static_cast<std::size_t>(
+      std::ranges::find(old, now.front().edge, &PolygonCorner::edge) - old.begin());
+  if (now.size() != n || first == n) return false;
+  for (std::size_t k = 0, i = first; k < n; ++k, i = next_corner(i, n))
+    if (old[i].edge != now[k].edge) return false;
+  if (store_.whole(f)) return true;
+  const std::span<PolygonCorner> corners = store_.corners_to_move(f);
+  for (std::size_t k = 0, i = first; k < n; ++k, i = next_corner(i, n)) {
+    corners[i].point = now[k].point;
+    move_circle(corners[i]);
+  }
+  return true;
+}
+
+void RestrictedPower::move_circle(const PolygonCorner& corner) {
+  if (!corner.circle.valid()) return;
+  center_circle(circles_[corner.circle], corner.point.position);
+  change_.circles_moved.push_back(corner.circle);
+}
+
+}  // namespace geom
