@@ -152,24 +152,38 @@ bool SurfaceDomain::is_farther(double radius2, SiteId x, std::span<const SiteId>
 // --- a move at once ------------------------------------------------------------------------------
 
 std::optional<bool> SurfaceDomain::move_directly(SiteId x, Scope scope) {
-  if (diagram_->fragments().of_cell(x).empty()) return {};
-  source_->remove(x);
-  const std::optional<geom::RestrictedPower::Plan> plan = diagram_->plan_removal(x);
+  const std::optional<geom::RestrictedPower::Plan> plan = plan_removal(x);
   const geom::EmptyCircle* const best = plan ? largest_planned(x, *plan, scope) : nullptr;
   const bool moves = best && is_farther(best->radius2, x, plan->heirs);
-  if (moves) samples_[x] = {best->center, best->facet};
-  const geom::WeightedPoint3 point{samples_[x].position, weight_at(x)};
-  source_->insert(x, point, moves ? best->sites[0] : SiteId());
   if (moves)
-    apply(diagram_->after_move(x, point));
+    move_planned(x, *best);
   else
-    diagram_->stay(x);
+    stay(x);
   if (!best) return {};
   return moves;
 }
 
-/// The largest empty circle once the plan is carried out; none if that cannot be told: the top of the heap may be
-/// at x and go with it.
+std::optional<geom::RestrictedPower::Plan> SurfaceDomain::plan_removal(SiteId x) {
+  source_->remove(x);
+  return diagram_->plan_removal(x);
+}
+
+void SurfaceDomain::move_planned(SiteId x, const geom::EmptyCircle& circle) {
+  samples_[x] = {circle.center, circle.facet};
+  const geom::WeightedPoint3 point{samples_[x].position, weight_at(x)};
+  source_->insert(x, point, circle.sites[0]);
+  apply(diagram_->after_move(x, point));
+}
+
+void SurfaceDomain::stay(SiteId x) {
+  SiteId hint;
+  if (const CircleId c = diagram_->first_circle(x); c.valid())
+    for (const SiteId y : diagram_->circle(c).sites)
+      if (y != x) hint = y;
+  source_->insert(x, diagram_->site(x), hint);
+  diagram_->stay(x);
+}
+
 const geom::EmptyCircle* SurfaceDomain::largest_planned(SiteId x, const geom::RestrictedPower::Plan& plan,
                                                         Scope scope) const {
   const geom::EmptyCircle* best = nullptr;

@@ -57,9 +57,20 @@ class SurfaceDomain final : public Domain {
   bool is_farther(const Circle& c, SiteId x) override;
   void insert_at(SiteId x, const Circle& c) override;
   void put_back(SiteId x) override;
-  /// Plans the removal of x and looks for the largest circle in the plan and around. What is removed for good, or
-  /// for a moment, is what the plan cannot tell of (rare).
+  /// By the steps below. None if they cannot tell, which is rare.
   std::optional<bool> move_directly(SiteId x, Scope scope) override;
+
+  // A move whose removal is only planned. After plan_removal(x) follows move_planned(x) or stay(x).
+  /// None if there is no plan for x: then stay(x) follows.
+  std::optional<geom::RestrictedPower::Plan> plan_removal(SiteId x);
+  /// The largest empty circle once x is out; none if that cannot be told: the top of the heap may be at x and go
+  /// with it. Valid until the next step.
+  const geom::EmptyCircle* largest_planned(SiteId x, const geom::RestrictedPower::Plan& plan, Scope scope) const;
+  /// is_farther() for such a circle.
+  bool is_farther(double radius2, SiteId x, std::span<const SiteId> heirs) const;
+  void move_planned(SiteId x, const geom::EmptyCircle& circle);
+  void stay(SiteId x);
+
   /// Distance over h to the nearest sample in space; with weights to the nearest of those that are first in
   /// power or in neighbours(x).
   double normalized_spacing(SiteId x) override;
@@ -102,9 +113,7 @@ class SurfaceDomain final : public Domain {
   double weight_at(SiteId x) const;
   bool equal_weights() const { return sizing_.is_uniform() || !options_.weighted; }
   Circle largest_in_two_ring();
-  const geom::EmptyCircle* largest_planned(SiteId x, const geom::RestrictedPower::Plan& plan, Scope scope) const;
   bool larger(CircleId a, CircleId b) const;
-  bool is_farther(double radius2, SiteId x, std::span<const SiteId> heirs) const;
   bool is_offered(const geom::EmptyCircle& circle) const;
   void apply(const geom::RestrictedPower::Change& change);
 

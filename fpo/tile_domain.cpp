@@ -166,22 +166,22 @@ bool TileDomain::holds_cell(SiteId x, double power) const {
   return holds_ball(site.position, std::max(cell_radius(x) + root(power), root(site.weight)));
 }
 
-/// After the removal of x, whose cell had that radius: is what it vacated held, and the place of x? `near`: some
-/// other sample.
-bool TileDomain::holds_vacancy(SiteId x, double cell, SiteId near) const {
+/// Is what x vacates held, and its place?
+bool TileDomain::holds_vacancy(SiteId x, const Vacancy& vacancy) const {
   const geom::WeightedPoint3& site = domain_->diagram().site(x);
-  double power = geom::power(site.position, domain_->diagram().site(near));
-  for (const SiteId heir : domain_->last_change().cells)
-    power = std::max(power, domain_->diagram().reach(heir));
-  return power <= most_power_ && holds_ball(site.position, std::max(cell + root(power), root(site.weight)));
+  double at_x = std::numeric_limits<double>::infinity();
+  for (const SiteId y : vacancy.around)
+    at_x = std::min(at_x, geom::power(site.position, domain_->diagram().site(y)));
+  const double power = std::max(vacancy.power, at_x);
+  return power <= most_power_ &&
+         holds_ball(site.position, std::max(vacancy.cell + root(power), root(site.weight)));
 }
 
-/// After a removal: are the cells where Scope::two_ring looks held? `nearest`: the site nearest to the removed one
-/// if there are no heirs.
-bool TileDomain::holds_heirs(SiteId nearest) const {
-  const auto is_held = [&](SiteId y) { return holds_cell(y, domain_->diagram().reach(y)); };
-  const std::vector<SiteId>& heirs = domain_->last_change().cells;
-  return heirs.empty() ? is_held(nearest) : std::ranges::all_of(heirs, is_held);
+/// Are the cells where Scope::two_ring looks held?
+bool TileDomain::holds_heirs(const Vacancy& vacancy) const {
+  return std::ranges::all_of(vacancy.around, [&](SiteId y) {
+    return holds_cell(y, std::max(vacancy.power, domain_->diagram().reach(y)));
+  });
 }
 
 bool TileDomain::offers(const geom::EmptyCircle& circle, const geom::WeightedPoint3& site) const {
@@ -191,16 +191,47 @@ bool TileDomain::offers(const geom::EmptyCircle& circle, const geom::WeightedPoi
 
 TileDomain::Outcome TileDomain::move(SiteId of_whole, Scope scope) {
   const SiteId x = here(of_whole);
-  const SurfaceSample old = domain_->sample(x);
   if (domain_->num_samples() == 1) return Outcome::out_of_reach;
   const double cell = cell_radius(x);
-  if (!holds_ball(old.position, likely_clearance * cell)) return Outcome::out_of_reach;
+  if (!holds_ball(domain_->sample(x).position, likely_clearance * cell)) return Outcome::out_of_reach;
 
+  if (const std::optional<Outcome> outcome = move_directly(x, cell, scope)) return *outcome;
+  return move_step_by_step(x, cell, scope);
+}
+
+/// As Domain::move_directly().
+std::optional<TileDomain::Outcome> TileDomain::move_directly(SiteId x, double cell, Scope scope) {
+  const SurfaceSample old = domain_->sample(x);
+  const std::optional<geom::RestrictedPower::Plan> plan = domain_->plan_removal(x);
+  const auto stay = [&](std::optional<Outcome> outcome) {
+    domain_->stay(x);
+    return outcome;
+  };
+  if (!plan) return stay({});
+  const Vacancy vacancy{cell, plan->max_radius2, plan->heirs};
+  if (!holds_vacancy(x, vacancy) || (scope == Scope::two_ring && !holds_heirs(vacancy)))
+    return stay(Outcome::out_of_reach);
+  const geom::EmptyCircle* const best = domain_->largest_planned(x, *plan, scope);
+  if (!best) return stay({});
+  if (!domain_->is_farther(best->radius2, x, plan->heirs)) return stay(Outcome::stayed);
+  const geom::EmptyCircle circle = *best;
+  const geom::WeightedPoint3 touched = domain_->diagram().site(circle.sites[0]);
+  if (!offers(circle, touched)) return stay(Outcome::out_of_reach);
+  domain_->move_planned(x, circle);
+  if (holds_insertion(x, circle, touched.weight)) return Outcome::moved;
   domain_->remove(x);
-  const std::vector<SiteId>& heirs = domain_->last_change().cells;
-  const SiteId near = heirs.empty() ? domain_->source().nearest(old.position, x, SiteId()).site
-                                    : *std::ranges::min_element(heirs);  // whatever their order
-  if (!holds_vacancy(x, cell, near) || (scope == Scope::two_ring && !holds_heirs(near))) {
+  domain_->insert_at(x, old, 1);
+  return Outcome::out_of_reach;
+}
+
+TileDomain::Outcome TileDomain::move_step_by_step(SiteId x, double cell, Scope scope) {
+  const SurfaceSample old = domain_->sample(x);
+  domain_->remove(x);
+  std::vector<SiteId> heirs = domain_->last_change().cells;
+  if (heirs.empty()) heirs.push_back(domain_->source().nearest(old.position, x, SiteId()).site);
+  Vacancy vacancy{cell, 0, heirs};
+  for (const SiteId heir : heirs) vacancy.power = std::max(vacancy.power, domain_->diagram().reach(heir));
+  if (!holds_vacancy(x, vacancy) || (scope == Scope::two_ring && !holds_heirs(vacancy))) {
     domain_->put_back(x);
     return Outcome::out_of_reach;
   }
@@ -209,21 +240,23 @@ TileDomain::Outcome TileDomain::move(SiteId of_whole, Scope scope) {
     domain_->put_back(x);
     return Outcome::stayed;
   }
-  if (insert(x, c)) return Outcome::moved;
+  const geom::EmptyCircle circle = domain_->diagram().circle(c.id);
+  const geom::WeightedPoint3 touched = domain_->diagram().site(circle.sites[0]);
+  if (offers(circle, touched)) {
+    domain_->insert_at(x, c);
+    if (holds_insertion(x, circle, touched.weight)) return Outcome::moved;
+    domain_->remove(x);
+  }
   domain_->insert_at(x, old, 1);
   return Outcome::out_of_reach;
 }
 
-/// Puts x at the center of c, unless that changes more than the tile holds: then x is left out.
-bool TileDomain::insert(SiteId x, const Circle& c) {
-  const geom::EmptyCircle circle = domain_->diagram().circle(c.id);
-  const double weight = domain_->diagram().site(circle.sites[0]).weight;
+/// x is now at the center of what was an empty circle, on a site of that weight: is all that this changed held?
+/// Else the circle is not offered again.
+bool TileDomain::holds_insertion(SiteId x, const geom::EmptyCircle& circle, double weight) {
   const double distance = root(circle.radius2 + weight);
-  if (!offers(circle, domain_->diagram().site(circle.sites[0]))) return false;
-  domain_->insert_at(x, c);
   if (holds_cell(x, square(cell_radius(x) + distance) - weight)) return true;
   barred_.push_back(circle.center);
-  domain_->remove(x);
   return false;
 }
 

@@ -98,10 +98,18 @@ class TileDomain {
   bool holds_ball(const geom::Vec3& center, double radius) const;
   double cell_radius(SiteId x) const;
   bool holds_cell(SiteId x, double power) const;
-  bool holds_vacancy(SiteId x, double cell, SiteId near) const;
-  bool holds_heirs(SiteId nearest) const;
+  /// Who has the place of x once it is out, and how much power there is then at most.
+  struct Vacancy {
+    double cell;  ///< radius of what x had
+    double power;
+    std::span<const SiteId> around;  ///< the heirs, or else the nearest site
+  };
+  bool holds_vacancy(SiteId x, const Vacancy& vacancy) const;
+  bool holds_heirs(const Vacancy& vacancy) const;
+  std::optional<Outcome> move_directly(SiteId x, double cell, Scope scope);
+  Outcome move_step_by_step(SiteId x, double cell, Scope scope);
   bool offers(const geom::EmptyCircle& circle, const geom::WeightedPoint3& site) const;
-  bool insert(SiteId x, const Circle& c);
+  bool holds_insertion(SiteId x, const geom::EmptyCircle& circle, double weight);
 
   const TiledSurface& whole_;
   const Tile& tile_;

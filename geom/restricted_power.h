@@ -187,7 +187,7 @@ class RestrictedPower {
   void unite(FragmentId old, const FacetPolygon& share, const Seam& seam, FacetPolygon& out) const;
   void carry_out_division(SiteId p);
 
-  void list_planned_circles();
+  void list_planned_circles(SiteId p);
   const FacetPolygon* share_of(FragmentId f);
   Clip redraw(FragmentId f, const FacetPolygon& share, SiteId p, const Bisector& b);
   bool keeps_its_edges(FragmentId f, const FacetPolygon& share, const Seam& seam, const Bisector& b) const;

@@ -19,14 +19,16 @@ namespace geom {
 std::optional<RestrictedPower::Plan> RestrictedPower::plan_removal(SiteId p) {
   if (types_ == CornerTypes::all || !vacate(p) || division_.heirs().empty()) return {};
   divide_vacancy(p);
-  list_planned_circles();
+  list_planned_circles(p);
   return Plan{division_.heirs(), planned_circles_, std::max(reach(p), division_.max_radius2())};
 }
 
-void RestrictedPower::list_planned_circles() {
+void RestrictedPower::list_planned_circles(SiteId p) {
+  const EdgeLabel border = EdgeLabel::bisector(p);
   planned_circles_.clear();
   for (const CellCorner& corner : division_.corners()) {
     if (!corner.before.is_site() || !corner.after.is_site()) continue;
+    if (corner.before == border || corner.after == border) continue;
     EmptyCircle circle;
     circle.facet = corner.facet;
     circle.sites = {corner.owner, corner.before.site(), corner.after.site()};

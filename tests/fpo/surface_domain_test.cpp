@@ -196,3 +196,46 @@ TEST_CASE("surface domain: both engines go the same way, move by move") {
     CHECK(a.diagram().canonical() == b.diagram().canonical());
   }
 }
+
+TEST_CASE("surface domain: a move at once ends where the steps of Algorithm 1 do") {
+  for (const auto& [name, mesh] : fixtures::surfaces())
+    for (const Scope scope : {Scope::global, Scope::two_ring})
+      for (const bool adaptive : {false, true})
+        for (const bool offers_half : {false, true}) {
+          CAPTURE(name);
+          CAPTURE(adaptive);
+          CAPTURE(offers_half);
+          constexpr std::size_t n = 60;
+          const Sizing sizing = adaptive ? fixtures::graded(mesh, 0.08, 0.2)
+                                         : Sizing::uniform(hexagonal_spacing(mesh.area(), n));
+          SurfaceOptions options;
+          options.engine = adaptive ? Engine::triangulation : Engine::search;
+          const double middle = mesh.box().center().x();
+          if (offers_half)
+            options.offers = [=](const geom::EmptyCircle& c, const geom::WeightedPoint3&) {
+              return c.center.x() <= middle;
+            };
+          const auto samples = random_samples(mesh, sizing, n, 8);
+          SurfaceDomain at_once(mesh, sizing, samples, options), in_steps(mesh, sizing, samples, options);
+          int direct = 0;
+          for (std::size_t i = 0; i < 4 * n; ++i) {
+            const SiteId x(i % n);
+            in_steps.remove(x);
+            const Circle c = in_steps.largest_empty(scope);
+            const bool moved = in_steps.is_farther(c, x);
+            if (moved)
+              in_steps.insert_at(x, c);
+            else
+              in_steps.put_back(x);
+            const std::optional<bool> moved_directly = at_once.move_directly(x, scope);
+            direct += moved_directly.has_value();
+            REQUIRE(moved_directly.value_or(moved) == moved);
+            if (!moved_directly) move_to_farthest_point(at_once, x, scope);
+            at_once.check();
+            REQUIRE(at_once.sample(x).position == in_steps.sample(x).position);
+            REQUIRE(at_once.sample(x).facet == in_steps.sample(x).facet);
+          }
+          CHECK(at_once.diagram().canonical() == in_steps.diagram().canonical());
+          CHECK(direct > static_cast<int>(2 * n));
+        }
+}

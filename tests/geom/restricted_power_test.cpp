@@ -1,7 +1,9 @@
 #include "geom/restricted_power.h"
 
 #include <memory>
+#include <optional>
 #include <set>
+#include <tuple>
 
 #include "doctest.h"
 #include "fpo/initial_samples.h"
@@ -34,7 +36,22 @@ struct Diagram {
     apply(power.after_remove(p));
     present.erase(p);
   }
+  /// At once; false if there is no plan for that.
+  bool move(SiteId p, const WeightedPoint3& point) {
+    source->remove(p);
+    const std::optional<RestrictedPower::Plan> plan = power.plan_removal(p);
+    const bool stays = !plan || point.position == sites[p].position;
+    const SiteId hint = *present.begin() == p ? *present.rbegin() : *present.begin();
+    source->insert(p, stays ? sites[p] : point, hint);
+    if (stays)
+      power.stay(p);
+    else
+      apply(power.after_move(p, point));
+    if (plan) sites[p] = point;
+    return plan.has_value();
+  }
   void apply(const RestrictedPower::Change& change) {
+    for (const CircleId c : change.circles_moved) CHECK(circles.contains(c));
     for (const CircleId c : change.circles_erased) CHECK(circles.erase(c) == 1);
     for (const CircleId c : change.circles_created) CHECK(circles.insert(c).second);
   }
@@ -192,6 +209,99 @@ TEST_CASE("restricted power diagram: local updates equal a rebuild after each of
       CHECK_MESSAGE(same, "move " << move);
     }
   }
+}
+
+namespace {
+
+/// All that a diagram tells of its circles, in an order that does not depend on history.
+std::vector<std::tuple<FacetId, std::int32_t, std::array<SiteId, 3>, double, double, double, double>> told_circles(
+    const Diagram& d) {
+  std::vector<std::tuple<FacetId, std::int32_t, std::array<SiteId, 3>, double, double, double, double>> all;
+  for (const CircleId id : d.circles) {
+    const EmptyCircle& c = d.power.circle(id);
+    all.emplace_back(c.facet, c.place, c.sites, c.center.x(), c.center.y(), c.center.z(), c.radius2);
+  }
+  std::ranges::sort(all);
+  return all;
+}
+
+}  // namespace
+
+// Small steps keep most edges, large ones few, and steps to a circle of the plan are what the optimization makes.
+TEST_CASE("restricted power diagram: a move at once is a removal and an insertion") {
+  for (const fixtures::NamedSurface& surface : fixtures::surfaces())
+    for (const Weights kind : {Weights::none, Weights::gentle, Weights::hiding})
+      for (const bool search : {true, false}) {
+        CAPTURE(surface.name);
+        CAPTURE(static_cast<int>(kind));
+        CAPTURE(search);
+        constexpr std::size_t n = 40;
+        Diagram at_once(surface.mesh, search, CornerTypes::c_only), in_steps(surface.mesh, search, CornerTypes::c_only);
+        const std::vector<WeightedPoint3> pool = weighted_samples(surface.mesh, 400, kind, 31);
+        for (std::size_t i = 0; i < n; ++i) at_once.insert(SiteId(i), pool[i]), in_steps.insert(SiteId(i), pool[i]);
+        Rng rng(3);
+        for (int move = 0; move < 120; ++move) {
+          CAPTURE(move);
+          const SiteId p(static_cast<std::size_t>(rng.below(n)));
+          WeightedPoint3 point = pool[rng.below(pool.size())];
+          if (move % 3 != 0) {
+            std::vector<Vec3> centers;
+            for (CircleId c = in_steps.power.first_circle(p); c.valid(); c = in_steps.power.next_circle(c, p))
+              centers.push_back(in_steps.power.circle(c).center);
+            const Vec3 old = in_steps.sites[p].position;
+            const double step = move % 3 == 1 ? 0.01 : 1;
+            if (!centers.empty()) point.position = old + step * (centers[rng.below(centers.size())] - old);
+            if (step < 1) point.weight = in_steps.sites[p].weight;
+          }
+          if (move % 20 == 19) point = in_steps.sites[p];  // stays
+          if (!at_once.move(p, point)) {
+            at_once.remove(p);
+            at_once.insert(p, point);
+          }
+          in_steps.remove(p);
+          in_steps.insert(p, point);
+          at_once.power.check();
+          REQUIRE(at_once.power.canonical() == in_steps.power.canonical());
+          REQUIRE(told_circles(at_once) == told_circles(in_steps));
+          for (std::size_t i = 0; i < n; ++i)  // bounds
+            if (!at_once.power.fragments().of_cell(SiteId(i)).empty())
+              REQUIRE(at_once.power.reach(SiteId(i)) <= in_steps.power.reach(SiteId(i)));
+        }
+        REQUIRE(at_once.power.canonical() ==
+                oracle::restricted_power_diagram(surface.mesh, at_once.sites, at_once.present_list()));
+      }
+}
+
+TEST_CASE("restricted power diagram: a plan tells the circles of the removal and changes nothing") {
+  for (const fixtures::NamedSurface& surface : fixtures::surfaces())
+    for (const Weights kind : {Weights::none, Weights::gentle}) {
+      CAPTURE(surface.name);
+      Diagram d(surface.mesh, true, CornerTypes::c_only);
+      const std::vector<WeightedPoint3> samples = weighted_samples(surface.mesh, 60, kind, 37);
+      for (std::size_t i = 0; i < samples.size(); ++i) d.insert(SiteId(i), samples[i]);
+      for (std::size_t i = 0; i < samples.size(); ++i) {
+        const SiteId p(i);
+        const auto before = d.power.canonical();
+        d.source->remove(p);
+        const std::optional<RestrictedPower::Plan> plan = d.power.plan_removal(p);
+        REQUIRE(d.power.canonical() == before);
+        std::set<std::tuple<FacetId, std::array<SiteId, 3>, double>> planned, created;
+        if (plan)
+          for (const EmptyCircle& c : plan->circles) {
+            planned.emplace(c.facet, c.sites, c.radius2);
+            CHECK(c.radius2 <= plan->max_radius2);
+          }
+        const RestrictedPower::Change& change =
+            plan ? d.power.carry_out_removal(p) : d.power.after_remove(p);
+        for (const CircleId c : change.circles_created)
+          created.emplace(d.power.circle(c).facet, d.power.circle(c).sites, d.power.circle(c).radius2);
+        if (plan) REQUIRE(planned == created);
+        d.apply(change);
+        d.present.erase(p);
+        d.power.check();
+        d.insert(p, samples[i]);
+      }
+    }
 }
 
 TEST_CASE("restricted power diagram: the owner of a fragment is the nearest site at its middle") {
