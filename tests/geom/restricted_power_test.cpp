@@ -172,6 +172,31 @@ TEST_CASE("restricted power diagram: sites on a lattice, on edges, on vertices a
   }
 }
 
+TEST_CASE("restricted power diagram: moves at once between places of a lattice, with ties of all kinds") {
+  const TriMesh cube = fixtures::box(Vec3(1, 1, 1), 2), plate = fixtures::box(Vec3(1, 1, 0.125), 2);
+  for (const TriMesh* const mesh : {&cube, &plate})
+    for (const bool search : {true, false}) {
+      Diagram d(*mesh, search, CornerTypes::c_only);
+      Rng rng(13);
+      std::vector<WeightedPoint3> pool;
+      for (int x = 0; x <= 4; ++x)
+        for (int y = 0; y <= 4; ++y)
+          for (const double z : {0.0, mesh->box().max().z()}) pool.push_back({Vec3(x / 4.0, y / 4.0, z), 0.03125 * (x == y)});
+      for (std::size_t i = 0; i < 14; ++i) d.insert(SiteId(i), pool[rng.below(pool.size())]);
+      for (int move = 0; move < 200; ++move) {
+        const SiteId p(static_cast<std::size_t>(rng.below(14)));
+        const WeightedPoint3 point = pool[rng.below(pool.size())];
+        if (!d.move(p, point)) {
+          d.remove(p);
+          d.insert(p, point);
+        }
+        d.power.check();
+        const bool same = d.power.canonical() == oracle::restricted_power_diagram(*mesh, d.sites, d.present_list());
+        REQUIRE_MESSAGE(same, "move " << move << " search " << search);
+      }
+    }
+}
+
 TEST_CASE("restricted power diagram: remove and put back is the identity") {
   for (const fixtures::NamedSurface& surface : fixtures::surfaces())
     for (const bool search : {true, false}) {
