@@ -192,7 +192,7 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   if (angles) a.remesh.optimize_angles = *angles;
   if (fidelity) a.remesh.improve_fidelity = *fidelity;
   if (iterations >= 0) a.remesh.optimize.max_iterations = iterations;
-  a.remesh.tile_samples = tile_samples.value_or(default_tile_samples(a.remesh.num_samples));
+  a.remesh.tile_samples = tile_samples.value_or(default_tile_samples(a.remesh.num_samples, rest));
   a.remesh.seed = cli.seed();
   a.remesh.threads = cli.threads();
   a.remesh.keep_cells = !a.rpd.empty() || !a.report.empty();

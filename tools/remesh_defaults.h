@@ -19,9 +19,10 @@ inline int default_iterations(fpo::Method method, fpo::SizingKind sizing) {
   return sizing == fpo::SizingKind::uniform || method == fpo::Method::cvt ? 100 : 40;
 }
 
-/// Samples a tile if there are so many that tiles pay; 0: none.
-inline std::size_t default_tile_samples(std::size_t num_samples) {
-  constexpr std::size_t most = 3000, least_tiles = 2;
+/// Samples a tile if there are so many that tiles pay; 0: none. With rest a round has less to do.
+inline std::size_t default_tile_samples(std::size_t num_samples, bool rest = false) {
+  constexpr std::size_t most = 3000;
+  const std::size_t least_tiles = rest ? 10 : 2;
   return num_samples > least_tiles * most ? most : 0;
 }
 

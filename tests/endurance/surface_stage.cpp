@@ -53,13 +53,32 @@ SurfaceStage::SurfaceStage(const Place& place, bool search, Mesh mesh)
           *mesh_, *source_, place.all_corners ? geom::CornerTypes::all : geom::CornerTypes::c_only)),
       heap_(CircleOrder{diagram_.get()}) {}
 
+SiteId SurfaceStage::some_other() const {
+  return present().empty() ? SiteId() : present()[present().size() / 2];
+}
+
 bool SurfaceStage::insert(SiteId s, const geom::WeightedPoint3& point) {
-  source_->insert(s, point, present().empty() ? SiteId() : present()[present().size() / 2]);
+  if (s == removed_ && s.value % 2 == 0) return put_back_and_move(s, point);
+  source_->insert(s, point, some_other());
   apply_change(diagram_->after_insert(s, point));
   return true;
 }
 
+/// The same by a move at once.
+bool SurfaceStage::put_back_and_move(SiteId s, const geom::WeightedPoint3& point) {
+  source_->insert(s, removed_point_, some_other());
+  apply_change(diagram_->after_insert(s, removed_point_));
+  source_->remove(s);
+  const bool planned = diagram_->plan_removal(s).has_value();
+  if (!planned) apply_change(diagram_->after_remove(s));
+  source_->insert(s, point, some_other());
+  apply_change(planned ? diagram_->after_move(s, point) : diagram_->after_insert(s, point));
+  return true;
+}
+
 bool SurfaceStage::remove(SiteId s) {
+  removed_ = s;
+  removed_point_ = diagram_->site(s);
   source_->remove(s);
   apply_change(diagram_->after_remove(s));
   return true;
@@ -76,6 +95,10 @@ void SurfaceStage::apply_change(const geom::RestrictedPower::Change& change) {
                  "a circle's centre is outside of the mesh's box");
     heap_.push(c, diagram_->circle(c).radius2);
     most_circles_ = std::max(most_circles_, c.index() + 1);
+  }
+  for (const CircleId c : change.circles_moved) {
+    geom::ensure(heap_.contains(c), "a circle moves that is not there");
+    heap_.update(c, diagram_->circle(c).radius2);
   }
   last_created_ = change.circles_created;
 }

@@ -33,6 +33,8 @@ class SurfaceStage final : public Stage {
   SurfaceStage(const Place& place, bool search, Mesh mesh);
   bool insert(geom::SiteId s, const geom::WeightedPoint3& point) override;
   bool remove(geom::SiteId s) override;
+  geom::SiteId some_other() const;
+  bool put_back_and_move(geom::SiteId s, const geom::WeightedPoint3& point);
   void apply_change(const geom::RestrictedPower::Change& change);
   std::vector<geom::EmptyCircle> circles() const;
   void check_facet(geom::FacetId t) const;
@@ -45,6 +47,8 @@ class SurfaceStage final : public Stage {
   geom::IndexedHeap<geom::CircleId, CircleOrder> heap_;
   std::vector<geom::CircleId> last_created_;
   std::size_t most_circles_ = 0;  ///< ids are below
+  geom::SiteId removed_;          ///< the last one
+  geom::WeightedPoint3 removed_point_{geom::Vec3(0, 0, 0), 0};
 };
 
 }  // namespace endurance
