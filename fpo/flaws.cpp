@@ -36,6 +36,11 @@ void Flaws::follow(const geom::RestrictedPower::Change& change) {
   for (const CircleId c : change.circles_erased)
     if (std::erase(unmeasured_, c) == 0) forget(c);
   unmeasured_.insert(unmeasured_.end(), change.circles_created.begin(), change.circles_created.end());
+  for (const CircleId c : change.circles_moved) {
+    if (std::ranges::find(unmeasured_, c) != unmeasured_.end()) continue;
+    forget(c);
+    unmeasured_.push_back(c);
+  }
 }
 
 void Flaws::catch_up() {
@@ -98,10 +103,19 @@ void LocalResampling::move(const Backup& x) {
   follow();
 }
 
+/// resample() at once; false if nothing is done, for there is no plan or the weight is another.
+bool LocalResampling::resample_directly(const Backup& x) {
+  if (domain_.weight_share(x.id) != x.weight_share) return false;
+  const std::optional<bool> moved = domain_.move_directly(x.id, Scope::two_ring);
+  if (moved == true) follow();
+  return moved.has_value();
+}
+
 /// To the farthest point nearby, if that is farther than where it is.
 void LocalResampling::resample(const Backup& x) {
   if (domain_.is_fixed(x.id)) return;
   ++moves_;
+  if (resample_directly(x)) return;
   const double d = domain_.separation(x.id);
   SurfaceSample place = domain_.sample(x.id);
   domain_.remove(x.id);

@@ -92,6 +92,7 @@ class LocalResampling {
   std::vector<Backup> backups_of(std::span<const SiteId> samples) const;
   void follow();
   void move(const Backup& x);
+  bool resample_directly(const Backup& x);
   void resample(const Backup& x);
   bool settle(std::span<const Backup> samples, std::span<const Backup> moving);
   bool better() const;

@@ -209,8 +209,9 @@ void check_outputs(const RemeshArguments& a) {
        {a.output, a.points, a.rpd, a.log, a.picture, a.sizing_out, a.map, a.report}) {
     if (path.empty()) continue;
     io::require_writable(path);
-    geom::require(taken.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(path))).second,
-                  path.string() + ": named for two outputs");
+    std::error_code gone;  // the folder, meanwhile: then writing will tell
+    const std::filesystem::path file = std::filesystem::weakly_canonical(std::filesystem::absolute(path), gone);
+    geom::require(gone || taken.insert(file).second, path.string() + ": named for two outputs");
   }
 }
 

@@ -54,10 +54,10 @@ TEST_CASE("fpo-remesh --method: angle optimization on request; options of fpo al
   const ProgramResult result = place.run({"-n", "150", "--method=cps", "--optimize-angles"});
   CHECK(result.code == 0);
   CHECK(result.out.find("bad_triangles_after 0\n") != std::string::npos);
-  for (const std::string option : {"--ser", "--local", "--global"}) {
+  for (const std::string option : {"--ser", "--local", "--global", "--rest"}) {
     const ProgramResult refused = place.run({"-n", "150", "--method=cvt", option});
     CHECK(refused.code == 2);
-    CHECK(refused.err == "fpo-remesh: --ser, --local and --global work with --method fpo only\n");
+    CHECK(refused.err == "fpo-remesh: --ser, --local, --global and --rest work with --method fpo only\n");
   }
   CHECK(place.run({"-n", "150", "--method=vbs"}).code == 2);
   CHECK(place.run({"-n", "1", "--method=mps"}).code == 2);
