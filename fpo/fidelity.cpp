@@ -55,7 +55,8 @@ class Distances {
       for (CircleId c = domain_.diagram().first_circle(SiteId(i)); c.valid();
            c = domain_.diagram().next_circle(c, SiteId(i))) {
         const EmptyCircle& circle = domain_.diagram().circle(c);
-        if (circle.sites[0] == SiteId(i) && circle.sites[2].valid()) most = std::max(most, beyond(circle, most));
+        if (circle.sites[0] == SiteId(i) && circle.sites[2].valid())
+          most = std::max(most, beyond(circle, most));
       }
     return most;
   }
@@ -95,7 +96,8 @@ FidelityResult improve_fidelity(SurfaceDomain& domain, const AngleOptions& angle
   });
   Flaws bad(domain, bad_angles(domain, angles));
   LocalResampling resampling(domain, {&far, &bad}, options.enough_delta);
-  const std::size_t most_moves = std::min(options.most_moves, least_moves + iterations * domain.num_samples());
+  const std::size_t most_moves =
+      std::min(options.most_moves, least_moves + iterations * domain.num_samples());
   const auto enough = [&] {
     return resampling.moves() > most_moves ||
            (options.interrupted && options.interrupted->load(std::memory_order_relaxed));

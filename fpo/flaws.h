@@ -29,7 +29,7 @@ class Flaws {
   void follow(const geom::RestrictedPower::Change& change);
 
   std::size_t number() { return catch_up(), number_; }
-  double badness() { return catch_up(), badness_; }  ///< the sum of all measures
+  double badness() { return catch_up(), badness_; }            ///< the sum of all measures
   double badness(CircleId c) const { return badness_of_[c]; }  ///< of one that take_worst() gave
 
   /// The worst that take_worst() has not given yet since try_all_again(); none if there is none.

@@ -27,7 +27,7 @@ enum class StopReason { target_reached, nothing_moved, iteration_cap, interrupte
 
 struct OptimizeOptions {
   int max_iterations = 100;
-  double target_delta = 0.926;  ///< stop as soon as delta exceeds it (section 3.2)
+  double target_delta = 0.926;    ///< stop as soon as delta exceeds it (section 3.2)
   double rest_spacing = no_rest;  ///< at each iteration's start it is seen who rests (rest.h)
   Scope scope = Scope::global;
   VisitOrder order = VisitOrder::shuffled;

@@ -74,6 +74,7 @@ SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,
 /// All samples at once. `order`: in which they enter the source.
 void SurfaceDomain::build(std::span<const SiteId> order) {
   std::vector<geom::WeightedPoint3> points;
+  points.reserve(samples_.size());
   for (std::size_t i = 0; i < samples_.size(); ++i)
     points.push_back({samples_[SiteId(i)].position, weight_at(SiteId(i))});
   geom::SiteTree tree;

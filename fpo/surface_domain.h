@@ -65,7 +65,8 @@ class SurfaceDomain final : public Domain {
   std::optional<geom::RestrictedPower::Plan> plan_removal(SiteId x);
   /// The largest empty circle once x is out; none if that cannot be told: the top of the heap may be at x and go
   /// with it. Valid until the next step.
-  const geom::EmptyCircle* largest_planned(SiteId x, const geom::RestrictedPower::Plan& plan, Scope scope) const;
+  const geom::EmptyCircle* largest_planned(SiteId x, const geom::RestrictedPower::Plan& plan,
+                                           Scope scope) const;
   /// is_farther() for such a circle.
   bool is_farther(double radius2, SiteId x, std::span<const SiteId> heirs) const;
   void move_planned(SiteId x, const geom::EmptyCircle& circle);

@@ -24,13 +24,13 @@ constexpr double longest_edge = 4;  // in spacings: a tile is some fifty wide
 
 class TiledRun {
  public:
-  TiledRun(const SurfaceTask& task, const TileOptions& tiles, const OptimizeOptions& options,
+  TiledRun(SurfaceTask& task, const TileOptions& tiles, const OptimizeOptions& options,
            OptimizeResult& result)
       : task_(task),
         tile_options_(tiles),
         options_(options),
         result_(result),
-        samples_(task.samples),
+        samples_(std::move(task.samples)),
         sizing_(task.sizing),
         owed_(samples_.size(), 0),
         rng_(options.seed) {}
@@ -256,8 +256,8 @@ SurfaceDomain TiledRun::take() {
 
 }  // namespace
 
-SurfaceDomain optimize_in_tiles(const SurfaceTask& task, const TileOptions& tiles,
-                                const OptimizeOptions& options, OptimizeResult& result) {
+SurfaceDomain optimize_in_tiles(SurfaceTask task, const TileOptions& tiles, const OptimizeOptions& options,
+                                OptimizeResult& result) {
   return TiledRun(task, tiles, options, result).take();
 }
 

@@ -35,7 +35,7 @@ struct SurfaceTask {
 /// distances in space: until the last report those of near sheets count even if the samples have weights. Callbacks
 /// come from any thread, one at a time. Orders other than in_turn are drawn for each tile anew. Throws geom::Bug
 /// with round, tile and move in its text.
-SurfaceDomain optimize_in_tiles(const SurfaceTask& task, const TileOptions& tiles,
-                                const OptimizeOptions& options, OptimizeResult& result);
+SurfaceDomain optimize_in_tiles(SurfaceTask task, const TileOptions& tiles, const OptimizeOptions& options,
+                                OptimizeResult& result);
 
 }  // namespace fpo

@@ -7,7 +7,8 @@
 namespace geom {
 namespace {
 
-constexpr std::size_t block = 2;  // capacities are multiples of it: polygons have 3 to 8 corners, rarely more
+constexpr std::size_t block =
+    2;  // capacities from 4 on are multiples of it: polygons have 3 to 8 corners, rarely more
 constexpr std::size_t max_corners = 65532;
 
 }  // namespace
@@ -54,9 +55,8 @@ FragmentId FragmentStore::find(SiteId s, FacetId t) const {
 }
 
 std::span<const PolygonCorner> FragmentStore::corners(FragmentId f) const {
-  const Fragment& fragment = fragments_[f];
-  if (fragment.polygon < 0) return {};
-  return {corners_.data() + fragment.polygon, fragment.size};
+  if (whole(f)) return {};
+  return {corners_[fragments_[f].polygon], fragments_[f].size};
 }
 
 std::span<const PolygonCorner> FragmentStore::corners(FragmentId f,
@@ -77,27 +77,16 @@ void FragmentStore::set_corners(FragmentId f, std::span<const PolygonCorner> cor
   ensure(corners.size() <= max_corners, "fragment store: a polygon has too many corners");
   if (corners.size() > fragment.capacity) {
     release_block(fragment);
-    const std::size_t blocks = (corners.size() + block - 1) / block;
-    if (blocks >= free_blocks_.size()) free_blocks_.resize(blocks + 1);
-    if (free_blocks_[blocks].empty()) {
-      ensure(corners_.size() + blocks * block <= std::size_t{0x7fffffff},
-             "fragment store: too many corners in all");
-      fragment.polygon = static_cast<std::int32_t>(corners_.size());
-      corners_.resize(corners_.size() + blocks * block);
-    } else {
-      fragment.polygon = free_blocks_[blocks].back();
-      free_blocks_[blocks].pop_back();
-    }
-    fragment.capacity = static_cast<std::uint16_t>(blocks * block);
+    const std::size_t capacity = corners.size() == 3 ? 3 : (corners.size() + block - 1) / block * block;
+    fragment.polygon = corners_.take(capacity, capacity);
+    fragment.capacity = static_cast<std::uint16_t>(capacity);
   }
   fragment.size = static_cast<std::uint16_t>(corners.size());
-  std::ranges::copy(corners, corners_.begin() + fragment.polygon);
+  std::ranges::copy(corners, corners_[fragment.polygon]);
 }
 
 void FragmentStore::release_block(Fragment& f) {
-  if (f.polygon < 0) return;
-  free_blocks_[f.capacity / block].push_back(f.polygon);
-  f.polygon = -1;
+  if (f.capacity > 0) corners_.give_back(f.polygon, f.capacity);
   f.size = f.capacity = 0;
 }
 

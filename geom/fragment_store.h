@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "geom/block_pool.h"
 #include "geom/clip.h"
 #include "geom/short_lists.h"
 
@@ -36,14 +37,15 @@ class FragmentStore {
   FragmentId find(SiteId s, FacetId t) const;
 
   /// Is the fragment its whole facet?
-  bool whole(FragmentId f) const { return fragments_[f].polygon < 0; }
+  bool whole(FragmentId f) const { return fragments_[f].size == 0; }
   /// The stored corners, empty if whole.
   std::span<const PolygonCorner> corners(FragmentId f) const;
   /// The corners in any case; those of a whole facet are written to `buffer`.
   std::span<const PolygonCorner> corners(FragmentId f, std::array<PolygonCorner, 3>& buffer) const;
   /// The stored corners, to move them and to set their circles: their edges must stay.
   std::span<PolygonCorner> corners_to_move(FragmentId f) {
-    return {corners_.data() + std::max(fragments_[f].polygon, 0), fragments_[f].size};
+    if (whole(f)) return {};
+    return {corners_[fragments_[f].polygon], fragments_[f].size};
   }
   /// Replaces the polygon; three facet edges mean whole.
   void set_corners(FragmentId f, std::span<const PolygonCorner> corners);
@@ -61,7 +63,9 @@ class FragmentStore {
   void prefetch_fragment(FragmentId f) const { prefetch(fragments_.data() + f.index()); }
   void prefetch_corners(FragmentId f) const {
     const Fragment& fragment = fragments_[f];
-    for (int k = 0; k < fragment.size; ++k) prefetch(corners_.data() + fragment.polygon + k);
+    if (fragment.size == 0) return;
+    const PolygonCorner* const corners = corners_[fragment.polygon];
+    for (int k = 0; k < fragment.size; ++k) prefetch(corners + k);
   }
 
   /// Verifies both families of lists. Throws Bug. O(all).
@@ -73,8 +77,8 @@ class FragmentStore {
     SiteId site;
     FacetId facet;
     std::uint32_t place_in_cell = 0, place_in_facet = 0;
-    std::int32_t polygon = -1;  ///< offset of its block in corners_; -1: whole
-    std::uint16_t size = 0, capacity = 0;
+    std::uint32_t polygon = 0;             ///< its block
+    std::uint16_t size = 0, capacity = 0;  ///< of that, in corners; 0: whole, without a block
   };
   void release_block(Fragment& f);
 
@@ -83,8 +87,7 @@ class FragmentStore {
   std::vector<FragmentId> free_;
   ShortLists<SiteId, FragmentId> cells_;
   ShortLists<FacetId, FragmentId> facets_;
-  std::vector<PolygonCorner> corners_;                  ///< blocks of 2, 4, 6, ... corners
-  std::vector<std::vector<std::int32_t>> free_blocks_;  ///< by capacity / 2
+  BlockPool<PolygonCorner> corners_;  ///< the kind of a block is its capacity
   std::size_t live_ = 0;
 };
 

@@ -39,7 +39,7 @@ class RestrictedPower {
   struct Change {
     std::vector<CircleId> circles_erased, circles_created;
     std::vector<CircleId> circles_moved;  ///< other centers, the same sites; by after_move() only
-    std::vector<SiteId> cells;  ///< that won or lost something, the site itself left out
+    std::vector<SiteId> cells;            ///< that won or lost something, the site itself left out
     struct Piece {
       SiteId site;
       FacetId facet;
@@ -241,7 +241,7 @@ class RestrictedPower {
   std::vector<EmptyCircle> planned_circles_;
   Table<FragmentId, std::int32_t> share_index_;  ///< of the share that continues it, in the division, or -1
   bool moving_ = false;                          ///< share_index_ counts
-  Table<FacetId, std::int32_t> facet_mark_;  ///< index into touched_facets_ or -1
+  Table<FacetId, std::int32_t> facet_mark_;      ///< index into touched_facets_ or -1
   Table<SiteId, std::uint32_t> cell_stamp_;
   std::uint32_t stamp_ = 0;
 };

@@ -117,7 +117,8 @@ bool RestrictedPower::keeps_its_edges(FragmentId f, const FacetPolygon& share, c
   const auto takes = [&](std::span<const PolygonCorner> of, std::size_t k) {
     return clipper_.beats_at(cell_corner(share.facet, share.owner, of, k), p, b);
   };
-  if (takes(corners, previous_corner(q, n)) || takes(corners, next_corner(next_corner(q, n), n))) return false;
+  if (takes(corners, previous_corner(q, n)) || takes(corners, next_corner(next_corner(q, n), n)))
+    return false;
   for (std::size_t k = next_corner(next_corner(g, m), m); k != g; k = next_corner(k, m))
     if (!takes(share.corners, k)) return false;
   return true;
@@ -130,7 +131,8 @@ void RestrictedPower::move_edge(FragmentId f, std::size_t edge, SiteId p, const 
   const SiteId j = store_.site(f);
   PolygonCorner &start = corners[edge], &end = corners[next_corner(edge, corners.size())];
   const EdgeLabel before = corners[previous_corner(edge, corners.size())].edge;
-  const std::array<RoundedPoint, 2> ends = note_cut(t, {.rival = j, .leaving = before, .entering = end.edge}, p, b);
+  const std::array<RoundedPoint, 2> ends =
+      note_cut(t, {.rival = j, .leaving = before, .entering = end.edge}, p, b);
   start.point = ends[0];
   end.point = ends[1];
   move_circle(start);
@@ -179,8 +181,8 @@ bool RestrictedPower::move_corners(FragmentId f) {
   std::array<PolygonCorner, 3> buffer;
   const std::span<const PolygonCorner> old = store_.corners(f, buffer), now = polygon_.corners;
   const std::size_t n = old.size();
-  const auto first = static_cast<std::size_t>(
-      std::ranges::find(old, now.front().edge, &PolygonCorner::edge) - old.begin());
+  const auto first =
+      static_cast<std::size_t>(std::ranges::find(old, now.front().edge, &PolygonCorner::edge) - old.begin());
   if (now.size() != n || first == n) return false;
   for (std::size_t k = 0, i = first; k < n; ++k, i = next_corner(i, n))
     if (old[i].edge != now[k].edge) return false;

@@ -376,7 +376,8 @@ void RestrictedPower::join(FragmentId old, const FacetPolygon& share, SiteId p) 
   erase_circle_of(corners[next_corner(seam.in_old, corners.size())]);
 }
 
-void RestrictedPower::unite(FragmentId old, const FacetPolygon& share, const Seam& seam, FacetPolygon& out) const {
+void RestrictedPower::unite(FragmentId old, const FacetPolygon& share, const Seam& seam,
+                            FacetPolygon& out) const {
   const auto [q, g, fits] = seam;
   ensure(fits, "restricted power diagram: a share does not fit its neighbour");
   const std::span<const PolygonCorner> corners = store_.corners(old);

@@ -2,10 +2,12 @@
 // Many short lists, each in consecutive memory: walking one is a single miss of the cache, where a
 // linked list is one for each member.
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "geom/block_pool.h"
 #include "geom/check.h"
 #include "geom/ids.h"
 #include "geom/prefetch.h"
@@ -24,34 +26,35 @@ class ShortLists {
   /// Valid until the next push.
   std::span<const Member> operator[](Key key) const {
     if (key.index() >= lists_.size()) return {};
-    return {pool_.data() + lists_[key].begin, lists_[key].size};
+    return members(lists_[key]);
   }
 
   std::span<Member> operator[](Key key) {
     if (key.index() >= lists_.size()) return {};
-    return {pool_.data() + lists_[key].begin, lists_[key].size};
+    return members(lists_[key]);
   }
 
   /// Appends; returns the place.
   std::uint32_t push(Key key, Member member) {
     if (key.index() >= lists_.size()) lists_.resize(key.index() + 1);
     List& list = lists_[key];
-    if (list.size == capacity(list)) grow(list);
-    pool_[list.begin + list.size] = member;
+    if (list.size == capacity(list.rank)) grow(list);
+    pool_[list.begin][list.size] = member;
     return list.size++;
   }
 
   /// Returns the member that is now at this place, or Member() if the erased one was the last.
   Member erase(Key key, std::uint32_t place) {
     List& list = lists_[key];
-    const Member last = pool_[list.begin + --list.size];
-    pool_[list.begin + place] = last;
+    Member* const members = pool_[list.begin];
+    const Member last = members[--list.size];
+    members[place] = last;
     return place == list.size ? Member() : last;
   }
 
   void clear(Key key) {
     List& list = lists_[key];
-    if (list.rank > 0) free_[list.rank].push_back(list.begin);
+    if (list.rank > 0) pool_.give_back(list.begin, list.rank);
     list = {};
   }
 
@@ -60,37 +63,43 @@ class ShortLists {
     if (key.index() < lists_.size()) prefetch(lists_.data() + key.index());
   }
   void prefetch_members(Key key) const {
-    if (key.index() < lists_.size()) prefetch(pool_.data() + lists_[key].begin);
+    if (key.index() < lists_.size() && lists_[key].rank > 0) prefetch(pool_[lists_[key].begin]);
   }
 
  private:
   struct List {
-    std::uint32_t begin = 0, size = 0;
-    std::uint32_t rank = 0;  ///< of its block: room for 2 << rank members; 0: none
+    std::uint32_t begin = 0;
+    std::uint32_t size : 26 = 0;
+    std::uint32_t rank : 6 = 0;  ///< of its block; 0: none
   };
-  static std::uint32_t capacity(const List& list) { return list.rank == 0 ? 0 : 2u << list.rank; }
+  /// Of blocks by rank: 4, 6, 8, 12, 16, 24, ... members.
+  static std::uint32_t capacity(std::uint32_t rank) {
+    return rank == 0 ? 0 : (rank % 2 == 1 ? 4u : 3u) << rank / 2;
+  }
+
+  std::span<const Member> members(const List& list) const {
+    if (list.rank == 0) return {};
+    return {pool_[list.begin], list.size};
+  }
+  std::span<Member> members(const List& list) {
+    if (list.rank == 0) return {};
+    return {pool_[list.begin], list.size};
+  }
 
   void grow(List& list) {
-    const std::uint32_t rank = list.rank + 1, room = 2u << rank;
-    if (rank >= free_.size()) free_.resize(rank + 1);
-    std::uint32_t begin;
-    if (free_[rank].empty()) {
-      ensure(pool_.size() + room <= 0xffffffffu, "short lists: too many members in all");
-      begin = static_cast<std::uint32_t>(pool_.size());
-      pool_.resize(pool_.size() + room);
-    } else {
-      begin = free_[rank].back();
-      free_[rank].pop_back();
+    const std::uint32_t rank = list.rank + 1;
+    ensure(capacity(rank) < 1u << 26, "short lists: too many members in one");
+    const std::uint32_t begin = pool_.take(rank, capacity(rank));
+    if (list.rank > 0) {
+      std::copy_n(pool_[list.begin], list.size, pool_[begin]);
+      pool_.give_back(list.begin, list.rank);
     }
-    for (std::uint32_t i = 0; i < list.size; ++i) pool_[begin + i] = pool_[list.begin + i];
-    if (list.rank > 0) free_[list.rank].push_back(list.begin);
     list.begin = begin;
     list.rank = rank;
   }
 
   Table<Key, List> lists_;
-  std::vector<Member> pool_;                      ///< blocks of 4, 8, 16, ... members
-  std::vector<std::vector<std::uint32_t>> free_;  ///< blocks by rank
+  BlockPool<Member> pool_;  ///< the kind of a block is its rank
 };
 
 }  // namespace geom

@@ -210,7 +210,8 @@ void check_outputs(const RemeshArguments& a) {
     if (path.empty()) continue;
     io::require_writable(path);
     std::error_code gone;  // the folder, meanwhile: then writing will tell
-    const std::filesystem::path file = std::filesystem::weakly_canonical(std::filesystem::absolute(path), gone);
+    const std::filesystem::path file =
+        std::filesystem::weakly_canonical(std::filesystem::absolute(path), gone);
     geom::require(gone || taken.insert(file).second, path.string() + ": named for two outputs");
   }
 }

@@ -77,7 +77,7 @@ Figures optimized(fpo::Domain& domain, std::size_t n, double start) {
 
 Figures in_tiles(const geom::TriMesh& mesh, const Job& job) {
   const fpo::Sizing sizing = fpo::Sizing::uniform(fpo::hexagonal_spacing(mesh.area(), job.n));
-  const auto samples = fpo::random_samples(mesh, job.n, 1);
+  auto samples = fpo::random_samples(mesh, job.n, 1);
   Figures figures;
   figures.facets = mesh.num_facets();
   const double start = now();
@@ -92,14 +92,14 @@ Figures in_tiles(const geom::TriMesh& mesh, const Job& job) {
   fpo::SurfaceOptions surface;
   surface.threads = job.threads;
   fpo::OptimizeResult result;
-  optimize_in_tiles({mesh, sizing, samples, surface}, tiles, options, result);
+  optimize_in_tiles({mesh, sizing, std::move(samples), surface}, tiles, options, result);
   figures.us_per_move = 1e6 * (now() - start) / static_cast<double>(result.moves);
   return figures;
 }
 
 Figures on_surface(const geom::TriMesh& mesh, const Job& job) {
   if (job.engine == "tiles") return in_tiles(mesh, job);
-  const auto samples = fpo::random_samples(mesh, job.n, 1);
+  auto samples = fpo::random_samples(mesh, job.n, 1);
   const double start = now();
   fpo::SurfaceOptions options;
   options.engine = job.engine == "search" ? fpo::Engine::search : fpo::Engine::triangulation;

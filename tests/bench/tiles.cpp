@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <utility>
 
 #include "fpo/tiled_optimize.h"
 #include "io/mesh_io.h"
@@ -29,14 +30,14 @@ int main(int argc, char** argv) {
   const fpo::Sizing sizing = fpo::Sizing::uniform(fpo::hexagonal_spacing(mesh.area(), n));
   fpo::SurfaceOptions surface;
   surface.threads = tiles.threads;
-  const auto samples = fpo::random_samples(mesh, n, static_cast<std::uint64_t>(number(8, 1)));
+  auto samples = fpo::random_samples(mesh, n, static_cast<std::uint64_t>(number(8, 1)));
   const auto start = std::chrono::steady_clock::now();
   fpo::OptimizeResult result;
   if (tiles.most_samples == 0) {
     fpo::SurfaceDomain domain(mesh, sizing, samples, surface);
     result = fpo::optimize(domain, options);
   } else {
-    fpo::optimize_in_tiles({mesh, sizing, samples, surface}, tiles, options, result);
+    fpo::optimize_in_tiles({mesh, sizing, std::move(samples), surface}, tiles, options, result);
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::printf("%s %zu tile %zu sweeps %d threads %d: moves %zu delta %.4f mean %.4f seconds %.2f\n", argv[1],

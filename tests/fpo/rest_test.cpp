@@ -38,8 +38,8 @@ TEST_CASE("rest: who has the spacing, and neighbours that have it, rests") {
   for (const SiteId x : samples) {
     domain.neighbours(x, around);
     around.push_back(x);
-    const bool near_short = std::ranges::any_of(
-        around, [&](SiteId y) { return domain.normalized_spacing(y) < spacing; });
+    const bool near_short =
+        std::ranges::any_of(around, [&](SiteId y) { return domain.normalized_spacing(y) < spacing; });
     CHECK(std::ranges::count(awake, x) == (near_short ? 1 : 0));
   }
   CHECK(restless(domain, samples, no_rest) == samples);
@@ -82,7 +82,8 @@ TEST_CASE("rest: in tiles, with any number of threads alike") {
     CHECK(result.last.delta > options.target_delta);
     CHECK(result.moves < 1500u * static_cast<std::size_t>(result.last.iteration));
     std::vector<geom::Vec3> places;
-    for (std::size_t i = 0; i < domain.num_samples(); ++i) places.push_back(domain.sample(SiteId(i)).position);
+    for (std::size_t i = 0; i < domain.num_samples(); ++i)
+      places.push_back(domain.sample(SiteId(i)).position);
     if (first.empty()) first = places;
     CHECK(places == first);
   }

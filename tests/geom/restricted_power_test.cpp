@@ -181,7 +181,8 @@ TEST_CASE("restricted power diagram: moves at once between places of a lattice, 
       std::vector<WeightedPoint3> pool;
       for (int x = 0; x <= 4; ++x)
         for (int y = 0; y <= 4; ++y)
-          for (const double z : {0.0, mesh->box().max().z()}) pool.push_back({Vec3(x / 4.0, y / 4.0, z), 0.03125 * (x == y)});
+          for (const double z : {0.0, mesh->box().max().z()})
+            pool.push_back({Vec3(x / 4.0, y / 4.0, z), 0.03125 * (x == y)});
       for (std::size_t i = 0; i < 14; ++i) d.insert(SiteId(i), pool[rng.below(pool.size())]);
       for (int move = 0; move < 200; ++move) {
         const SiteId p(static_cast<std::size_t>(rng.below(14)));
@@ -191,7 +192,8 @@ TEST_CASE("restricted power diagram: moves at once between places of a lattice, 
           d.insert(p, point);
         }
         d.power.check();
-        const bool same = d.power.canonical() == oracle::restricted_power_diagram(*mesh, d.sites, d.present_list());
+        const bool same =
+            d.power.canonical() == oracle::restricted_power_diagram(*mesh, d.sites, d.present_list());
         REQUIRE_MESSAGE(same, "move " << move << " search " << search);
       }
     }
@@ -239,8 +241,8 @@ TEST_CASE("restricted power diagram: local updates equal a rebuild after each of
 namespace {
 
 /// All that a diagram tells of its circles, in an order that does not depend on history.
-std::vector<std::tuple<FacetId, std::int32_t, std::array<SiteId, 3>, double, double, double, double>> told_circles(
-    const Diagram& d) {
+std::vector<std::tuple<FacetId, std::int32_t, std::array<SiteId, 3>, double, double, double, double>>
+told_circles(const Diagram& d) {
   std::vector<std::tuple<FacetId, std::int32_t, std::array<SiteId, 3>, double, double, double, double>> all;
   for (const CircleId id : d.circles) {
     const EmptyCircle& c = d.power.circle(id);
@@ -261,9 +263,11 @@ TEST_CASE("restricted power diagram: a move at once is a removal and an insertio
         CAPTURE(static_cast<int>(kind));
         CAPTURE(search);
         constexpr std::size_t n = 40;
-        Diagram at_once(surface.mesh, search, CornerTypes::c_only), in_steps(surface.mesh, search, CornerTypes::c_only);
+        Diagram at_once(surface.mesh, search, CornerTypes::c_only),
+            in_steps(surface.mesh, search, CornerTypes::c_only);
         const std::vector<WeightedPoint3> pool = weighted_samples(surface.mesh, 400, kind, 31);
-        for (std::size_t i = 0; i < n; ++i) at_once.insert(SiteId(i), pool[i]), in_steps.insert(SiteId(i), pool[i]);
+        for (std::size_t i = 0; i < n; ++i)
+          at_once.insert(SiteId(i), pool[i]), in_steps.insert(SiteId(i), pool[i]);
         Rng rng(3);
         for (int move = 0; move < 120; ++move) {
           CAPTURE(move);
@@ -316,8 +320,7 @@ TEST_CASE("restricted power diagram: a plan tells the circles of the removal and
             planned.emplace(c.facet, c.sites, c.radius2);
             CHECK(c.radius2 <= plan->max_radius2);
           }
-        const RestrictedPower::Change& change =
-            plan ? d.power.carry_out_removal(p) : d.power.after_remove(p);
+        const RestrictedPower::Change& change = plan ? d.power.carry_out_removal(p) : d.power.after_remove(p);
         for (const CircleId c : change.circles_created)
           created.emplace(d.power.circle(c).facet, d.power.circle(c).sites, d.power.circle(c).radius2);
         if (plan) REQUIRE(planned == created);
