@@ -182,7 +182,7 @@ RestrictedPower::TouchedFacet& RestrictedPower::touch_facet(FacetId t) {
   std::int32_t& mark = facet_mark_[t];
   if (mark < 0) {
     mark = static_cast<std::int32_t>(touched_facets_.size());
-    touched_facets_.push_back({.facet = t, .own = FragmentId()});
+    touched_facets_.push_back({t, -1, FragmentId(), false});
   }
   return touched_facets_[static_cast<std::size_t>(mark)];
 }
