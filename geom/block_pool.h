@@ -11,8 +11,7 @@ namespace geom {
 
 /// Blocks of elements, each in consecutive memory, named by the place where it begins. Memory comes in pages that
 /// never move, so that growing copies nothing and needs nothing twice; blocks given back are used again for others
-/// of the same kind. All blocks of one kind (a small number) have one size. O(1), and no allocation once there are
-/// pages enough.
+/// of the same kind. All blocks of one kind (a small number) have one size. O(1) amortised.
 template <class T>
 class BlockPool {
  public:

@@ -105,8 +105,9 @@ Clip RestrictedPower::redraw(FragmentId f, const FacetPolygon& share, SiteId p, 
   return outcome;
 }
 
-/// Does p, at its new place, take all of the share and no corner of f? The union of both is convex and p takes
-/// consecutive corners, so of f only the corners next to p's old border must be looked at.
+/// Does p, at its new place, take all of the share and no corner of f? What both make is convex and p takes
+/// consecutive corners of it. The share has a corner beside its two on the old border, so if p takes those of the
+/// share and neither of the two of f next to the border, it takes none of the others of f in between.
 bool RestrictedPower::keeps_its_edges(FragmentId f, const FacetPolygon& share, const Seam& seam,
                                       const Bisector& b) const {
   const auto [q, g, fits] = seam;
