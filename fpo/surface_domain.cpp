@@ -153,7 +153,7 @@ bool SurfaceDomain::is_farther(double radius2, SiteId x, std::span<const SiteId>
 // --- a move at once ------------------------------------------------------------------------------
 
 std::optional<bool> SurfaceDomain::move_directly(SiteId x, Scope scope) {
-  const std::optional<geom::RestrictedPower::Plan> plan = plan_removal(x);
+  std::optional<geom::RestrictedPower::Plan> plan = plan_removal(x, scope);
   const geom::EmptyCircle* const best = plan ? largest_planned(x, *plan, scope) : nullptr;
   const bool moves = best && is_farther(best->radius2, x, plan->heirs);
   if (moves)
@@ -164,9 +164,11 @@ std::optional<bool> SurfaceDomain::move_directly(SiteId x, Scope scope) {
   return moves;
 }
 
-std::optional<geom::RestrictedPower::Plan> SurfaceDomain::plan_removal(SiteId x) {
+std::optional<geom::RestrictedPower::Plan> SurfaceDomain::plan_removal(SiteId x, Scope scope) {
   source_->remove(x);
-  return diagram_->plan_removal(x);
+  std::optional<geom::RestrictedPower::Plan> plan = diagram_->plan_removal(x);
+  if (plan && scope == Scope::two_ring) plan = diagram_->complete_plan(x);  // with all heirs
+  return plan;
 }
 
 void SurfaceDomain::move_planned(SiteId x, const geom::EmptyCircle& circle) {
@@ -185,8 +187,8 @@ void SurfaceDomain::stay(SiteId x) {
   diagram_->stay(x);
 }
 
-const geom::EmptyCircle* SurfaceDomain::largest_planned(SiteId x, const geom::RestrictedPower::Plan& plan,
-                                                        Scope scope) const {
+const geom::EmptyCircle* SurfaceDomain::largest_planned(SiteId x, geom::RestrictedPower::Plan& plan,
+                                                        Scope scope) {
   const geom::EmptyCircle* best = nullptr;
   const auto consider = [&](const geom::EmptyCircle& circle) {
     if (!best || larger_circle(circle, *best)) best = &circle;
@@ -202,6 +204,10 @@ const geom::EmptyCircle* SurfaceDomain::largest_planned(SiteId x, const geom::Re
         if (!touches_x(diagram_->circle(c))) consider(diagram_->circle(c));
   } else if (!circles_.empty()) {
     consider(diagram_->circle(circles_.top().slot));
+  }
+  if (!plan.is_complete() && (!best || best->radius2 <= plan.complete_above)) {
+    plan = diagram_->complete_plan(x);
+    return largest_planned(x, plan, scope);
   }
   return best && !touches_x(*best) ? best : nullptr;
 }

@@ -62,11 +62,10 @@ class SurfaceDomain final : public Domain {
 
   // A move whose removal is only planned. After plan_removal(x) follows move_planned(x) or stay(x).
   /// None if there is no plan for x: then stay(x) follows.
-  std::optional<geom::RestrictedPower::Plan> plan_removal(SiteId x);
+  std::optional<geom::RestrictedPower::Plan> plan_removal(SiteId x, Scope scope);
   /// The largest empty circle once x is out; none if that cannot be told: the top of the heap may be at x and go
-  /// with it. Valid until the next step.
-  const geom::EmptyCircle* largest_planned(SiteId x, const geom::RestrictedPower::Plan& plan,
-                                           Scope scope) const;
+  /// with it. Completes the plan if need be. Valid until the next step.
+  const geom::EmptyCircle* largest_planned(SiteId x, geom::RestrictedPower::Plan& plan, Scope scope);
   /// is_farther() for such a circle.
   bool is_farther(double radius2, SiteId x, std::span<const SiteId> heirs) const;
   void move_planned(SiteId x, const geom::EmptyCircle& circle);

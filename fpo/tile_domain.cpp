@@ -202,7 +202,7 @@ TileDomain::Outcome TileDomain::move(SiteId of_whole, Scope scope) {
 /// As Domain::move_directly().
 std::optional<TileDomain::Outcome> TileDomain::move_directly(SiteId x, double cell, Scope scope) {
   const SurfaceSample old = domain_->sample(x);
-  const std::optional<geom::RestrictedPower::Plan> plan = domain_->plan_removal(x);
+  std::optional<geom::RestrictedPower::Plan> plan = domain_->plan_removal(x, scope);
   const auto stay = [&](std::optional<Outcome> outcome) {
     domain_->stay(x);
     return outcome;

@@ -19,7 +19,12 @@ CellDivision::CellDivision(const TriMesh& mesh, const Clipper::Sites& sites, Cli
 
 void CellDivision::begin(SiteId p, std::span<const FragmentId> vacated, std::span<const SiteId> excluded) {
   p_ = p;
+  for (const FacetId t : vacated_facets_) vacated_index_[t] = -1;
   vacated_.assign(vacated.begin(), vacated.end());
+  vacated_facets_.clear();
+  for (const FragmentId f : vacated_) vacated_facets_.push_back(store_.facet(f));
+  for (std::size_t i = 0; i < vacated_.size(); ++i)
+    vacated_index_[vacated_facets_[i]] = static_cast<std::int32_t>(i);
   heirs_.clear();
   ++stamp_;
   const auto know = [&](SiteId s) {
@@ -67,9 +72,9 @@ CellDivision::Share& CellDivision::add_share() {
   return share;
 }
 
-bool CellDivision::is_missing(SiteId j) const {
+bool CellDivision::is_missing(SiteId j, std::size_t first_corner) const {
   const EdgeLabel own = EdgeLabel::bisector(j);
-  return std::ranges::any_of(corners_, [&](const CellCorner& c) {
+  return std::ranges::any_of(std::span(corners_).subspan(first_corner), [&](const CellCorner& c) {
     return c.before != own && c.after != own &&  // where an edge is labelled j, j is no news
            clipper_.beats_at(c, j, clipper_.bisector_of(c.owner, j));
   });
@@ -96,16 +101,30 @@ double CellDivision::max_radius2() const {
 
 // --- division by the boundary --------------------------------------------------------------------
 
-void CellDivision::divide() {
+void CellDivision::start() {
   prepare();
   crossings_.clear();
   edge_crossings_.assign(vacated_.size(), {});
   ++vertex_stamp_now_;
-  for (std::size_t i = 0; i < vacated_.size(); ++i)
-    vacated_index_[store_.facet(vacated_[i])] = static_cast<std::int32_t>(i);
   find_old_fragments();
+}
+
+void CellDivision::divide() {
+  start();
   for (std::size_t i = 0; i < vacated_.size(); ++i) divide(i);
-  for (const FragmentId f : vacated_) vacated_index_[store_.facet(f)] = -1;
+}
+
+void CellDivision::leave_to(SiteId heir, std::size_t vacated) {
+  Share& share = add_share();
+  share.joins = old_fragment(vacated, heir_index_[heir]);
+  share.polygon.facet = vacated_facets_[vacated];
+  share.polygon.owner = heir;
+  const std::span<const PolygonCorner> corners = store_.corners(vacated_[vacated]);
+  share.polygon.corners.assign(corners.begin(), corners.end());
+  for (PolygonCorner& corner : share.polygon.corners) {
+    corner.circle = CircleId();
+    if (corner.edge.is_site()) corner.edge = EdgeLabel::bisector(p_);
+  }
 }
 
 void CellDivision::divide(std::size_t vacated) {

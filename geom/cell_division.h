@@ -44,6 +44,12 @@ class CellDivision {
   /// is no facet edge is labelled with an heir that is nearest there after p: true if p is removed and nobody
   /// is excluded.
   void divide();
+  /// The same fragment by fragment, each named by its place among the vacated ones: first start(), then for each
+  /// either divide() or, where nobody else will have anything, leave_to() the heir that its only edge with a site
+  /// is labelled with.
+  void start();
+  void divide(std::size_t vacated);
+  void leave_to(SiteId heir, std::size_t vacated);
   /// The same without that requirement, slower: the share of heir k on facet t is clipped from
   /// { x in t : p beats k at x, and k beats every other heir at x }. misfit(): a share that should lie along
   /// the edge between p and k is empty.
@@ -56,7 +62,7 @@ class CellDivision {
   std::span<const CellCorner> corners() const { return corners_; }
   /// Is j nearer than the heirs somewhere in the vacated fragments? It is iff it is at a corner of the
   /// division that was not one of the cell, because the difference of two powers is affine on each share.
-  bool is_missing(SiteId j) const;
+  bool is_missing(SiteId j, std::size_t first_corner = 0) const;
   /// An upper bound of the power, after the division, at those corners.
   double max_radius2() const;
 
@@ -81,7 +87,6 @@ class CellDivision {
     std::size_t first = none, count = 0;
   };
 
-  void divide(std::size_t vacated);
   void trace_boundary(std::size_t vacated, std::span<const PolygonCorner> corners);
   Heir owner_of_vertex(FacetId t, int corner);
   Range crossings_on_edge(std::size_t vacated, int e, Heir first, Heir last);
@@ -116,6 +121,7 @@ class CellDivision {
 
   SiteId p_;
   std::vector<FragmentId> vacated_;
+  std::vector<FacetId> vacated_facets_;
   std::vector<SiteId> heirs_;
   std::vector<Bisector> bisectors_;  ///< row k, column h: of owner heirs_[k] and heirs_[h]
   Table<SiteId, std::uint32_t> known_stamp_;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t block =
     2;  // capacities from 4 on are multiples of it: polygons have 3 to 8 corners, rarely more
-constexpr std::size_t max_corners = 65532;
+constexpr std::size_t max_corners = 32764;
 
 }  // namespace
 
@@ -79,7 +79,7 @@ void FragmentStore::set_corners(FragmentId f, std::span<const PolygonCorner> cor
     release_block(fragment);
     const std::size_t capacity = corners.size() == 3 ? 3 : (corners.size() + block - 1) / block * block;
     fragment.polygon = corners_.take(capacity, capacity);
-    fragment.capacity = static_cast<std::uint16_t>(capacity);
+    fragment.capacity = static_cast<std::uint16_t>(capacity) & 0x7fff;
   }
   fragment.size = static_cast<std::uint16_t>(corners.size());
   std::ranges::copy(corners, corners_[fragment.polygon]);
@@ -87,7 +87,8 @@ void FragmentStore::set_corners(FragmentId f, std::span<const PolygonCorner> cor
 
 void FragmentStore::release_block(Fragment& f) {
   if (f.capacity > 0) corners_.give_back(f.polygon, f.capacity);
-  f.size = f.capacity = 0;
+  f.size = 0;
+  f.capacity = 0;
 }
 
 void FragmentStore::check() const {

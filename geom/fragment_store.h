@@ -54,6 +54,10 @@ class FragmentStore {
   double max_radius2(FragmentId f) const { return fragments_[f].max_radius2; }
   void set_max_radius2(FragmentId f, double value) { fragments_[f].max_radius2 = value; }
 
+  /// A mark, likewise; new fragments have none.
+  bool marked(FragmentId f) const { return fragments_[f].marked; }
+  void set_mark(FragmentId f, bool marked) { fragments_[f].marked = marked; }
+
   // These ask the memory for what will be read soon, one step further each: the lists of a cell and of a facet,
   // their members, the fragment, its corners. No effect but on speed.
   void prefetch_cell(SiteId s) const { cells_.prefetch_list(s); }
@@ -77,8 +81,10 @@ class FragmentStore {
     SiteId site;
     FacetId facet;
     std::uint32_t place_in_cell = 0, place_in_facet = 0;
-    std::uint32_t polygon = 0;             ///< its block
-    std::uint16_t size = 0, capacity = 0;  ///< of that, in corners; 0: whole, without a block
+    std::uint32_t polygon = 0;         ///< its block
+    std::uint16_t size = 0;            ///< of that, in corners; 0: whole, without a block
+    std::uint16_t capacity : 15 = 0;  ///< likewise
+    std::uint16_t marked : 1 = 0;
   };
   void release_block(Fragment& f);
 

@@ -8,6 +8,7 @@
 // fragment, the farthest point of the whole surface can also be of type B (border, crease) or A (tip):
 // CornerTypes says which are registered.
 
+#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
@@ -67,10 +68,14 @@ class RestrictedPower {
     std::span<const SiteId> heirs;
     std::span<const EmptyCircle> circles;  ///< some maybe more than once
     double max_radius2;                    ///< an upper bound of the power that p's cell would have
+    double complete_above;                 ///< no circle is missing of a larger radius2, or at all if -infinity
+    bool is_complete() const { return std::isinf(complete_above); }
   };
   /// p has just been removed from the source. None if p has no cell, or all of its surface alone, or with
   /// CornerTypes::all: then after_remove() is the way.
   std::optional<Plan> plan_removal(SiteId p);
+  /// Now with all circles.
+  Plan complete_plan(SiteId p);
   /// What after_remove() does.
   const Change& carry_out_removal(SiteId p);
   /// p has just been inserted into the source at another place: the same diagram as by after_remove() and
@@ -161,10 +166,22 @@ class RestrictedPower {
   void finish();
   void touch_cell(SiteId j);
 
-  void preload(std::span<const SiteId> cells) const;
+  /// A site from which p may win something.
+  struct Rival {
+    SiteId site;
+    Bisector bisector;  ///< with p
+    bool changed = false;
+  };
+  /// A fragment of a rival of which p may win something.
+  struct Prospect {
+    FragmentId fragment;
+    std::size_t rival;  ///< index into rivals_
+    Clip whole;         ///< what is known of its facet
+  };
   void occupy_everything(SiteId p);
-  bool take_from(SiteId j, SiteId p);
-  Clip take_from(FragmentId f, SiteId p, const Bisector& b);
+  void meet_rivals(SiteId p);
+  void take_from(const Prospect& prospect, SiteId p);
+  void note_losses();
   void cut_polygon(FacetId t, SiteId j, std::span<const PolygonCorner> corners, SiteId p, const Bisector& b);
   std::array<RoundedPoint, 2> note_cut(FacetId t, Cut cut, SiteId p, const Bisector& b);
   TouchedFacet& touch_facet(FacetId t);
@@ -187,9 +204,21 @@ class RestrictedPower {
   void unite(FragmentId old, const FacetPolygon& share, const Seam& seam, FacetPolygon& out) const;
   void carry_out_division(SiteId p);
 
+  /// A vacated fragment that borders at most one site. Where facets are smaller than cells, most do.
+  struct Simple {
+    double bound;  ///< of the power there without p
+    std::size_t vacated;
+    SiteId neighbour;  ///< or none
+  };
+  void defer_simple();
+  SiteId nearest_heir(const Vec3& location) const;
+  void divide_where_largest(SiteId p);
+  Plan present_plan(SiteId p);
+  static bool brings_circle(const CellCorner& corner, SiteId p);
   void list_planned_circles(SiteId p);
-  const FacetPolygon* share_of(FragmentId f);
-  Clip redraw(FragmentId f, const FacetPolygon& share, SiteId p, const Bisector& b);
+  void settle_deferred(SiteId p, const WeightedPoint3& point);
+  bool wins_over_all_but(SiteId neighbour, FragmentId vacated) const;
+  void redraw(FragmentId f, const FacetPolygon& share, SiteId p);
   bool keeps_its_edges(FragmentId f, const FacetPolygon& share, const Seam& seam, const Bisector& b) const;
   void move_edge(FragmentId f, std::size_t edge, SiteId p, const Bisector& b);
   void take_new_shares(SiteId p);
@@ -233,14 +262,20 @@ class RestrictedPower {
   CellDivision division_;
   // Workspaces of one update.
   std::vector<SiteId> candidates_;
+  std::vector<Rival> rivals_;  ///< of an insertion, ascending
+  std::vector<Prospect> prospects_;
   std::vector<FragmentId> vacated_;
   std::vector<TouchedFacet> touched_facets_;
   std::vector<Cut> cuts_;
   std::vector<char> beaten_;
   FacetPolygon polygon_, union_;
+  // Of a plan.
+  std::vector<std::size_t> at_once_;  ///< vacated fragments that are divided
+  std::vector<Simple> deferred_;      ///< those that are not yet
+  double complete_above_ = 0;         ///< the largest bound of those
+  std::vector<SiteId> strangers_;     ///< that might be heirs, but are of nothing divided
+  std::vector<Rival> beaten_rivals_;  ///< the heirs and strangers, and their bisectors with p at its new place
   std::vector<EmptyCircle> planned_circles_;
-  Table<FragmentId, std::int32_t> share_index_;  ///< of the share that continues it, in the division, or -1
-  bool moving_ = false;                          ///< share_index_ counts
   Table<FacetId, std::int32_t> facet_mark_;      ///< index into touched_facets_ or -1
   Table<SiteId, std::uint32_t> cell_stamp_;
   std::uint32_t stamp_ = 0;

@@ -15,20 +15,105 @@
 #include "geom/restricted_power.h"
 
 namespace geom {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
 
 std::optional<RestrictedPower::Plan> RestrictedPower::plan_removal(SiteId p) {
   if (types_ == CornerTypes::all || !vacate(p) || division_.heirs().empty()) return {};
-  divide_vacancy(p);
+  defer_simple();
+  do divide_where_largest(p);
+  while (add_missing_heirs(p, neighbours_));
+  strangers_ = candidates_;
+  return present_plan(p);
+}
+
+RestrictedPower::Plan RestrictedPower::complete_plan(SiteId p) {
+  if (!deferred_.empty()) divide_vacancy(p);
+  complete_above_ = -infinity;
+  return present_plan(p);
+}
+
+RestrictedPower::Plan RestrictedPower::present_plan(SiteId p) {
   list_planned_circles(p);
-  return Plan{division_.heirs(), planned_circles_, std::max(reach(p), division_.max_radius2())};
+  return {division_.heirs(), planned_circles_, std::max(reach(p), division_.max_radius2()), complete_above_};
+}
+
+/// Sorts the vacated fragments: those with several neighbours are divided in any case, the others perhaps.
+void RestrictedPower::defer_simple() {
+  at_once_.clear();
+  deferred_.clear();
+  std::array<PolygonCorner, 3> buffer;
+  for (std::size_t i = 0; i < vacated_.size(); ++i) {
+    const std::span<const PolygonCorner> corners = store_.corners(vacated_[i], buffer);
+    SiteId neighbour;
+    std::size_t borders = 0;
+    for (const PolygonCorner& corner : corners) {
+      if (!corner.edge.is_site()) continue;
+      neighbour = corner.edge.site();
+      ++borders;
+    }
+    if (borders > 1) {
+      at_once_.push_back(i);
+    } else {
+      const FacetId t = store_.facet(vacated_[i]);
+      const SiteId near = neighbour.valid() ? neighbour : nearest_heir(clipper_.middle(t));
+      deferred_.push_back({clipper_.bound_power(t, near, corners), i, neighbour});
+    }
+  }
+}
+
+SiteId RestrictedPower::nearest_heir(const Vec3& location) const {
+  SiteId nearest;
+  double least = infinity;
+  for (const SiteId h : division_.heirs()) {
+    const double value = power(location, sites_[h]);
+    if (nearest.valid() && value >= least) continue;
+    nearest = h;
+    least = value;
+  }
+  return nearest;
+}
+
+/// Divides what cannot wait and, of what is deferred, all that might hold a larger circle than what is divided.
+void RestrictedPower::divide_where_largest(SiteId p) {
+  division_.start();
+  double largest = -infinity;
+  std::size_t seen = 0;
+  const auto divide = [&](std::size_t vacated) {
+    division_.divide(vacated);
+    for (; seen < division_.corners().size(); ++seen) {
+      const CellCorner& corner = division_.corners()[seen];
+      if (brings_circle(corner, p))
+        largest = std::max(largest, power(corner.point.position, sites_[corner.owner]));
+    }
+  };
+  for (const std::size_t i : at_once_) divide(i);
+  while (!deferred_.empty()) {
+    const auto next = std::ranges::max_element(deferred_, {}, &Simple::bound);
+    complete_above_ = next->bound;
+    if (next->bound < largest) return;
+    at_once_.push_back(next->vacated);
+    *next = deferred_.back();
+    deferred_.pop_back();
+    divide(at_once_.back());
+  }
+  complete_above_ = -infinity;
+}
+
+/// Is that corner of the division of p's cell an empty circle without p?
+bool RestrictedPower::brings_circle(const CellCorner& corner, SiteId p) {
+  const EdgeLabel border = EdgeLabel::bisector(p);
+  return corner.before.is_site() && corner.after.is_site() && corner.before != border &&
+         corner.after != border;
 }
 
 void RestrictedPower::list_planned_circles(SiteId p) {
-  const EdgeLabel border = EdgeLabel::bisector(p);
   planned_circles_.clear();
   for (const CellCorner& corner : division_.corners()) {
-    if (!corner.before.is_site() || !corner.after.is_site()) continue;
-    if (corner.before == border || corner.after == border) continue;
+    if (!brings_circle(corner, p)) continue;
     EmptyCircle circle;
     circle.facet = corner.facet;
     circle.sites = {corner.owner, corner.before.site(), corner.after.site()};
@@ -39,70 +124,103 @@ void RestrictedPower::list_planned_circles(SiteId p) {
 }
 
 const RestrictedPower::Change& RestrictedPower::carry_out_removal(SiteId p) {
+  complete_plan(p);
   begin(p);
   carry_out_division(p);
   finish();
   return change_;
 }
 
+// --- what is left to divide when p's new place is known ------------------------------------------
+
+// On most facets that were deferred p will win all that it had, but for what its only neighbour there can take. Then
+// all is that neighbour's, for p to win it from there; or p's, if there is no neighbour. On the other facets its old
+// cell is divided as usual.
+void RestrictedPower::settle_deferred(SiteId p, const WeightedPoint3& point) {
+  if (deferred_.empty()) return;
+  beaten_rivals_.clear();
+  const auto add = [&](SiteId s) {
+    beaten_rivals_.push_back({s, bisector(point, sites_[s], extent_), false});
+  };
+  for (const SiteId h : division_.heirs()) add(h);
+  for (const SiteId s : strangers_) add(s);
+  const std::size_t first_corner = division_.corners().size();
+  for (const auto& [bound, vacated, neighbour] : deferred_) {
+    if (!wins_over_all_but(neighbour, vacated_[vacated]))
+      division_.divide(vacated);
+    else if (neighbour.valid())
+      division_.leave_to(neighbour, vacated);
+    else
+      win_on(store_.facet(vacated_[vacated]));
+  }
+  deferred_.clear();
+  if (std::ranges::any_of(strangers_, [&](SiteId j) { return division_.is_missing(j, first_corner); }))
+    divide_vacancy(p);
+}
+
+/// Is p, at its new place, surely nearer than all of its rivals but that one everywhere on this fragment?
+bool RestrictedPower::wins_over_all_but(SiteId neighbour, FragmentId vacated) const {
+  const FacetId t = store_.facet(vacated);
+  const std::span<const PolygonCorner> corners = store_.corners(vacated);
+  return std::ranges::all_of(beaten_rivals_, [&](const Rival& rival) {
+    const Bisector& b = rival.bisector;
+    return rival.site == neighbour || clipper_.compare_on_facet(t, b) == Clip::untouched ||
+           (!corners.empty() && std::ranges::all_of(corners, [&](const PolygonCorner& c) {
+             return b(c.point.position) > b.error + b.length * c.point.tolerance;
+           }));
+  });
+}
+
+// --- p at its new place --------------------------------------------------------------------------
+
 // The rivals at the new place, p being out, and the heirs of the old cell: all others keep what they have. (The
 // source knows how far the heirs reach without their shares.)
 const RestrictedPower::Change& RestrictedPower::after_move(SiteId p, const WeightedPoint3& point) {
+  settle_deferred(p, point);
   begin(p);
   admit(p, point);
   for (const FragmentId f : vacated_) touch_facet(store_.facet(f)).own = f;
-  const std::span<const CellDivision::Share> shares = division_.shares();
-  for (std::size_t i = 0; i < shares.size(); ++i) {
-    const FragmentId f = shares[i].joins;
-    if (!f.valid()) continue;
-    if (f.index() >= share_index_.size()) share_index_.resize(f.index() + 1, -1);
-    share_index_[f] = static_cast<std::int32_t>(i);
-  }
-
   candidates_.clear();
   neighbours_.rivals(p, candidates_);
   candidates_.insert(candidates_.end(), division_.heirs().begin(), division_.heirs().end());
   std::ranges::sort(candidates_);
   candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
-  preload(candidates_);
-  moving_ = true;
-  for (const SiteId j : candidates_)
-    if (take_from(j, p)) touch_cell(j);
-  moving_ = false;
+  for (const CellDivision::Share& share : division_.shares())
+    if (share.joins.valid()) store_.set_mark(share.joins, true);  // for redraw(), not for take_from()
+  meet_rivals(p);
+  for (const CellDivision::Share& share : division_.shares())
+    if (share.joins.valid()) redraw(share.joins, share.polygon, p);
+  for (const Prospect& prospect : prospects_) take_from(prospect, p);
+  note_losses();
   take_new_shares(p);
-  reach_[p] = -std::numeric_limits<double>::infinity();
+  reach_[p] = -infinity;
   for (const TouchedFacet& touched : touched_facets_) reach_[p] = std::max(reach_[p], redraw_own(touched, p));
 
-  for (const auto& share : shares)
-    if (share.joins.valid()) share_index_[share.joins] = -1;
   forget_touched_facets();
   finish();
   neighbours_.set_reach(p, reach_[p]);
   return change_;
 }
 
-/// What fragment f gets of the old cell of the site that moves, or none.
-const FacetPolygon* RestrictedPower::share_of(FragmentId f) {
-  if (!moving_ || f.index() >= share_index_.size() || share_index_[f] < 0) return nullptr;
-  return &division_.shares()[static_cast<std::size_t>(share_index_[f])].polygon;
-}
-
 /// Gives fragment f its share of p's old cell, and p what it wins of both.
-Clip RestrictedPower::redraw(FragmentId f, const FacetPolygon& share, SiteId p, const Bisector& b) {
+void RestrictedPower::redraw(FragmentId f, const FacetPolygon& share, SiteId p) {
+  Rival& rival = *std::ranges::lower_bound(rivals_, share.owner, {}, &Rival::site);
+  rival.changed = true;
+  store_.set_mark(f, false);
   const Seam seam = seam_of(f, share, p);
-  if (keeps_its_edges(f, share, seam, b)) {
-    move_edge(f, seam.in_old, p, b);
-    return Clip::cut;
-  }
+  if (keeps_its_edges(f, share, seam, rival.bisector)) return move_edge(f, seam.in_old, p, rival.bisector);
   unite(f, share, seam, union_);
-  const Clip outcome = clipper_.classify(union_.facet, union_.owner, union_.corners, p, b, beaten_);
-  if (outcome == Clip::swallowed) return outcome;
+  const Clip outcome =
+      clipper_.classify(union_.facet, union_.owner, union_.corners, p, rival.bisector, beaten_);
+  if (outcome == Clip::swallowed) {
+    win_on(union_.facet);
+    return forget(f);
+  }
   const std::span<const PolygonCorner> old = store_.corners(f);
   erase_circle_of(old[seam.in_old]);
   erase_circle_of(old[next_corner(seam.in_old, old.size())]);
-  if (outcome == Clip::cut) cut_polygon(union_.facet, union_.owner, union_.corners, p, b);
+  if (outcome == Clip::cut) cut_polygon(union_.facet, union_.owner, union_.corners, p, rival.bisector);
   commit(f, outcome == Clip::cut ? polygon_ : union_);
-  return outcome;
 }
 
 /// Does p, at its new place, take all of the share and no corner of f? What both make is convex and p takes
@@ -163,35 +281,38 @@ void RestrictedPower::take_new_shares(SiteId p) {
 double RestrictedPower::redraw_own(const TouchedFacet& touched, SiteId p) {
   if (!touched.won) {
     forget(touched.own);
-    return -std::numeric_limits<double>::infinity();
+    return -infinity;
   }
-  assemble(touched, p);
-  if (!touched.own.valid()) return commit(FragmentId(), polygon_);
-  if (!move_corners(touched.own)) {
-    for (const PolygonCorner& corner : store_.corners(touched.own)) erase_circle_of(corner);
-    return commit(touched.own, polygon_);
+  const bool stays_whole = touched.cuts < 0 && touched.own.valid() && store_.whole(touched.own);
+  if (!stays_whole) {
+    assemble(touched, p);
+    if (!touched.own.valid()) return commit(FragmentId(), polygon_);
+    if (!move_corners(touched.own)) {
+      for (const PolygonCorner& corner : store_.corners(touched.own)) erase_circle_of(corner);
+      return commit(touched.own, polygon_);
+    }
   }
   change_.cut.push_back({p, touched.facet});
-  const double max_radius2 = clipper_.bound_power(polygon_);
+  std::array<PolygonCorner, 3> buffer;
+  const double max_radius2 =
+      clipper_.bound_power(touched.facet, p, store_.corners(touched.own, buffer));
   store_.set_max_radius2(touched.own, max_radius2);
   return max_radius2;
 }
 
 /// Moves the corners of f to where those of polygon_ are, if the edges are the same. Else false.
 bool RestrictedPower::move_corners(FragmentId f) {
-  std::array<PolygonCorner, 3> buffer;
-  const std::span<const PolygonCorner> old = store_.corners(f, buffer), now = polygon_.corners;
+  const std::span<PolygonCorner> old = store_.corners_to_move(f);
+  const std::span<const PolygonCorner> now = polygon_.corners;
   const std::size_t n = old.size();
   const auto first =
       static_cast<std::size_t>(std::ranges::find(old, now.front().edge, &PolygonCorner::edge) - old.begin());
   if (now.size() != n || first == n) return false;
   for (std::size_t k = 0, i = first; k < n; ++k, i = next_corner(i, n))
     if (old[i].edge != now[k].edge) return false;
-  if (store_.whole(f)) return true;
-  const std::span<PolygonCorner> corners = store_.corners_to_move(f);
   for (std::size_t k = 0, i = first; k < n; ++k, i = next_corner(i, n)) {
-    corners[i].point = now[k].point;
-    move_circle(corners[i]);
+    old[i].point = now[k].point;
+    move_circle(old[i]);
   }
   return true;
 }

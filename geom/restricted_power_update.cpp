@@ -58,9 +58,9 @@ const RestrictedPower::Change& RestrictedPower::after_insert(SiteId p, const Wei
     candidates_.clear();
     neighbours_.rivals(p, candidates_);
     std::ranges::sort(candidates_);  // one order of changes, whatever the source
-    preload(candidates_);
-    for (const SiteId j : candidates_)
-      if (take_from(j, p)) touch_cell(j);
+    meet_rivals(p);
+    for (const Prospect& prospect : prospects_) take_from(prospect, p);
+    note_losses();
     for (const TouchedFacet& touched : touched_facets_) {
       assemble(touched, p);
       reach_[p] = std::max(reach_[p], commit(FragmentId(), polygon_));
@@ -78,18 +78,27 @@ void RestrictedPower::forget_touched_facets() {
   cuts_.clear();
 }
 
-/// These cells are about to be read: asks the memory for all of it at once, in as many steps as there are
-/// pointers to follow. No effect but on speed.
-void RestrictedPower::preload(std::span<const SiteId> cells) const {
-  for (const SiteId j : cells) store_.prefetch_cell(j);
-  for (const SiteId j : cells) store_.prefetch_members(j);
-  for (const SiteId j : cells)
+/// Lists the candidates as rivals of p, and their fragments of which p may win something. The memory is asked for all
+/// that will be read, in as many steps as there are pointers to follow.
+void RestrictedPower::meet_rivals(SiteId p) {
+  rivals_.clear();
+  prospects_.clear();
+  for (const SiteId j : candidates_) store_.prefetch_cell(j);
+  for (const SiteId j : candidates_) store_.prefetch_members(j);
+  for (const SiteId j : candidates_)
     for (const FragmentId f : store_.of_cell(j)) store_.prefetch_fragment(f);
-  for (const SiteId j : cells)
+  for (const SiteId j : candidates_)
+    for (const FragmentId f : store_.of_cell(j)) clipper_.prefetch_facet(store_.facet(f));
+  for (const SiteId j : candidates_) {
+    rivals_.push_back({j, clipper_.bisector_of(j, p), false});
     for (const FragmentId f : store_.of_cell(j)) {
-      clipper_.prefetch_facet(store_.facet(f));
+      if (store_.marked(f)) continue;
+      const Clip whole = clipper_.compare_on_facet(store_.facet(f), rivals_.back().bisector);
+      if (whole == Clip::untouched) continue;
       store_.prefetch_corners(f);
+      prospects_.push_back({f, rivals_.size() - 1, whole});
     }
+  }
 }
 
 void RestrictedPower::expect(SiteId p, int moves) const {
@@ -112,42 +121,38 @@ void RestrictedPower::occupy_everything(SiteId p) {
   }
 }
 
-/// Cuts the fragments of j by p and notes the facets where p wins something; first those that continue into p's old
-/// cell get their shares of it, if p moves. True if anything changes. Computes the reach of what is left of j.
-bool RestrictedPower::take_from(SiteId j, SiteId p) {
-  const Bisector b = clipper_.bisector_of(j, p);
-  double reach = -std::numeric_limits<double>::infinity();
-  bool changed = false;
-  for (std::size_t i = 0; i < store_.of_cell(j).size();) {
-    const FragmentId f = store_.of_cell(j)[i];
-    const FacetPolygon* const share = share_of(f);
-    const Clip outcome = share ? redraw(f, *share, p, b) : take_from(f, p, b);
-    if (outcome == Clip::swallowed) {
-      win_on(store_.facet(f));
-      forget(f);  // the last one of the list takes its place
-    } else {
-      ++i;
-      reach = std::max(reach, store_.max_radius2(f));
+/// Cuts a rival's fragment by p and notes its facet if p wins something there.
+void RestrictedPower::take_from(const Prospect& prospect, SiteId p) {
+  const auto [f, rival, whole] = prospect;
+  const FacetId t = store_.facet(f);
+  const auto& [j, b, lost] = rivals_[rival];
+  Clip outcome = whole;
+  if (whole == Clip::cut) {
+    std::array<PolygonCorner, 3> buffer;
+    const std::span<const PolygonCorner> corners = store_.corners(f, buffer);
+    outcome = clipper_.classify_corners(t, j, corners, p, b, beaten_);
+    if (outcome == Clip::untouched) return;
+    if (outcome == Clip::cut) {
+      cut_polygon(t, j, corners, p, b);
+      commit(f, polygon_);
     }
-    changed = changed || share || outcome != Clip::untouched;
   }
-  if (changed) reach_[j] = reach;
-  return changed;
+  rivals_[rival].changed = true;
+  if (outcome == Clip::swallowed) {
+    win_on(t);
+    forget(f);
+  }
 }
 
-Clip RestrictedPower::take_from(FragmentId f, SiteId p, const Bisector& b) {
-  const FacetId t = store_.facet(f);
-  const SiteId j = store_.site(f);
-  const Clip whole = clipper_.compare_on_facet(t, b);
-  if (whole != Clip::cut) return whole;
-  std::array<PolygonCorner, 3> buffer;
-  const std::span<const PolygonCorner> corners = store_.corners(f, buffer);
-  const Clip outcome = clipper_.classify_corners(t, j, corners, p, b, beaten_);
-  if (outcome == Clip::cut) {
-    cut_polygon(t, j, corners, p, b);
-    commit(f, polygon_);
+/// The cells of the rivals are what they will be: how far do those reach that have changed?
+void RestrictedPower::note_losses() {
+  for (const Rival& rival : rivals_) {
+    if (!rival.changed) continue;
+    touch_cell(rival.site);
+    double reach = -std::numeric_limits<double>::infinity();
+    for (const FragmentId f : store_.of_cell(rival.site)) reach = std::max(reach, store_.max_radius2(f));
+    reach_[rival.site] = reach;
   }
-  return outcome;
 }
 
 /// Puts into polygon_ what p leaves of j's polygon on facet t: takes away the corners noted in beaten_. Notes the
@@ -305,6 +310,7 @@ bool RestrictedPower::vacate(SiteId p) {
 }
 
 void RestrictedPower::divide_vacancy(SiteId p) {
+  deferred_.clear();
   do division_.divide();
   while (add_missing_heirs(p, neighbours_));
 }
@@ -334,8 +340,9 @@ bool RestrictedPower::add_missing_heirs(SiteId p, const NeighbourSource& source)
                candidates_);
   std::ranges::sort(candidates_);
   const std::size_t known = division_.heirs().size();
+  std::erase_if(candidates_, [&](SiteId j) { return !division_.is_stranger(j); });
   for (const SiteId j : candidates_)
-    if (division_.is_stranger(j) && division_.is_missing(j)) division_.add_heir(j);
+    if (division_.is_missing(j)) division_.add_heir(j);
   return division_.heirs().size() > known;
 }
 
