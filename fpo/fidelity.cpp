@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::size_t iterations = 10;  // as many moves as they take, and some for small numbers
 constexpr std::size_t least_moves = 2000;
+constexpr std::size_t patience =
+    8;  // the farthest triangles of all: if they stay, so does the largest distance
 constexpr double least_gain = 0.5;  // of a triangle's badness: else attempts nibble at it for ever
 
 /// Distances between the surface and triangles of samples on it.
@@ -105,10 +107,12 @@ FidelityResult improve_fidelity(SurfaceDomain& domain, const AngleOptions& angle
   for (bool progress = true; progress && !enough();) {
     progress = false;
     far.try_all_again();
-    for (CircleId c; !enough() && (c = far.take_worst()).valid(); ++result.tried) {
+    std::size_t futile = 0;  // in a row
+    for (CircleId c; futile < patience && !enough() && (c = far.take_worst()).valid(); ++result.tried) {
       resampling.require_gain(least_gain * far.badness(c));
       const bool mended = mend(domain, resampling, distances, c);
       result.mended += mended;
+      futile = mended ? 0 : futile + 1;
       progress |= mended;
     }
   }

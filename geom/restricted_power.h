@@ -62,19 +62,19 @@ class RestrictedPower {
   /// Gives p's cell to its heirs; p has just been removed from the neighbour source.
   const Change& after_remove(SiteId p);
 
-  // A removal and an insertion in one, for a site that mostly comes back nearby (restricted_power_move.cpp). First
-  // the removal is only planned, and the plan tells the circles that it would bring; then one of three follows.
+  // A removal and an insertion in one, for a site that mostly comes back nearby. First the removal is only planned
+  // (restricted_power_plan.cpp), and the plan tells the circles that it would bring; then one of three follows.
   struct Plan {
-    std::span<const SiteId> heirs;
+    std::span<const SiteId> heirs;         ///< those met so far
     std::span<const EmptyCircle> circles;  ///< some maybe more than once
     double max_radius2;                    ///< an upper bound of the power that p's cell would have
-    double complete_above;                 ///< no circle is missing of a larger radius2, or at all if -infinity
+    double complete_above;  ///< no circle is missing of a larger radius2, or at all if -infinity
     bool is_complete() const { return std::isinf(complete_above); }
   };
   /// p has just been removed from the source. None if p has no cell, or all of its surface alone, or with
   /// CornerTypes::all: then after_remove() is the way.
   std::optional<Plan> plan_removal(SiteId p);
-  /// Now with all circles.
+  /// Now with all circles and all heirs; p is still out.
   Plan complete_plan(SiteId p);
   /// What after_remove() does.
   const Change& carry_out_removal(SiteId p);
@@ -274,9 +274,10 @@ class RestrictedPower {
   std::vector<Simple> deferred_;      ///< those that are not yet
   double complete_above_ = 0;         ///< the largest bound of those
   std::vector<SiteId> strangers_;     ///< that might be heirs, but are of nothing divided
-  std::vector<Rival> beaten_rivals_;  ///< the heirs and strangers, and their bisectors with p at its new place
+  std::vector<Rival>
+      beaten_rivals_;  ///< the heirs and strangers, and their bisectors with p at its new place
   std::vector<EmptyCircle> planned_circles_;
-  Table<FacetId, std::int32_t> facet_mark_;      ///< index into touched_facets_ or -1
+  Table<FacetId, std::int32_t> facet_mark_;  ///< index into touched_facets_ or -1
   Table<SiteId, std::uint32_t> cell_stamp_;
   std::uint32_t stamp_ = 0;
 };
