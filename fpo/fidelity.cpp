@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t iterations = 10;  // as many moves as they take, and some for small numbers
 constexpr std::size_t least_moves = 2000;
 constexpr std::size_t patience =
-    8;  // the farthest triangles of all: if they stay, so does the largest distance
+    8;  // a round begins with the farthest: if they stay, so does the largest distance
 constexpr double least_gain = 0.5;  // of a triangle's badness: else attempts nibble at it for ever
 
 /// Distances between the surface and triangles of samples on it.

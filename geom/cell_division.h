@@ -44,9 +44,9 @@ class CellDivision {
   /// is no facet edge is labelled with an heir that is nearest there after p: true if p is removed and nobody
   /// is excluded.
   void divide();
-  /// The same fragment by fragment, each named by its place among the vacated ones: first start(), then for each
-  /// either divide() or, where nobody else will have anything, leave_to() the heir that its only edge with a site
-  /// is labelled with.
+  /// The same fragment by fragment, each named by its place among the vacated ones: first start(), after which no heir
+  /// may be added, then for each divide(), or leave_to() the heir that its only edge with a site is labelled with
+  /// (where no other heir will have anything once p is back), or neither (where p will have all).
   void start();
   void divide(std::size_t vacated);
   void leave_to(SiteId heir, std::size_t vacated);

@@ -60,6 +60,12 @@ double Clipper::bound_power(FacetId facet, SiteId site, std::span<const PolygonC
   return result;
 }
 
+double Clipper::bound_circle(FacetId facet, SiteId site, std::span<const PolygonCorner> corners) const {
+  const double weight = sites_[site].weight;
+  const double distance2 = bound_power(facet, site, corners) + weight, beyond = 2 * most_tolerance();
+  return distance2 + beyond * (2 * std::sqrt(std::max(distance2, 0.0)) + beyond) - weight;
+}
+
 bool Clipper::beats_exactly(const CellCorner& corner, SiteId j) const {
   const auto& [facet, owner, before, after, point] = corner;
   if (before.is_site() && after.is_site())
@@ -100,7 +106,7 @@ Clip Clipper::classify_corners(FacetId facet, SiteId owner, std::span<const Poly
 // edge; in a facet the forms of the smallest id with the two others serve.
 RoundedPoint Clipper::corner(FacetId facet, EdgeLabel label, SiteId owner, SiteId j,
                              const Bisector& b) const {
-  const double uncertain = 0x1p-32 * extent_;
+  const double uncertain = most_tolerance();
   if (!label.is_site()) {
     const auto [s, e] = edge_ends(mesh_.facet(facet), label.edge());
     const Vec3 &ps = mesh_.corner(facet, s), &pe = mesh_.corner(facet, e);

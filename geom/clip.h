@@ -132,6 +132,10 @@ class Clipper {
     return bound_power(polygon.facet, polygon.owner, polygon.corners);
   }
 
+  /// An upper bound of the power at the rounded center of any circle there: the center may lie outside of the
+  /// polygon by what a corner's place is uncertain.
+  double bound_circle(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners) const;
+
   /// Which corners j takes: none, some, all. O(corners). Fills `beaten` where the answer is `cut`.
   Clip classify_corners(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners, SiteId j,
                         const Bisector& b, std::vector<char>& beaten) const;
@@ -164,6 +168,7 @@ class Clipper {
 
  private:
   bool beats_exactly(const CellCorner& corner, SiteId j) const;
+  double most_tolerance() const { return 0x1p-32 * extent_; }  ///< of a corner; else it is computed exactly
   RankedPoint3 ranked(SiteId s) const { return {&sites_[s], s.value}; }
   FacetCorners corners_of(FacetId t) const {
     return {&mesh_.corner(t, 0), &mesh_.corner(t, 1), &mesh_.corner(t, 2)};

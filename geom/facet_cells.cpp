@@ -48,8 +48,8 @@ std::span<const FacetPolygon> FacetCells::divide(FacetId t) {
   const SiteId first = search_.nearest(centroid(mesh_, t), SiteId(), SiteId()).site;
   follow(first, t);
   if (num_found_ == 0) {  // powers tie there, or rounding moved the centroid off a tiny facet
-    find_candidates(t, first);
-    for (const SiteId s : candidates_) follow(s, t);
+    find_owners(t, first);
+    for (const SiteId s : may_own_) follow(s, t);
     ensure(num_found_ > 0, "facet cells: a facet without owner");
   }
   return std::span(found_).first(num_found_);
@@ -150,7 +150,7 @@ void FacetCells::look_around(Surroundings& around, double radius) {
 
 /// All that can own anything of the facet: nowhere there has the owner more power than the farthest corner has to
 /// the first site.
-void FacetCells::find_candidates(FacetId t, SiteId first) {
+void FacetCells::find_owners(FacetId t, SiteId first) {
   const WeightedPoint3& site = sites_[first];
   const Vec3 middle = centroid(mesh_, t);
   double radius2 = 0, power = -std::numeric_limits<double>::infinity();
@@ -159,8 +159,8 @@ void FacetCells::find_candidates(FacetId t, SiteId first) {
     radius2 = std::max(radius2, (q - middle).squaredNorm());
     power = std::max(power, power_at((q - site.position).squaredNorm(), site.weight));
   }
-  candidates_.clear();
-  search_.heirs({SiteId(), middle, root(radius2) * more, power}, candidates_);
+  may_own_.clear();
+  search_.heirs({SiteId(), middle, root(radius2) * more, power}, may_own_);
 }
 
 bool is_degenerate(const TriMesh& mesh, FacetId t) {

@@ -52,7 +52,7 @@ class FacetCells {
   bool clip(FacetPolygon& polygon, const Surroundings& around, double& bound);
   Surroundings& surroundings(SiteId owner);
   void look_around(Surroundings& around, double radius);
-  void find_candidates(FacetId t, SiteId first);
+  void find_owners(FacetId t, SiteId first);
 
   const TriMesh& mesh_;
   const Clipper::Sites& sites_;
@@ -64,7 +64,8 @@ class FacetCells {
   std::vector<FacetPolygon> found_;
   std::size_t num_found_ = 0;
   std::vector<SiteId> waiting_;            ///< owners, perhaps, to be looked at
-  std::vector<SiteId> candidates_;         // workspace
+  std::vector<SiteId> candidates_;         // workspace of a search
+  std::vector<SiteId> may_own_;            // workspace of divide()
   Table<SiteId, std::uint32_t> stamp_of_;  ///< of the last facet where the site was met
   std::uint32_t stamp_ = 0;
 };

@@ -8,7 +8,7 @@
 // fragment, the farthest point of the whole surface can also be of type B (border, crease) or A (tip):
 // CornerTypes says which are registered.
 
-#include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -69,12 +69,12 @@ class RestrictedPower {
     std::span<const EmptyCircle> circles;  ///< some maybe more than once
     double max_radius2;                    ///< an upper bound of the power that p's cell would have
     double complete_above;  ///< no circle is missing of a larger radius2, or at all if -infinity
-    bool is_complete() const { return std::isinf(complete_above); }
+    bool is_complete() const { return complete_above == -std::numeric_limits<double>::infinity(); }
   };
   /// p has just been removed from the source. None if p has no cell, or all of its surface alone, or with
   /// CornerTypes::all: then after_remove() is the way.
   std::optional<Plan> plan_removal(SiteId p);
-  /// Now with all circles and all heirs; p is still out.
+  /// Now with all circles; the heirs are those that get a share. p is still out. Ends the plan before it.
   Plan complete_plan(SiteId p);
   /// What after_remove() does.
   const Change& carry_out_removal(SiteId p);
@@ -270,12 +270,12 @@ class RestrictedPower {
   std::vector<char> beaten_;
   FacetPolygon polygon_, union_;
   // Of a plan.
+  std::vector<SiteId> heirs_of_plan_;
   std::vector<std::size_t> at_once_;  ///< vacated fragments that are divided
   std::vector<Simple> deferred_;      ///< those that are not yet
-  double complete_above_ = 0;         ///< the largest bound of those
+  double complete_above_ = 0;         ///< the largest bound of those; -infinity: none
   std::vector<SiteId> strangers_;     ///< that might be heirs, but are of nothing divided
-  std::vector<Rival>
-      beaten_rivals_;  ///< the heirs and strangers, and their bisectors with p at its new place
+  std::vector<Rival> contenders_;  ///< the heirs and strangers, and their bisectors with p at its new place
   std::vector<EmptyCircle> planned_circles_;
   Table<FacetId, std::int32_t> facet_mark_;  ///< index into touched_facets_ or -1
   Table<SiteId, std::uint32_t> cell_stamp_;

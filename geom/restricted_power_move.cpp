@@ -34,7 +34,7 @@ const RestrictedPower::Change& RestrictedPower::after_move(SiteId p, const Weigh
   std::ranges::sort(candidates_);
   candidates_.erase(std::unique(candidates_.begin(), candidates_.end()), candidates_.end());
   for (const CellDivision::Share& share : division_.shares())
-    if (share.joins.valid()) store_.set_mark(share.joins, true);  // for redraw(), not for take_from()
+    if (share.joins.valid()) store_.set_mark(share.joins, true);  // no prospect, but to be redrawn
   meet_rivals(p);
   for (const CellDivision::Share& share : division_.shares())
     if (share.joins.valid()) redraw(share.joins, share.polygon, p);

@@ -6,6 +6,7 @@
 // that is known already are divided only when p's new place is known; and then most need not be divided at all.
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "geom/restricted_power.h"
@@ -29,7 +30,13 @@ std::optional<RestrictedPower::Plan> RestrictedPower::plan_removal(SiteId p) {
 RestrictedPower::Plan RestrictedPower::complete_plan(SiteId p) {
   if (!deferred_.empty()) divide_vacancy(p);
   complete_above_ = -infinity;
-  return present_plan(p);
+  heirs_of_plan_.clear();
+  for (const CellDivision::Share& share : division_.shares()) heirs_of_plan_.push_back(share.polygon.owner);
+  std::ranges::sort(heirs_of_plan_);
+  heirs_of_plan_.erase(std::unique(heirs_of_plan_.begin(), heirs_of_plan_.end()), heirs_of_plan_.end());
+  Plan plan = present_plan(p);
+  plan.heirs = heirs_of_plan_;
+  return plan;
 }
 
 RestrictedPower::Plan RestrictedPower::present_plan(SiteId p) {
@@ -56,7 +63,7 @@ void RestrictedPower::defer_simple() {
     } else {
       const FacetId t = store_.facet(vacated_[i]);
       const SiteId near = neighbour.valid() ? neighbour : nearest_heir(clipper_.middle(t));
-      deferred_.push_back({clipper_.bound_power(t, near, corners), i, neighbour});
+      deferred_.push_back({clipper_.bound_circle(t, near, corners), i, neighbour});
     }
   }
 }
@@ -132,12 +139,14 @@ const RestrictedPower::Change& RestrictedPower::carry_out_removal(SiteId p) {
 // On most facets that were deferred p will win all that it had, but for what its only neighbour there can take. Then
 // all is that neighbour's, for p to win it from there; or p's, if there is no neighbour. On the other facets its old
 // cell is divided as usual.
+//
+// No others need be asked than the heirs and the strangers: these are all that may be as near as the largest circle
+// is large, and that is larger than any bound of what is deferred. Corners before the first new one were asked about
+// when the strangers were found.
 void RestrictedPower::settle_deferred(SiteId p, const WeightedPoint3& point) {
   if (deferred_.empty()) return;
-  beaten_rivals_.clear();
-  const auto add = [&](SiteId s) {
-    beaten_rivals_.push_back({s, bisector(point, sites_[s], extent_), false});
-  };
+  contenders_.clear();
+  const auto add = [&](SiteId s) { contenders_.push_back({s, bisector(point, sites_[s], extent_), false}); };
   for (const SiteId h : division_.heirs()) add(h);
   for (const SiteId s : strangers_) add(s);
   const std::size_t first_corner = division_.corners().size();
@@ -158,7 +167,7 @@ void RestrictedPower::settle_deferred(SiteId p, const WeightedPoint3& point) {
 bool RestrictedPower::wins_over_all_but(SiteId neighbour, FragmentId vacated) const {
   const FacetId t = store_.facet(vacated);
   const std::span<const PolygonCorner> corners = store_.corners(vacated);
-  return std::ranges::all_of(beaten_rivals_, [&](const Rival& rival) {
+  return std::ranges::all_of(contenders_, [&](const Rival& rival) {
     const Bisector& b = rival.bisector;
     return rival.site == neighbour || clipper_.compare_on_facet(t, b) == Clip::untouched ||
            (!corners.empty() && std::ranges::all_of(corners, [&](const PolygonCorner& c) {

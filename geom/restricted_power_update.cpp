@@ -78,7 +78,8 @@ void RestrictedPower::forget_touched_facets() {
   cuts_.clear();
 }
 
-/// Lists the candidates as rivals of p, and their fragments of which p may win something. The memory is asked for all
+/// Lists the candidates as rivals of p, and their fragments of which p may win something, marked ones left out
+/// (after_move() has another way for those). The memory is asked for all
 /// that will be read, in as many steps as there are pointers to follow.
 void RestrictedPower::meet_rivals(SiteId p) {
   rivals_.clear();
@@ -123,21 +124,21 @@ void RestrictedPower::occupy_everything(SiteId p) {
 
 /// Cuts a rival's fragment by p and notes its facet if p wins something there.
 void RestrictedPower::take_from(const Prospect& prospect, SiteId p) {
-  const auto [f, rival, whole] = prospect;
+  const FragmentId f = prospect.fragment;
   const FacetId t = store_.facet(f);
-  const auto& [j, b, lost] = rivals_[rival];
-  Clip outcome = whole;
-  if (whole == Clip::cut) {
+  Rival& rival = rivals_[prospect.rival];
+  Clip outcome = prospect.whole;
+  if (outcome == Clip::cut) {
     std::array<PolygonCorner, 3> buffer;
     const std::span<const PolygonCorner> corners = store_.corners(f, buffer);
-    outcome = clipper_.classify_corners(t, j, corners, p, b, beaten_);
+    outcome = clipper_.classify_corners(t, rival.site, corners, p, rival.bisector, beaten_);
     if (outcome == Clip::untouched) return;
     if (outcome == Clip::cut) {
-      cut_polygon(t, j, corners, p, b);
+      cut_polygon(t, rival.site, corners, p, rival.bisector);
       commit(f, polygon_);
     }
   }
-  rivals_[rival].changed = true;
+  rival.changed = true;
   if (outcome == Clip::swallowed) {
     win_on(t);
     forget(f);

@@ -1,5 +1,6 @@
 // How long one removal and insertion takes, ours and CGAL's on the same points, by turns. CGAL's alone also tells
-// how fast this machine is beside another one where it was measured.
+// how fast this machine is beside another one where it was measured. (In the plane ours is periodic and gets no hint,
+// CGAL's is not and does.)
 //   build-cgal/cgal-tests --no-skip --test-suite=yardstick
 
 #include <CGAL/Delaunay_triangulation_2.h>

@@ -239,3 +239,26 @@ TEST_CASE("surface domain: a move at once ends where the steps of Algorithm 1 do
           CHECK(direct > static_cast<int>(2 * n));
         }
 }
+
+// Of several sites that might inherit something of a cell not all do: the 2-ring is around those that do.
+TEST_CASE("surface domain: a local move at once among many components") {
+  const TriMesh mesh = fixtures::islands();
+  constexpr std::size_t n = 21;
+  const Sizing sizing = Sizing::uniform(hexagonal_spacing(mesh.area(), n));
+  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    CAPTURE(seed);
+    const auto samples = random_samples(mesh, sizing, n, seed);
+    SurfaceDomain at_once(mesh, sizing, samples, {}), in_steps(mesh, sizing, samples, {});
+    for (std::size_t i = 0; i < 3 * n; ++i) {
+      const SiteId x(i % n);
+      in_steps.remove(x);
+      const Circle c = in_steps.largest_empty(Scope::two_ring);
+      if (in_steps.is_farther(c, x))
+        in_steps.insert_at(x, c);
+      else
+        in_steps.put_back(x);
+      move_to_farthest_point(at_once, x, Scope::two_ring);
+      REQUIRE(at_once.sample(x).position == in_steps.sample(x).position);
+    }
+  }
+}

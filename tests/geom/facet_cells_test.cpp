@@ -6,6 +6,7 @@
 #include "doctest.h"
 #include "fpo/initial_samples.h"
 #include "geom/rng.h"
+#include "geom/scaling.h"
 #include "geom/site_tree.h"
 #include "tests/fixtures/surfaces.h"
 #include "tests/oracle/restricted_power_oracle.h"
@@ -97,6 +98,24 @@ TEST_CASE("facet cells: sites on a lattice, on edges, on vertices and twice at o
             sites.add({Vec3(y, z, x) / 4, (x + y) % 3 == 0 ? weight : 0});
           }
     compare_with_oracle(cube, sites);
+  }
+}
+
+TEST_CASE("facet cells: pairs of sites an ulp apart") {
+  const TriMesh mesh = fixtures::blob(6);
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    CAPTURE(seed);
+    Rng rng(seed);
+    Sites sites;
+    for (int pair = 0; pair < 8; ++pair) {
+      const FacetId t(static_cast<std::size_t>(rng.below(mesh.num_facets())));
+      Vec3 x = fpo::location_in_facet(mesh, t, 0.5, 0).position;
+      sites.add({x, 0});
+      double& c = x[static_cast<int>(rng.below(3))];
+      c = std::nextafter(c, rng.below(2) == 0 ? -1.0 : 1.0);
+      sites.add({snapped(x), 0});
+    }
+    compare_with_oracle(mesh, sites);
   }
 }
 
