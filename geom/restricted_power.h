@@ -273,7 +273,6 @@ class RestrictedPower {
   std::vector<SiteId> heirs_of_plan_;
   std::vector<std::size_t> at_once_;  ///< vacated fragments that are divided
   std::vector<Simple> deferred_;      ///< those that are not yet
-  double complete_above_ = 0;         ///< the largest bound of those; -infinity: none
   std::vector<SiteId> strangers_;     ///< that might be heirs, but are of nothing divided
   std::vector<Rival> contenders_;  ///< the heirs and strangers, and their bisectors with p at its new place
   std::vector<EmptyCircle> planned_circles_;

@@ -29,7 +29,6 @@ std::optional<RestrictedPower::Plan> RestrictedPower::plan_removal(SiteId p) {
 
 RestrictedPower::Plan RestrictedPower::complete_plan(SiteId p) {
   if (!deferred_.empty()) divide_vacancy(p);
-  complete_above_ = -infinity;
   heirs_of_plan_.clear();
   for (const CellDivision::Share& share : division_.shares()) heirs_of_plan_.push_back(share.polygon.owner);
   std::ranges::sort(heirs_of_plan_);
@@ -41,7 +40,9 @@ RestrictedPower::Plan RestrictedPower::complete_plan(SiteId p) {
 
 RestrictedPower::Plan RestrictedPower::present_plan(SiteId p) {
   list_planned_circles(p);
-  return {division_.heirs(), planned_circles_, std::max(reach(p), division_.max_radius2()), complete_above_};
+  double complete_above = -infinity;
+  for (const Simple& simple : deferred_) complete_above = std::max(complete_above, simple.bound);
+  return {division_.heirs(), planned_circles_, std::max(reach(p), division_.max_radius2()), complete_above};
 }
 
 /// Sorts the vacated fragments: those with several neighbours are divided in any case, the others perhaps.
@@ -96,14 +97,12 @@ void RestrictedPower::divide_where_largest(SiteId p) {
   for (const std::size_t i : at_once_) divide(i);
   while (!deferred_.empty()) {
     const auto next = std::ranges::max_element(deferred_, {}, &Simple::bound);
-    complete_above_ = next->bound;
     if (next->bound < largest) return;
     at_once_.push_back(next->vacated);
     *next = deferred_.back();
     deferred_.pop_back();
     divide(at_once_.back());
   }
-  complete_above_ = -infinity;
 }
 
 /// Is that corner of the division of p's cell an empty circle without p?
