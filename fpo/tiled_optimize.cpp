@@ -20,7 +20,9 @@
 namespace fpo {
 namespace {
 
-constexpr double longest_edge = 4;  // in spacings: a tile is some fifty wide
+constexpr double longest_edge = 4;      // in spacings: a tile is some fifty wide
+constexpr double near_cut = 4;          // in spacings: nearer to a cut many samples cannot be moved
+constexpr int iterations_at_large = 2;  // before there are tiles
 
 class TiledRun {
  public:
@@ -55,6 +57,7 @@ class TiledRun {
   void split();    ///< from now on mesh() has no large facets
   void unsplit();  ///< from now on it is what was given
   void even_out();
+  std::vector<CutCost> cut_costs() const;
   void owe(int moves);
 
   const SurfaceTask& task_;
@@ -162,8 +165,9 @@ bool TiledRun::round() {
   moved_ = 0;
   ++round_;
   sweeps_ = std::min({round_, tile_options_.sweeps, options_.max_iterations - iteration_});
+  const std::vector<CutCost> costs = cut_costs();
   owe(sweeps_);
-  std::vector<Tile> tiles = make_tiles(mesh(), samples_, {tile_options_.most_samples, rng_.bits()});
+  std::vector<Tile> tiles = make_tiles(mesh(), samples_, {tile_options_.most_samples, rng_.bits(), costs});
   // Large ones first, so that threads end at about the same time.
   std::ranges::stable_sort(tiles, std::greater(), [](const Tile& tile) { return tile.samples.size(); });
   const TiledSurface whole(mesh(), sizing_, samples_, task_.surface, std::move(tiles));
@@ -178,6 +182,15 @@ bool TiledRun::round() {
   samples_ = std::move(next);
   iteration_ += sweeps_;
   return !interrupted();
+}
+
+/// Who has waited long should not wait again.
+std::vector<CutCost> TiledRun::cut_costs() const {
+  std::vector<CutCost> costs;
+  costs.reserve(samples_.size());
+  for (std::size_t i = 0; i < samples_.size(); ++i)
+    costs.push_back({static_cast<double>(owed_[i]) * owed_[i], near_cut * sizing_.at(samples_[i])});
+  return costs;
 }
 
 void TiledRun::owe(int moves) {
@@ -199,15 +212,15 @@ void TiledRun::catch_up(SurfaceDomain& domain) {
     }
 }
 
-/// One iteration on the whole surface. It evens out the density of the samples at large, which tiles would do
-/// slowly: without it delta ends by .01 lower.
+/// The first iterations on the whole surface. They even out the density of the samples at large, which tiles would do
+/// slowly: without them delta ends by .01 lower.
 void TiledRun::even_out() {
   SurfaceDomain domain(task_.mesh, task_.sizing, samples_, task_.surface);
-  owe(1);
+  iteration_ = std::min(iterations_at_large, options_.max_iterations);
+  owe(iteration_);
   catch_up(domain);
   std::ranges::fill(owed_, 0);
   for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i] = domain.sample(SiteId(i));
-  iteration_ = 1;
 }
 
 void TiledRun::split() {

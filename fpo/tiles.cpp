@@ -1,6 +1,7 @@
 #include "fpo/tiles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -15,6 +16,13 @@ using geom::SiteId;
 using geom::Vec3;
 
 constexpr double least_share = 0.3;  // of the samples below a cut; above it likewise
+constexpr int num_tries = 16;
+
+/// Of a sample at this coordinate.
+struct Toll {
+  double at;
+  CutCost toll;
+};
 
 /// Uniformly distributed: a random unit quaternion.
 Frame random_frame(geom::Rng& rng) {
@@ -31,6 +39,7 @@ class Tiling {
       : mesh_(mesh),
         samples_(samples),
         most_samples_(options.most_samples),
+        cut_costs_(options.cut_costs),
         rng_(options.seed),
         frame_(random_frame(rng_)) {}
 
@@ -57,7 +66,7 @@ class Tiling {
       tiles_.push_back(std::move(tile));
       return;
     }
-    const double plane = plane_through(tile, axis, box.min()[axis]);
+    const double plane = cheapest_plane(tile, axis);
     Tile lower, upper;
     lower.box = upper.box = tile.box;
     lower.frame = upper.frame = frame_;
@@ -76,19 +85,37 @@ class Tiling {
     cut(std::move(upper));
   }
 
-  /// Above the smallest coordinate, so that no part is empty.
-  double plane_through(const Tile& tile, int axis, double least) {
+  /// A cut that is cheap of so many.
+  double cheapest_plane(const Tile& tile, int axis) {
     std::vector<double> coordinates;
-    for (const SiteId x : tile.samples) coordinates.push_back(coordinate(position(x), axis));
+    std::vector<Toll> tolls;
+    for (const SiteId x : tile.samples) {
+      coordinates.push_back(coordinate(position(x), axis));
+      if (cut_costs_.empty()) continue;
+      const CutCost& c = cut_costs_[x.index()];
+      if (c.cost > 0) tolls.push_back({coordinates.back(), c});
+    }
+    std::ranges::sort(coordinates);
+    double best = 0, least_cost = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < num_tries && least_cost > 0; ++i) {
+      const double plane = random_plane(coordinates);
+      double cost = 0;
+      for (const auto& [at, toll] : tolls)
+        if (std::abs(at - plane) < toll.within) cost += toll.cost;
+      if (cost >= least_cost) continue;
+      best = plane;
+      least_cost = cost;
+    }
+    return best;
+  }
+
+  /// Above the smallest of the ascending coordinates, so that no part is empty.
+  double random_plane(std::span<const double> coordinates) {
     const double share = rng_.uniform(least_share, 1 - least_share);
-    const auto middle =
-        coordinates.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(coordinates.size()));
-    std::nth_element(coordinates.begin(), middle, coordinates.end());
-    if (*middle > least) return *middle;
-    double next = std::numeric_limits<double>::infinity();
-    for (const double c : coordinates)
-      if (c > least) next = std::min(next, c);
-    return next;
+    const double middle =
+        coordinates[static_cast<std::size_t>(share * static_cast<double>(coordinates.size()))];
+    if (middle > coordinates.front()) return middle;
+    return *std::ranges::upper_bound(coordinates, middle);
   }
 
   double coordinate(const Vec3& x, int axis) const { return in_frame(frame_, x)[axis]; }
@@ -97,6 +124,7 @@ class Tiling {
   const geom::TriMesh& mesh_;
   std::span<const SurfaceSample> samples_;
   std::size_t most_samples_;
+  std::span<const CutCost> cut_costs_;
   geom::Rng rng_;
   Frame frame_;
   std::vector<Tile> tiles_;

@@ -25,13 +25,20 @@ struct Tile {
   std::vector<geom::FacetId> facets;  ///< of which the box meets the tile's; ascending
 };
 
+/// What it costs if a cut passes within that distance of a sample.
+struct CutCost {
+  double cost = 0, within = 0;
+};
+
 struct TilingOptions {
-  std::size_t most_samples = 3000;  ///< in a tile
-  std::uint64_t seed = 1;           ///< of where the cuts are
+  std::size_t most_samples = 3000;          ///< in a tile
+  std::uint64_t seed = 1;                   ///< of where the cuts are
+  std::span<const CutCost> cut_costs = {};  ///< one a sample, or none: all cuts are equally good
 };
 
 /// Cuts the samples' box, in a random frame, across its longest side, and each part again, until no tile has too
-/// many samples (or all of its samples lie at one place). A cut passes at a random one of the middle samples.
+/// many samples (or all of its samples lie at one place). A cut passes at a random one of the middle samples: at
+/// the one of several tries that costs least.
 /// A function of the arguments. O((n + F) log n).
 std::vector<Tile> make_tiles(const geom::TriMesh& mesh, std::span<const SurfaceSample> samples,
                              const TilingOptions& options);

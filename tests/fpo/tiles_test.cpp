@@ -1,5 +1,7 @@
 #include "fpo/tiles.h"
 
+#include <cmath>
+
 #include "doctest.h"
 #include "fpo/initial_samples.h"
 #include "tests/fixtures/surfaces.h"
@@ -48,6 +50,34 @@ TEST_CASE("tiles: another seed cuts elsewhere, the same seed there again") {
   };
   CHECK(cut(1) == cut(1));
   CHECK(cut(1) != cut(2));
+}
+
+TEST_CASE("tiles: cuts keep away from samples near which they cost most") {
+  const TriMesh mesh = fixtures::blob(4);
+  const auto samples = random_samples(mesh, 200, 1);
+  std::vector<CutCost> costs(samples.size());
+  for (std::size_t i = 0; i < samples.size(); i += 5) costs[i] = {static_cast<double>(i % 7), 0.05};
+  // One cut only, and that of the same seed without costs is the first one tried.
+  const auto price = [&](std::uint64_t seed, std::span<const CutCost> known) {
+    const std::vector<Tile> tiles = make_tiles(mesh, samples, {150, seed, known});
+    REQUIRE(tiles.size() == 2);
+    int axis = 0;
+    while (!std::isfinite(tiles[0].box.max()[axis])) ++axis;
+    double sum = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const double at = in_frame(tiles[0].frame, samples[i].position)[axis];
+      if (std::abs(at - tiles[0].box.max()[axis]) < costs[i].within) sum += costs[i].cost;
+    }
+    return sum;
+  };
+  double aware = 0, unaware = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    CHECK(price(seed, costs) <= price(seed, {}));
+    aware += price(seed, costs);
+    unaware += price(seed, {});
+  }
+  CHECK(aware < unaware / 2);
+  CHECK(unaware > 0);
 }
 
 TEST_CASE("tiles: samples at one place stay together") {
