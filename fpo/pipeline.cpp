@@ -217,9 +217,10 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
   if (options.improve_fidelity) {
     FidelityOptions fidelity;
     fidelity.interrupted = options.optimize.interrupted;
+    const bool has_features = !shared.features.samples.empty();
     if (options.method == Method::fpo)  // who wants it fast wants this fast, too
-      fidelity.most_moves = least_fidelity_moves + result.optimization.moves / 4;
-    if (!shared.features.samples.empty()) {  // fixed samples keep delta from more, and shape matters more
+      fidelity.most_moves = least_fidelity_moves + result.optimization.moves / (has_features ? 4 : 12);
+    if (has_features) {  // fixed samples keep delta from more, and shape matters more
       fidelity.share_of_largest = 0.5;
       fidelity.enough_delta = 0.9;
     }
