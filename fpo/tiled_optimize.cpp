@@ -22,7 +22,7 @@ namespace {
 
 constexpr double longest_edge = 4;      // in spacings: a tile is some fifty wide
 constexpr double near_cut = 4;          // in spacings: nearer to a cut many samples cannot be moved
-constexpr int iterations_at_large = 2;  // before there are tiles
+constexpr int iterations_at_large = 3;  // before there are tiles
 
 class TiledRun {
  public:

@@ -6,7 +6,7 @@
 // A sample near a cut cannot be moved in that round. It is moved the more often in the next one, whose cuts keep away
 // from those who have waited longest, and in the end on the whole surface, so that every sample has been removed and
 // inserted once an iteration. "The largest empty circle" of Scope::global is the largest one well inside the
-// sample's tile, but for two iterations on the whole surface that come first and even out the density at large; Scope::two_ring is the same as without tiles. The
+// sample's tile, but for three iterations on the whole surface that come first and even out the density at large; Scope::two_ring is the same as without tiles. The
 // result depends on the samples, the seed and the options, not on the number of threads.
 
 #include <span>
