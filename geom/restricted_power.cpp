@@ -26,7 +26,7 @@ RestrictedPower::RestrictedPower(const TriMesh& mesh, NeighbourSource& neighbour
       clipper_(mesh, sites_, extent_),
       store_(mesh),
       division_(mesh, sites_, clipper_, store_),
-      facet_mark_(mesh.num_facets(), -1) {
+      assembly_(mesh, clipper_) {
   if (types_ == CornerTypes::c_only) return;
   first_facet_.resize(mesh.num_vertices());
   vertex_circle_.resize(mesh.num_vertices());
@@ -110,16 +110,7 @@ void RestrictedPower::register_at_vertex(const FacetPolygon& polygon, std::size_
 }
 
 CircleId RestrictedPower::create_circle(const FacetPolygon& polygon, std::size_t corner, std::int32_t place) {
-  CircleId c;
-  if (free_circles_.empty()) {
-    c = circles_.next_id();
-    circles_.emplace_back();
-    spokes_.emplace_back();
-  } else {
-    c = free_circles_.back();
-    free_circles_.pop_back();
-  }
-  EmptyCircle& circle = circles_[c];
+  EmptyCircle circle;
   circle.facet = polygon.facet;
   circle.place = place;
   circle.sites = {polygon.owner, SiteId(), SiteId()};
@@ -128,7 +119,7 @@ CircleId RestrictedPower::create_circle(const FacetPolygon& polygon, std::size_t
     if (label.is_site()) circle.sites[n++] = label.site();
   if (n == 3 && circle.sites[2] < circle.sites[1]) std::swap(circle.sites[1], circle.sites[2]);
   center_circle(circle, polygon.corners[corner].point.position);
-  list_circle(c);
+  const CircleId c = circles_.create(circle);
   change_.circles_created.push_back(c);
   return c;
 }
@@ -145,26 +136,8 @@ void RestrictedPower::center_circle(EmptyCircle& circle, const Vec3& corner) con
 /// The id is used again only after the next update has begun, so the owner of a heap can still compare it in
 /// this one.
 void RestrictedPower::erase_circle(CircleId c) {
-  const std::array<SiteId, 3>& sites = circles_[c].sites;
-  for (std::size_t k = 0; k < 3 && sites[k].valid(); ++k) {
-    const Spoke next = spokes_[c].next[k], previous = spokes_[c].previous[k];
-    (previous.valid() ? spokes_[previous.circle()].next[previous.place()] : first_spokes_[sites[k]]) = next;
-    if (next.valid()) spokes_[next.circle()].previous[next.place()] = previous;
-  }
+  circles_.erase(c);
   change_.circles_erased.push_back(c);
-}
-
-void RestrictedPower::list_circle(CircleId c) {
-  ensure(c.value < 1 << 29, "restricted power diagram: too many circles");
-  const std::array<SiteId, 3>& sites = circles_[c].sites;
-  for (std::size_t k = 0; k < 3 && sites[k].valid(); ++k) {
-    if (sites[k].index() >= first_spokes_.size()) first_spokes_.resize(sites[k].index() + 1);
-    Spoke& first = first_spokes_[sites[k]];
-    spokes_[c].next[k] = first;
-    spokes_[c].previous[k] = Spoke();
-    if (first.valid()) spokes_[first.circle()].previous[first.place()] = Spoke(c, k);
-    first = Spoke(c, k);
-  }
 }
 
 bool RestrictedPower::circle_before(const EmptyCircle& a, const EmptyCircle& b) {
@@ -214,16 +187,9 @@ void RestrictedPower::check() const {
     }
   }
   for (const CircleId c : vertex_circle_) registered += c.valid();
-  ensure(registered + free_circles_.size() + change_.circles_erased.size() == circles_.size(),
+  ensure(registered + circles_.num_free() + change_.circles_erased.size() == circles_.num_ids(),
          "restricted power diagram: a circle is lost");
-  std::size_t listed = 0;
-  for (SiteId s(0); s.index() < first_spokes_.size(); s = SiteId(s.value + 1))
-    for (CircleId c = first_circle(s); c.valid(); c = next_circle(c, s)) {
-      ensure(std::ranges::count(circles_[c].sites, s) == 1,
-             "restricted power diagram: a circle listed at a site that it does not touch");
-      listed += circles_[c].sites[0] == s;
-    }
-  ensure(listed == registered, "restricted power diagram: circles registered and listed differ");
+  ensure(circles_.check() == registered, "restricted power diagram: circles registered and listed differ");
 }
 
 }  // namespace geom

@@ -13,23 +13,15 @@
 #include <span>
 #include <vector>
 
+#include "geom/cell_assembly.h"
 #include "geom/cell_division.h"
+#include "geom/empty_circles.h"
 #include "geom/fragment_store.h"
 #include "geom/neighbour_source.h"
 
 namespace geom {
 
 enum class CornerTypes { c_only, all };
-
-/// A registered corner. All fields are functions of the mesh and of the sites that meet there, not of
-/// history.
-struct EmptyCircle {
-  Vec3 center;
-  double radius2 = 0;
-  FacetId facet;                ///< it lies in; the smallest for a B or A corner
-  std::array<SiteId, 3> sites;  ///< ascending; the last one none for B, the last two for A
-  std::int32_t place = 0;       ///< C: 0, B: 1 + facet edge, A: 4 + facet corner
-};
 
 /// The diagram and its updates. Exact: after each update the fragments and their labels are those of the
 /// diagram of the present sites built from nothing.
@@ -107,10 +99,8 @@ class RestrictedPower {
   double reach(SiteId p) const { return reach_[p]; }
 
   /// The circles that touch p, each once, in an order that depends on history: the corners of its cell.
-  CircleId first_circle(SiteId p) const {
-    return p.index() < first_spokes_.size() ? first_spokes_[p].circle() : CircleId();
-  }
-  CircleId next_circle(CircleId c, SiteId p) const { return spokes_[c].next[place_of(p, c)].circle(); }
+  CircleId first_circle(SiteId p) const { return circles_.first(p); }
+  CircleId next_circle(CircleId c, SiteId p) const { return circles_.next(c, p); }
   /// The sites that share a circle with p, ascending: with type C corners the link of p in the dual, the
   /// restricted regular triangulation.
   void link(SiteId p, std::vector<SiteId>& out) const;
@@ -129,38 +119,6 @@ class RestrictedPower {
   void check() const;
 
  private:
-  /// What an insertion took from the fragment of a rival: the new edge of that, from the edge `leaving` to the
-  /// edge `entering`.
-  struct Cut {
-    SiteId rival;
-    EdgeLabel leaving, entering;
-    RoundedPoint leave{}, enter{};
-    std::int32_t next = -1;  ///< on the same facet, index into cuts_ or -1
-  };
-  struct TouchedFacet {
-    FacetId facet;
-    std::int32_t cuts = -1;  ///< head of a list in cuts_
-    FragmentId own;          ///< what p had there before a move
-    bool won = false;        ///< p has something there now
-  };
-
-  /// A circle in the list of one of its sites: the circle, and the place of the site in it.
-  class Spoke {
-   public:
-    Spoke() = default;
-    Spoke(CircleId c, std::size_t place) : code_(c.value * 4 + static_cast<std::int32_t>(place)) {}
-    bool valid() const { return code_ >= 0; }
-    CircleId circle() const { return CircleId(code_ >> 2); }  // none stays none
-    std::size_t place() const { return static_cast<std::size_t>(code_ & 3); }
-
-   private:
-    std::int32_t code_ = -1;
-  };
-  /// The links of a circle in the lists of its three sites.
-  struct Spokes {
-    std::array<Spoke, 3> next, previous;
-  };
-
   void begin(SiteId p);
   void admit(SiteId p, const WeightedPoint3& point);
   void finish();
@@ -183,14 +141,6 @@ class RestrictedPower {
   void take_from(const Prospect& prospect, SiteId p);
   void note_losses();
   void cut_polygon(FacetId t, SiteId j, std::span<const PolygonCorner> corners, SiteId p, const Bisector& b);
-  std::array<RoundedPoint, 2> note_cut(FacetId t, Cut cut, SiteId p, const Bisector& b);
-  TouchedFacet& touch_facet(FacetId t);
-  TouchedFacet& win_on(FacetId t);
-  void forget_touched_facets();
-  const Cut* cut_of(FacetId t, SiteId rival) const;
-  const Cut* cut_entered_from(const TouchedFacet& touched, EdgeLabel label) const;
-  const RoundedPoint* known_corner(FacetId t, EdgeLabel label, SiteId rival) const;
-  void assemble(const TouchedFacet& touched, SiteId p);
 
   bool vacate(SiteId p);
   void divide_vacancy(SiteId p);
@@ -222,7 +172,7 @@ class RestrictedPower {
   bool keeps_its_edges(FragmentId f, const FacetPolygon& share, const Seam& seam, const Bisector& b) const;
   void move_edge(FragmentId f, std::size_t edge, SiteId p, const Bisector& b);
   void take_new_shares(SiteId p);
-  double redraw_own(const TouchedFacet& touched, SiteId p);
+  double redraw_own(const CellAssembly::TouchedFacet& touched, SiteId p);
   bool move_corners(FragmentId f);
   void move_circle(const PolygonCorner& corner);
 
@@ -237,11 +187,6 @@ class RestrictedPower {
     if (corner.circle.valid()) erase_circle(corner.circle);
   }
   void erase_circle(CircleId c);
-  void list_circle(CircleId c);
-  std::size_t place_of(SiteId p, CircleId c) const {  // among the circle's sites
-    const auto& sites = circles_[c].sites;
-    return sites[0] == p ? 0 : sites[1] == p ? 1 : 2;
-  }
 
   const TriMesh& mesh_;
   NeighbourSource& neighbours_;
@@ -250,23 +195,19 @@ class RestrictedPower {
   double extent_;
   Clipper clipper_;
   FragmentStore store_;
-  Table<CircleId, EmptyCircle> circles_;
-  Table<SiteId, Spoke> first_spokes_;  ///< heads of the sites' lists
-  Table<CircleId, Spokes> spokes_;
-  std::vector<CircleId> free_circles_;
+  EmptyCircles circles_;
   Table<SiteId, double> reach_;
   Table<VertexId, FacetId> first_facet_;     ///< CornerTypes::all only: where a vertex's circle is registered
   Table<VertexId, CircleId> vertex_circle_;  ///< likewise
 
   Change change_;
   CellDivision division_;
+  CellAssembly assembly_;
   // Workspaces of one update.
   std::vector<SiteId> candidates_;
   std::vector<Rival> rivals_;  ///< of an insertion, ascending
   std::vector<Prospect> prospects_;
   std::vector<FragmentId> vacated_;
-  std::vector<TouchedFacet> touched_facets_;
-  std::vector<Cut> cuts_;
   std::vector<char> beaten_;
   FacetPolygon polygon_, union_;
   // Of a plan.
@@ -276,7 +217,6 @@ class RestrictedPower {
   std::vector<SiteId> strangers_;     ///< that might be heirs, but are of nothing divided
   std::vector<Rival> contenders_;  ///< the heirs and strangers, and their bisectors with p at its new place
   std::vector<EmptyCircle> planned_circles_;
-  Table<FacetId, std::int32_t> facet_mark_;  ///< index into touched_facets_ or -1
   Table<SiteId, std::uint32_t> cell_stamp_;
   std::uint32_t stamp_ = 0;
 };

@@ -27,7 +27,7 @@ const RestrictedPower::Change& RestrictedPower::after_move(SiteId p, const Weigh
   settle_deferred(p, point);
   begin(p);
   admit(p, point);
-  for (const FragmentId f : vacated_) touch_facet(store_.facet(f)).own = f;
+  for (const FragmentId f : vacated_) assembly_.touch(store_.facet(f)).own = f;
   candidates_.clear();
   neighbours_.rivals(p, candidates_);
   candidates_.insert(candidates_.end(), division_.heirs().begin(), division_.heirs().end());
@@ -42,9 +42,10 @@ const RestrictedPower::Change& RestrictedPower::after_move(SiteId p, const Weigh
   note_losses();
   take_new_shares(p);
   reach_[p] = -infinity;
-  for (const TouchedFacet& touched : touched_facets_) reach_[p] = std::max(reach_[p], redraw_own(touched, p));
+  for (const CellAssembly::TouchedFacet& touched : assembly_.facets())
+    reach_[p] = std::max(reach_[p], redraw_own(touched, p));
 
-  forget_touched_facets();
+  assembly_.clear();
   finish();
   neighbours_.set_reach(p, reach_[p]);
   return change_;
@@ -61,7 +62,7 @@ void RestrictedPower::redraw(FragmentId f, const FacetPolygon& share, SiteId p) 
   const Clip outcome =
       clipper_.classify(union_.facet, union_.owner, union_.corners, p, rival.bisector, beaten_);
   if (outcome == Clip::swallowed) {
-    win_on(union_.facet);
+    assembly_.win_on(union_.facet);
     return forget(f);
   }
   const std::span<const PolygonCorner> old = store_.corners(f);
@@ -99,7 +100,7 @@ void RestrictedPower::move_edge(FragmentId f, std::size_t edge, SiteId p, const 
   PolygonCorner &start = corners[edge], &end = corners[next_corner(edge, corners.size())];
   const EdgeLabel before = corners[previous_corner(edge, corners.size())].edge;
   const std::array<RoundedPoint, 2> ends =
-      note_cut(t, {.rival = j, .leaving = before, .entering = end.edge}, p, b);
+      assembly_.add_cut(t, {.rival = j, .leaving = before, .entering = end.edge}, p, b);
   start.point = ends[0];
   end.point = ends[1];
   move_circle(start);
@@ -115,7 +116,7 @@ void RestrictedPower::take_new_shares(SiteId p) {
     const Bisector b = clipper_.bisector_of(share.owner, p);
     const Clip outcome = clipper_.classify(share.facet, share.owner, share.corners, p, b, beaten_);
     if (outcome == Clip::swallowed) {
-      win_on(share.facet);
+      assembly_.win_on(share.facet);
       continue;
     }
     if (outcome == Clip::cut) cut_polygon(share.facet, share.owner, share.corners, p, b);
@@ -126,14 +127,14 @@ void RestrictedPower::take_new_shares(SiteId p) {
 }
 
 /// p's fragment on a facet where it had or has one; returns the bound of its power.
-double RestrictedPower::redraw_own(const TouchedFacet& touched, SiteId p) {
+double RestrictedPower::redraw_own(const CellAssembly::TouchedFacet& touched, SiteId p) {
   if (!touched.won) {
     forget(touched.own);
     return -infinity;
   }
   const bool stays_whole = touched.cuts < 0 && touched.own.valid() && store_.whole(touched.own);
   if (!stays_whole) {
-    assemble(touched, p);
+    assembly_.assemble(touched, p, polygon_);
     if (!touched.own.valid()) return commit(FragmentId(), polygon_);
     if (!move_corners(touched.own)) {
       for (const PolygonCorner& corner : store_.corners(touched.own)) erase_circle_of(corner);
@@ -166,7 +167,9 @@ bool RestrictedPower::move_corners(FragmentId f) {
 
 void RestrictedPower::move_circle(const PolygonCorner& corner) {
   if (!corner.circle.valid()) return;
-  center_circle(circles_[corner.circle], corner.point.position);
+  EmptyCircle circle = circles_[corner.circle];
+  center_circle(circle, corner.point.position);
+  circles_.move(corner.circle, circle.center, circle.radius2);
   change_.circles_moved.push_back(corner.circle);
 }
 

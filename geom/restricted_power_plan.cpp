@@ -155,7 +155,7 @@ void RestrictedPower::settle_deferred(SiteId p, const WeightedPoint3& point) {
     else if (neighbour.valid())
       division_.leave_to(neighbour, vacated);
     else
-      win_on(store_.facet(vacated_[vacated]));
+      assembly_.win_on(store_.facet(vacated_[vacated]));
   }
   deferred_.clear();
   if (std::ranges::any_of(strangers_, [&](SiteId j) { return division_.is_missing(j, first_corner); }))

@@ -10,7 +10,7 @@
 namespace geom {
 
 void RestrictedPower::begin(SiteId p) {
-  free_circles_.insert(free_circles_.end(), change_.circles_erased.begin(), change_.circles_erased.end());
+  circles_.recycle(change_.circles_erased);
   change_.circles_erased.clear();
   change_.circles_created.clear();
   change_.circles_moved.clear();
@@ -61,21 +61,15 @@ const RestrictedPower::Change& RestrictedPower::after_insert(SiteId p, const Wei
     meet_rivals(p);
     for (const Prospect& prospect : prospects_) take_from(prospect, p);
     note_losses();
-    for (const TouchedFacet& touched : touched_facets_) {
-      assemble(touched, p);
+    for (const CellAssembly::TouchedFacet& touched : assembly_.facets()) {
+      assembly_.assemble(touched, p, polygon_);
       reach_[p] = std::max(reach_[p], commit(FragmentId(), polygon_));
     }
-    forget_touched_facets();
+    assembly_.clear();
   }
   finish();
   neighbours_.set_reach(p, reach_[p]);
   return change_;
-}
-
-void RestrictedPower::forget_touched_facets() {
-  for (const TouchedFacet& touched : touched_facets_) facet_mark_[touched.facet] = -1;
-  touched_facets_.clear();
-  cuts_.clear();
 }
 
 /// Lists the candidates as rivals of p, and their fragments of which p may win something, marked ones left out
@@ -140,7 +134,7 @@ void RestrictedPower::take_from(const Prospect& prospect, SiteId p) {
   }
   rival.changed = true;
   if (outcome == Clip::swallowed) {
-    win_on(t);
+    assembly_.win_on(t);
     forget(f);
   }
 }
@@ -161,112 +155,12 @@ void RestrictedPower::note_losses() {
 void RestrictedPower::cut_polygon(FacetId t, SiteId j, std::span<const PolygonCorner> corners, SiteId p,
                                   const Bisector& b) {
   const CutPlace place = Clipper::place_of_cut(corners, beaten_);
-  const std::array<RoundedPoint, 2> ends = note_cut(t, {j, place.leaving, place.entering}, p, b);
+  const std::array<RoundedPoint, 2> ends = assembly_.add_cut(t, {j, place.leaving, place.entering}, p, b);
   for (std::size_t k = 0; k < corners.size(); ++k)
     if (beaten_[k]) erase_circle_of(corners[k]);
   polygon_.facet = t;
   polygon_.owner = j;
   Clipper::cut(corners, place, p, ends, polygon_.corners);
-}
-
-/// Notes what p takes from a rival's fragment on facet t and computes the ends of the new edge.
-std::array<RoundedPoint, 2> RestrictedPower::note_cut(FacetId t, Cut cut, SiteId p, const Bisector& b) {
-  const auto meet = [&](EdgeLabel label) {
-    const RoundedPoint* known = known_corner(t, label, cut.rival);
-    return known ? *known : clipper_.corner(t, label, cut.rival, p, b);
-  };
-  cut.leave = meet(cut.leaving);
-  cut.enter = meet(cut.entering);
-  TouchedFacet& touched = win_on(t);
-  cut.next = touched.cuts;
-  cuts_.push_back(cut);
-  touched.cuts = static_cast<std::int32_t>(cuts_.size()) - 1;
-  return {cut.leave, cut.enter};
-}
-
-RestrictedPower::TouchedFacet& RestrictedPower::touch_facet(FacetId t) {
-  std::int32_t& mark = facet_mark_[t];
-  if (mark < 0) {
-    mark = static_cast<std::int32_t>(touched_facets_.size());
-    touched_facets_.push_back({t, -1, FragmentId(), false});
-  }
-  return touched_facets_[static_cast<std::size_t>(mark)];
-}
-
-RestrictedPower::TouchedFacet& RestrictedPower::win_on(FacetId t) {
-  TouchedFacet& touched = touch_facet(t);
-  touched.won = true;
-  return touched;
-}
-
-const RestrictedPower::Cut* RestrictedPower::cut_of(FacetId t, SiteId rival) const {
-  if (!t.valid() || facet_mark_[t] < 0) return nullptr;
-  for (std::int32_t i = touched_facets_[static_cast<std::size_t>(facet_mark_[t])].cuts; i >= 0;
-       i = cuts_[static_cast<std::size_t>(i)].next)
-    if (cuts_[static_cast<std::size_t>(i)].rival == rival) return &cuts_[static_cast<std::size_t>(i)];
-  return nullptr;
-}
-
-/// The corner where p's bisector with the rival meets what the label stands for, if another cut of this
-/// insertion has it: the one of the site that the label names, or the rival's own across that edge.
-const RoundedPoint* RestrictedPower::known_corner(FacetId t, EdgeLabel label, SiteId rival) const {
-  if (label.is_site()) {
-    const Cut* cut = cut_of(t, label.site());
-    return !cut                                          ? nullptr
-           : cut->leaving == EdgeLabel::bisector(rival)  ? &cut->leave
-           : cut->entering == EdgeLabel::bisector(rival) ? &cut->enter
-                                                         : nullptr;
-  }
-  const FacetId across = mesh_.across(t, label.edge());
-  const Cut* cut = cut_of(across, rival);
-  if (!cut) return nullptr;
-  const auto ends = [&](FacetId facet, int e) -> std::pair<std::int32_t, std::int32_t> {
-    const VertexId a = mesh_.facet(facet)[static_cast<std::size_t>(e)],
-                   b = mesh_.facet(facet)[static_cast<std::size_t>(e == 2 ? 0 : e + 1)];
-    return std::minmax(a.value, b.value);  // whose references end here
-  };
-  const auto same_edge = [&](EdgeLabel other) {
-    return !other.is_site() && ends(across, other.edge()) == ends(t, label.edge());
-  };
-  return same_edge(cut->leaving) ? &cut->leave : same_edge(cut->entering) ? &cut->enter : nullptr;
-}
-
-const RestrictedPower::Cut* RestrictedPower::cut_entered_from(const TouchedFacet& touched,
-                                                              EdgeLabel label) const {
-  for (std::int32_t i = touched.cuts; i >= 0; i = cuts_[static_cast<std::size_t>(i)].next)
-    if (cuts_[static_cast<std::size_t>(i)].entering == label) return &cuts_[static_cast<std::size_t>(i)];
-  return nullptr;
-}
-
-//             entering                 Seen from p, the new edge of rival j runs from `enter` to `leave`. The
-//        ---o-----------               next edge of p is the one that `leaving` names: the new edge of that rival,
-//      p    | j   (j's fragment)       or the facet edge, up to the rival who enters from there or else to the
-//        ---o-----------               corner of the facet.
-//             leaving
-/// Puts p's fragment on this facet into polygon_.
-void RestrictedPower::assemble(const TouchedFacet& touched, SiteId p) {
-  if (touched.cuts < 0) return clipper_.start(polygon_, touched.facet, p);
-  polygon_.facet = touched.facet;
-  polygon_.owner = p;
-  polygon_.corners.clear();
-  const Cut* const first = &cuts_[static_cast<std::size_t>(touched.cuts)];
-  const Cut* cut = first;
-  do {
-    polygon_.corners.push_back({cut->enter, EdgeLabel::bisector(cut->rival), CircleId()});
-    EdgeLabel edge = cut->leaving;
-    if (edge.is_site()) {
-      cut = cut_of(touched.facet, edge.site());
-    } else {
-      polygon_.corners.push_back({cut->leave, edge, CircleId()});
-      while (!(cut = cut_entered_from(touched, edge)) && polygon_.corners.size() <= cuts_.size() * 2 + 3) {
-        const int corner = edge.edge() == 2 ? 0 : edge.edge() + 1;
-        edge = EdgeLabel::facet_edge(corner);
-        polygon_.corners.push_back({{mesh_.corner(touched.facet, corner), 0}, edge, CircleId()});
-      }
-    }
-    ensure(cut && polygon_.corners.size() <= cuts_.size() * 2 + 3,
-           "restricted power diagram: the edges of a new fragment do not close");
-  } while (cut != first);
 }
 
 // --- removal -------------------------------------------------------------------------------------
@@ -299,11 +193,8 @@ bool RestrictedPower::vacate(SiteId p) {
   const std::span<const FragmentId> cell = store_.of_cell(p);
   for (const FragmentId f : cell) store_.prefetch_members(store_.facet(f));
   for (const FragmentId f : cell)
-    for (const PolygonCorner& corner : store_.corners(f)) {
-      if (!corner.circle.valid()) continue;
-      prefetch(circles_.data() + corner.circle.index());
-      prefetch(spokes_.data() + corner.circle.index());
-    }
+    for (const PolygonCorner& corner : store_.corners(f))
+      if (corner.circle.valid()) circles_.prefetch(corner.circle);
   vacated_.assign(cell.begin(), cell.end());
   if (vacated_.empty()) return false;
   division_.begin(p, vacated_);
