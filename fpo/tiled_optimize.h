@@ -3,11 +3,12 @@
 // of some thousand samples a thread: in rounds, each of which cuts space elsewhere into tiles (tiles.h) and moves
 // the samples of each tile some times, independently of the other tiles (tile_domain.h).
 //
-// A sample near a cut cannot be moved in that round. It is moved the more often in the next one, whose cuts keep away
-// from those who have waited longest, and in the end on the whole surface, so that every sample has been removed and
-// inserted once an iteration. "The largest empty circle" of Scope::global is the largest one well inside the
-// sample's tile, but for three iterations on the whole surface that come first and even out the density at large; Scope::two_ring is the same as without tiles. The
-// result depends on the samples, the seed and the options, not on the number of threads.
+// A sample near a cut cannot be moved in that round. It is moved the more often in the next one, whose cuts keep
+// away from those who have waited longest, and in the end on the whole surface, so that every sample has been
+// removed and inserted once an iteration. "The largest empty circle" of Scope::global is the largest one well
+// inside the sample's tile, but for three iterations on the whole surface that come first and even out the density
+// at large; Scope::two_ring is the same as without tiles. The result depends on the samples, the seed and the
+// options, not on the number of threads.
 
 #include <span>
 #include <vector>
