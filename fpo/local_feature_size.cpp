@@ -28,7 +28,6 @@ using geom::VertexId;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A tetrahedron with less volume, in units of its longest edge cubed, is a product of rounding.
 constexpr double flat = 1e-10;
 /// Cosine between normals of surfaces that face each other or away from each other.

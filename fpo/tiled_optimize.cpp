@@ -56,7 +56,7 @@ class TiledRun {
   const geom::TriMesh& mesh() const { return split_ ? split_->mesh : task_.mesh; }
   void split();    ///< from now on mesh() has no large facets
   void unsplit();  ///< from now on it is what was given
-  void even_out();
+  bool begin_at_large();
   std::vector<CutCost> cut_costs() const;
   void owe(int moves);
 
@@ -212,15 +212,22 @@ void TiledRun::catch_up(SurfaceDomain& domain) {
     }
 }
 
-/// The first iterations on the whole surface. They even out the density of the samples at large, which tiles would do
-/// slowly: without them delta ends by .01 lower.
-void TiledRun::even_out() {
+/// The first iterations, on the whole surface. They even out the density of the samples at large, which tiles would
+/// do slowly: without them delta ends lower. False if that was all.
+bool TiledRun::begin_at_large() {
   SurfaceDomain domain(task_.mesh, task_.sizing, samples_, task_.surface);
-  iteration_ = std::min(iterations_at_large, options_.max_iterations);
-  owe(iteration_);
-  catch_up(domain);
-  std::ranges::fill(owed_, 0);
+  OptimizeOptions first = options_;
+  first.max_iterations = std::min(iterations_at_large, options_.max_iterations);
+  first.on_iteration = [&](const IterationReport& now) {
+    iteration_ = now.iteration;
+    moved_ = now.moved;
+    report(now);
+  };
+  const OptimizeResult done = optimize(domain, first);
+  result_.moves = done.moves;
+  result_.reason = done.reason;
   for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i] = domain.sample(SiteId(i));
+  return done.reason == StopReason::iteration_cap && iteration_ < options_.max_iterations;
 }
 
 void TiledRun::split() {
@@ -251,8 +258,11 @@ StopReason TiledRun::rounds() {
 
 SurfaceDomain TiledRun::take() {
   geom::require(!samples_.empty(), "there must be at least one sample");
-  report(measure_positions());
-  if (options_.scope == Scope::global && options_.max_iterations > 0) even_out();
+  if (options_.scope == Scope::global && options_.max_iterations > 0) {
+    if (!begin_at_large()) return SurfaceDomain(task_.mesh, task_.sizing, samples_, task_.surface);
+  } else {
+    report(measure_positions());
+  }
   split();
   result_.reason = rounds();
   unsplit();

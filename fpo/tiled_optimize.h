@@ -32,7 +32,8 @@ struct SurfaceTask {
   const SurfaceOptions& surface;
 };
 
-/// The domain of the samples after the optimization. Reports come once a round, with delta and mean delta by
+/// The domain of the samples after the optimization. Reports come once a round (at first once an iteration, if these
+/// are on the whole surface), with delta and mean delta by
 /// distances in space: until the last report those of near sheets count even if the samples have weights. Callbacks
 /// come from any thread, one at a time. Orders other than in_turn are drawn for each tile anew. Throws geom::Bug
 /// with round, tile and move in its text.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "geom/check.h"
 #include "geom/rng.h"
 
 namespace fpo {
@@ -96,12 +97,15 @@ class Tiling {
       if (c.cost > 0) tolls.push_back({coordinates.back(), c});
     }
     std::ranges::sort(coordinates);
-    double best = 0, least_cost = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < num_tries && least_cost > 0; ++i) {
-      const double plane = random_plane(coordinates);
+    const auto cost_of = [&](double plane) {
       double cost = 0;
       for (const auto& [at, toll] : tolls)
         if (std::abs(at - plane) < toll.within) cost += toll.cost;
+      return cost;
+    };
+    double best = random_plane(coordinates), least_cost = cost_of(best);
+    for (int i = 1; i < num_tries && least_cost > 0; ++i) {
+      const double plane = random_plane(coordinates), cost = cost_of(plane);
       if (cost >= least_cost) continue;
       best = plane;
       least_cost = cost;
@@ -134,6 +138,8 @@ class Tiling {
 
 std::vector<Tile> make_tiles(const geom::TriMesh& mesh, std::span<const SurfaceSample> samples,
                              const TilingOptions& options) {
+  geom::ensure(options.cut_costs.empty() || options.cut_costs.size() == samples.size(),
+               "tiles: there must be one cost a sample");
   return Tiling(mesh, samples, options).take();
 }
 

@@ -39,7 +39,7 @@ struct TilingOptions {
 /// Cuts the samples' box, in a random frame, across its longest side, and each part again, until no tile has too
 /// many samples (or all of its samples lie at one place). A cut passes at a random one of the middle samples: at
 /// the one of several tries that costs least.
-/// A function of the arguments. O((n + F) log n).
+/// A function of the arguments. O(F log n + n log^2 n).
 std::vector<Tile> make_tiles(const geom::TriMesh& mesh, std::span<const SurfaceSample> samples,
                              const TilingOptions& options);
 

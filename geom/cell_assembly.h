@@ -35,6 +35,7 @@ class CellAssembly {
       : mesh_(mesh), clipper_(clipper), mark_(mesh.num_facets(), -1) {}
 
   void clear();
+  /// Valid, like what touch() and win_on() return, until the next of these.
   std::span<const TouchedFacet> facets() const { return facets_; }
 
   TouchedFacet& touch(FacetId t) {

@@ -43,6 +43,7 @@ class RestrictedPower {
   /// Empty. Keeps references: to the mesh, and to the source, which must hold the same sites (see after_*).
   /// Throws InputError if the mesh has no facet.
   RestrictedPower(const TriMesh& mesh, NeighbourSource& neighbours, CornerTypes types);
+  RestrictedPower(const RestrictedPower&) = delete;
 
   /// The diagram of sites 0, 1, ... at once, it being empty; the source holds them. `search` must, too, and answer
   /// from several threads: a SiteTree. The number of threads does not matter to the result. The change does not list

@@ -63,6 +63,61 @@ TEST_CASE("tiled optimization: any number of threads gives the same samples, eac
   }
 }
 
+TEST_CASE(
+    "tiled optimization: the first global iterations are those on the whole surface, reports and reasons "
+    "too") {
+  const TriMesh mesh = fixtures::blob(9);
+  constexpr std::size_t n = 600;
+  const Sizing sizing = Sizing::uniform(hexagonal_spacing(mesh.area(), n));
+  SurfaceOptions surface;
+  surface.num_fixed = 20;
+  const SurfaceTask task{mesh, sizing, random_samples(mesh, n, 3), surface};
+  const auto on_whole = [&](OptimizeOptions options) {
+    Run run;
+    options.on_iteration = [&](const IterationReport& report) { run.reports.push_back(report); };
+    SurfaceDomain domain(mesh, sizing, task.samples, surface);
+    run.result = optimize(domain, options);
+    for (std::size_t i = 0; i < n; ++i) run.samples.push_back(domain.sample(SiteId(i)));
+    return run;
+  };
+  const auto check_same = [&](const OptimizeOptions& options) {
+    const Run tiled = run(task, {100, 4, 2}, options), whole = on_whole(options);
+    CHECK(tiled == whole);
+    CHECK(tiled.result.reason == whole.result.reason);
+    CHECK(tiled.result.moves == whole.result.moves);
+    REQUIRE(tiled.reports.size() == whole.reports.size());
+    for (std::size_t i = 0; i < tiled.reports.size(); ++i) {
+      CHECK(tiled.reports[i].iteration == whole.reports[i].iteration);
+      CHECK(tiled.reports[i].moved == whole.reports[i].moved);
+      CHECK(tiled.reports[i].delta == whole.reports[i].delta);
+    }
+    return tiled.result;
+  };
+  OptimizeOptions options;
+  options.order = VisitOrder::in_turn;
+  for (const int most : {1, 2, 3}) {
+    options.max_iterations = most;
+    CHECK(check_same(options).reason == StopReason::iteration_cap);
+  }
+  options.max_iterations = 50;
+  options.target_delta = 0.6;
+  CHECK(check_same(options).reason == StopReason::target_reached);
+  options.target_delta = 0.7;
+  options.rest_spacing = 0.7;
+  options.max_iterations = 2;
+  CHECK(check_same(options).moves < 2 * (n - 20));
+
+  OptimizeOptions interrupted;
+  interrupted.order = VisitOrder::in_turn;
+  std::atomic<bool> stop = false;
+  interrupted.interrupted = &stop;
+  interrupted.on_move = [&](std::size_t move) { stop = move == 700; };
+  const OptimizeResult result = run(task, {100, 4, 2}, interrupted).result;
+  CHECK(result.reason == StopReason::interrupted);
+  CHECK(result.moves == 701);
+  CHECK(result.last.iteration == 2);
+}
+
 TEST_CASE("tiled optimization: as good as on the whole surface") {
   const TriMesh mesh = fixtures::blob(9);
   constexpr std::size_t n = 1200;

@@ -16,6 +16,7 @@ namespace {
 EmptyCircle draw_circle(Rng& rng, std::size_t num_sites) {
   EmptyCircle circle;
   circle.radius2 = rng.uniform();
+  circle.center = Vec3::Constant(-circle.radius2);
   std::vector<std::size_t> sites;
   for (const std::size_t wanted = 1 + rng.below(3); sites.size() < wanted;) {
     const std::size_t s = rng.below(num_sites);
@@ -74,6 +75,7 @@ TEST_CASE("empty circles: against a map while circles come, move and go") {
   CHECK(circles.num_ids() <= most);
   for (const auto& [c, circle] : expected) {
     CHECK(circles[c].radius2 == circle.radius2);
+    CHECK(circles[c].center == circle.center);
     CHECK(circles[c].sites == circle.sites);
   }
 }
