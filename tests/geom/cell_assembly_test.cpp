@@ -43,7 +43,8 @@ FacetPolygon cell_on(Clipper& clipper, std::size_t num_sites, FacetId t, SiteId 
 }
 
 void start_at_smallest_edge(FacetPolygon& polygon) {
-  std::ranges::rotate(polygon.corners, std::ranges::min_element(polygon.corners, {}, &PolygonCorner::edge));
+  const auto smallest = std::ranges::min_element(polygon.corners, {}, &PolygonCorner::edge);
+  std::rotate(polygon.corners.begin(), smallest, polygon.corners.end());
 }
 
 }  // namespace
