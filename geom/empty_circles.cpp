@@ -1,7 +1,5 @@
 #include "geom/empty_circles.h"
 
-#include <algorithm>
-
 #include "geom/check.h"
 
 namespace geom {

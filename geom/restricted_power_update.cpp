@@ -1,8 +1,8 @@
 // Insertion and removal of a site in the restricted power diagram (paper, section 4.2, figure 6 (b) and (c)).
 
 #include <algorithm>
-#include <numeric>
-#include <utility>
+#include <cmath>
+#include <limits>
 
 #include "geom/check.h"
 #include "geom/restricted_power.h"
