@@ -41,7 +41,7 @@ void Clipper::start(FacetPolygon& polygon, FacetId facet, SiteId owner) const {
   polygon.corners.resize(3);
   for (int i = 0; i < 3; ++i)
     polygon.corners[static_cast<std::size_t>(i)] = {
-        {mesh_.corner(facet, i), 0}, EdgeLabel::facet_edge(i), CircleId()};
+        {mesh_.corner(facet, i), 0}, EdgeLabel::facet_edge(i)};
 }
 
 /// Power is convex, so its maximum is at a corner. With a the rounded distance of a corner and b = sqrt(3)
@@ -114,15 +114,19 @@ RoundedPoint Clipper::corner(FacetId facet, EdgeLabel label, SiteId owner, SiteI
     if (point.tolerance <= uncertain) return point;
     return exact_corner_on_edge(ps, pe, ranked(std::min(owner, j)), ranked(std::max(owner, j)), extent_);
   }
-  const auto [q0, q1, q2] = corners_of(facet);
   std::array<SiteId, 3> s{owner, j, label.site()};
   if (s[2] < s[1]) std::swap(s[1], s[2]);
   if (s[1] < s[0]) std::swap(s[0], s[1]);
   if (s[2] < s[1]) std::swap(s[1], s[2]);
+  return meeting(facet, s);
+}
+
+RoundedPoint Clipper::meeting(FacetId facet, const std::array<SiteId, 3>& s) const {
+  const auto [q0, q1, q2] = corners_of(facet);
   const RoundedPoint point =
       corner_in_facet(*q0, *q1, *q2, linear_form(bisector_of(s[0], s[1]), *q0, *q1, *q2),
                       linear_form(bisector_of(s[0], s[2]), *q0, *q1, *q2), extent_);
-  if (point.tolerance <= uncertain) return point;
+  if (point.tolerance <= most_tolerance()) return point;
   return exact_corner_in_facet(*q0, *q1, *q2, ranked(s[0]), ranked(s[1]), ranked(s[2]), extent_);
 }
 
@@ -154,8 +158,8 @@ void Clipper::cut(std::span<const PolygonCorner> old, const CutPlace& place, Sit
     out.push_back(old[k]);
     if (k == place.last) break;
   }
-  out.push_back({leave_and_enter[0], EdgeLabel::bisector(j), CircleId()});
-  out.push_back({leave_and_enter[1], place.entering, CircleId()});
+  out.push_back({leave_and_enter[0], EdgeLabel::bisector(j)});
+  out.push_back({leave_and_enter[1], place.entering});
 }
 
 void Clipper::cut(FacetPolygon& polygon, SiteId j, const Bisector& b, const std::vector<char>& beaten) {

@@ -44,7 +44,6 @@ class EdgeLabel {
 struct PolygonCorner {
   RoundedPoint point;
   EdgeLabel edge;
-  CircleId circle;  ///< the circle registered here, if any
 };
 
 /// The corners of a polygon of n corners are in a cycle.
@@ -112,6 +111,11 @@ class Clipper {
   /// facet (for a facet edge: of the edge) and of the sites alone, whichever of them is the owner.
   RoundedPoint corner(FacetId facet, EdgeLabel label, SiteId owner, SiteId j, const Bisector& b) const;
 
+  /// The corner of three cells, sites ascending, in a facet: the same bits.
+  RoundedPoint meeting(FacetId facet, const std::array<SiteId, 3>& sites) const;
+  /// No corner is farther than this from its rounded place.
+  double most_tolerance() const { return 0x1p-32 * extent_; }
+
   /// What can be said of j and the owner on the whole facet from a ball about it: the owner wins everywhere
   /// (untouched), j does (swallowed), or it depends (cut).
   Clip compare_on_facet(FacetId facet, const Bisector& b) const {
@@ -168,7 +172,6 @@ class Clipper {
 
  private:
   bool beats_exactly(const CellCorner& corner, SiteId j) const;
-  double most_tolerance() const { return 0x1p-32 * extent_; }  ///< of a corner; else it is computed exactly
   RankedPoint3 ranked(SiteId s) const { return {&sites_[s], s.value}; }
   FacetCorners corners_of(FacetId t) const {
     return {&mesh_.corner(t, 0), &mesh_.corner(t, 1), &mesh_.corner(t, 2)};

@@ -62,6 +62,11 @@ void SiteTree::remove(SiteId id) {
   refresh(place.node);
 }
 
+void SiteTree::move(SiteId id, const WeightedPoint3& point) {
+  remove(id);
+  insert(id, point);
+}
+
 void SiteTree::set_reach(SiteId j, double max_radius2) {
   const Place place = places_[j];
   float& reach = leaves_[place.node][place.slot].reach;
@@ -173,7 +178,12 @@ void SiteTree::visit(const Vec3& x, Limit2 limit2, OnEntry on_entry) const {
 }
 
 void SiteTree::rivals(SiteId p, std::vector<SiteId>& out) const {
-  const WeightedPoint3& own = points_[p];
+  const std::size_t first = out.size();
+  rivals(points_[p], out);
+  out.erase(std::remove(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(), p), out.end());
+}
+
+void SiteTree::rivals(const WeightedPoint3& own, std::vector<SiteId>& out) const {
   const auto limit2_of = [&](double reach, double weight) {
     const double rho2 = reach + own.weight;
     return rho2 < 0 ? -1 : limit2(root(rho2) + root(reach + weight));
@@ -181,8 +191,23 @@ void SiteTree::rivals(SiteId p, std::vector<SiteId>& out) const {
   visit(
       own.position, [&](const Node& node) { return limit2_of(node.max_reach, node.max_weight); },
       [&](const Entry& e, double distance2) {
-        if (distance2 <= limit2_of(e.reach, e.weight) && e.site != p) out.push_back(e.site);
+        if (distance2 <= limit2_of(e.reach, e.weight)) out.push_back(e.site);
       });
+}
+
+double SiteTree::largest_rival_reach(const WeightedPoint3& p, double floor) const {
+  double largest = floor;
+  if (nodes_[NodeId(0)].max_reach <= largest) return largest;
+  const auto limit2_of = [&](double reach, double weight) {
+    const double rho2 = reach + p.weight;
+    return reach <= largest || rho2 < 0 ? -1 : limit2(root(rho2) + root(reach + weight));
+  };
+  visit(
+      p.position, [&](const Node& node) { return limit2_of(node.max_reach, node.max_weight); },
+      [&](const Entry& e, double distance2) {
+        if (distance2 <= limit2_of(e.reach, e.weight)) largest = std::max<double>(largest, e.reach);
+      });
+  return largest;
 }
 
 void SiteTree::heirs(const Vacancy& vacancy, std::vector<SiteId>& out) const {

@@ -30,7 +30,14 @@ class SiteTree final : public NeighbourSource {
 
   void insert(SiteId id, const WeightedPoint3& point, SiteId hint = SiteId()) override;
   void remove(SiteId id) override;
+  /// remove() and insert(); it has no reach then.
+  void move(SiteId id, const WeightedPoint3& point);
+  bool contains(SiteId id) const { return id.index() < places_.size() && places_[id].node.valid(); }
   void rivals(SiteId p, std::vector<SiteId>& out) const override;
+  /// Of a site that is not in, or was elsewhere.
+  void rivals(const WeightedPoint3& p, std::vector<SiteId>& out) const;
+  /// The farthest reach of any of those, or `floor` if that is more.
+  double largest_rival_reach(const WeightedPoint3& p, double floor) const;
   void heirs(const Vacancy& vacancy, std::vector<SiteId>& out) const override;
   void set_reach(SiteId j, double max_radius2) override;
   Nearest nearest(const Vec3& x, SiteId without, SiteId hint = SiteId()) const override;

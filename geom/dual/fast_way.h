@@ -1,0 +1,136 @@
+#pragma once
+// The fast way of a move: on a sheet of the surface, a removal or an insertion is that of the plane (paper, section 3.2),
+// with a walk over facets where the plane has a formula.
+//
+//        r4 ____ r3             The star of x is a cycle of circles, and the sites around it are the rim. Without x the
+//         /\    /\              hole is filled by triangles of the rim. They are guessed in the plane of the rim, and for
+//       /___\ x/___\  r2        each the circle is found where the axis of the three sites meets the surface. x comes to
+//      r5   /\  /\   /          a center: circles that it beats go, reached from one another, and a new star is made.
+//        \/____\/___/
+//        r0      r1
+//
+// The guess is proven by tracing (flood.h) the hole, and then the new cell, over the facets that they meet; sites beyond
+// the rim are tested at all corners found there; a second component is excluded by the shape of the surface
+// (sheets.h). The cells of the others are then right, too: they change in the hole and in the new cell only.
+//
+// What no tracing from circles would see are cells that no circle leads to, or that have several borders. A site is
+// called regular if its cell is known to be connected, with one border, a closed curve through all of its circles.
+// Only regular sites are removed in the fast way, and an insertion where an irregular site may lose something is left to
+// the general way. Why regular sites stay so: the rim's sites are distinct, so each wins a part of the hole along one
+// arc, or loses a part of its cell along one arc.
+//
+//   - Winning: the parts hang together with their cells, as the dual of the hole is a triangulated polygon.
+//   - Losing: were the rest of a cell in two pieces, each would border the new cell, in an arc of its own. The part that
+//     is lost of its border lies between the two circles at the ends of the arc: one interval, so what is left closes to
+//     one curve.
+//   - That all circles which the new site beats are reached: all edges of the diagram that cross the border of the new
+//     cell end at its circles, and are counted (as many as the rim has sites). A circle inside that is not reached would
+//     belong to cells surrounded by another one, which then had two borders.
+//
+// False, from any of these, means: not certain, nothing is done.
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "geom/dual/flood.h"
+#include "geom/dual/sheets.h"
+#include "geom/dual/state.h"
+
+namespace geom {
+
+class FastWay {
+ public:
+  explicit FastWay(DualState& state);
+
+  /// Plans the removal of p, which changes nothing.
+  bool plan(SiteId p);
+  /// Of the plan: the circles that the hole would have, without `beyond`; the rim, whose sites all win something; bounds
+  /// of the power in the cell of p, and in the hole without p.
+  std::span<const EmptyCircle> circles() const { return circles_; }
+  std::span<const SiteId> rim() const { return rim_; }
+  double reach() const { return reach_; }
+  double max_radius2() const { return max_radius2_; }
+  /// Ends the plan: p stays.
+  void cancel();
+  /// Carries the planned removal out. circles_created: in the order of circles().
+  void remove(DualChange& change);
+  /// p, as planned, to the center of that circle, if its link stays what it is.
+  bool move_in_place(std::size_t circle, const WeightedPoint3& point, DualChange& change);
+
+  /// p, which is out, to the center of an empty circle.
+  bool insert(SiteId p, const WeightedPoint3& point, FacetId home, CircleId at, DualChange& change);
+
+  /// Finds out whether p is regular, and what the power in its cell is at most.
+  bool certify(SiteId p);
+
+ private:
+  static constexpr int most = Frame::most - 2;  ///< sites on a rim
+
+  /// A triangle of the hole: sites by their places on the rim, counterclockwise.
+  struct Triangle {
+    std::array<int, 3> corners;
+    std::array<int, 3> beyond;  ///< opposite to each: a triangle of the hole, or -1 - the edge of the rim from that place on
+    FacetId facet;
+    RoundedPoint point;
+  };
+  /// A corner of the new cell, between rim sites j and j + 1.
+  struct StarCorner {
+    FacetId facet;
+    RoundedPoint point;
+  };
+
+  bool open_star(SiteId p);
+  bool guess_triangles();
+  int apex(int first, int last) const;
+  bool find_circle(Triangle& triangle, FacetId start);
+  bool flip_until_empty();
+  void flip(int i, int e, int j, int f);
+  FacetId walk(int a, int b, int c, FacetId start);
+  bool prove_hole();
+  bool is_empty_of_strangers(const Vacancy& cell, std::span<const RoundedPoint> circles,
+                             std::span<const int> nearest_of_circles);
+  bool prove_new_cell(FacetId home, double least_distance);
+  bool find_star_corners();
+  bool trace_cell(FacetId home);
+  bool has_irregular_rival();
+  bool has_one_component(double distance);
+  bool owns_nothing_of(FacetId t);
+  bool find_conflict(CircleId first);
+  EmptyCircle circle_of(const std::array<SiteId, 3>& counterclockwise, FacetId facet, const RoundedPoint& point) const;
+  int next(int i) const { return i + 1 == size() ? 0 : i + 1; }
+  int previous(int i) const { return i == 0 ? size() - 1 : i - 1; }
+  int size() const { return static_cast<int>(rim_.size()); }
+
+  DualState& state_;
+  Frame frame_;
+  Flood flood_;
+  Sheets sheets_;
+
+  SiteId p_;
+  std::vector<SiteId> rim_;        ///< counterclockwise
+  std::vector<CircleId> star_;     ///< of p and places j, j + 1 of the rim
+  std::vector<CircleId> outer_;    ///< beyond them
+  std::vector<double> x_, y_;      ///< the rim in its plane, from p
+  std::vector<Triangle> triangles_;
+  std::vector<EmptyCircle> circles_;
+  double reach_ = 0, max_radius2_ = 0;
+  std::vector<StarCorner> corners_;  ///< of a new cell
+  double cell_reach_ = 0;
+  std::vector<CircleId> conflict_;
+  std::vector<FacetId> starts_;
+  struct HoleCorner {
+    Vec3 place;
+    double power, tolerance;
+  };
+  std::vector<HoleCorner> hole_corners_;
+  // Workspaces.
+  FacetPolygon polygon_;
+  std::vector<SiteId> candidates_;
+  std::vector<FacetId> facets_;
+  std::vector<RoundedPoint> points_;
+  std::vector<int> nearest_;
+  std::vector<Sheets::Neighbour> link_;
+};
+
+}  // namespace geom

@@ -1,0 +1,129 @@
+#pragma once
+// The certificate of the fast way: a cell traced over the facets that it meets, without polygons.
+//
+//          |\         |         The cell of the frame's origin p among the frame's sites, from facets where it is known
+//      a   | \ B   b  |         to be, across every edge of the surface of which it has a part. On each such edge the
+//     -----B--\-------B----     part is an interval, between vertices (A) and points (B) where p is as near as a site.
+//          |   \  C   |         Inside a facet, two bisectors meet in circles (C).
+//       p  |    B     |
+//
+// What is proven. On a facet t the cell is a convex polygon P, and so is what another site has of it. Let all B on the
+// edges of t be known, and some C, each a true corner. If every label, the pair of sites whose bisector ends there,
+// occurs at none or exactly two of these ends, then all C on t are known:
+//
+//   - division of P among the sites if p is removed. Its edges make a plane graph whose ends on the border of P are the
+//     B and the old corners of P (there the bisector of two neighbours enters); at each C three edges meet. Two cells
+//     share at most one segment in P, for both are convex; so an edge with one known end has a second end that must be
+//     known, too. Hence the known ends make up whole components of the graph. A component without a known end would have
+//     no end on the border of P, and the cell around it would not be convex. So there is none.
+//   - the border of P itself, where p is a site: the same with one closed curve instead of the graph. If it has no known
+//     end, P is the facet: its three vertices are checked to be owned.
+//
+// Joined from facet to facet at the B, the segments make chains. Each end of a chain is a C or an old corner; if the
+// walk along all chains passes every B, there is no closed curve: no island, no second border. What no walk can
+// reach, another component of the cell, is excluded elsewhere (sheets.h), and sites that are not in the frame by
+// testing them at all corners, on whose convex hulls the difference of two powers is affine (move.cpp).
+//
+// All decisions are by Sure values; where one is not certain, or the surface has a border or an edge of three facets
+// there, there is no certificate, and the general way is taken (redivision.h).
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "geom/dual/frame.h"
+
+namespace geom {
+
+class Flood {
+ public:
+  Flood(const TriMesh& mesh, Frame& frame) : mesh_(mesh), frame_(frame), slot_of_(mesh.num_facets(), 0) {}
+
+  /// Traces the cell of the frame's origin from these facets on. `division`: also how it is divided among the sites of
+  /// the frame if the origin is removed. False if something is not certain.
+  bool trace(std::span<const FacetId> from, bool division);
+
+  /// Ends that are not on edges of the surface, after trace(): a circle, or an old corner of the cell, in a facet, where
+  /// edges end between site i and the origin (j = Frame::none), or between sites i and j. False if the facet was not met.
+  bool add_end(FacetId t, int i, int j);
+  /// After all ends: whether they are complete, and no edge is a closed curve.
+  bool is_complete();
+
+  /// A corner on the surface's edges: a vertex, or a point on an edge. Of the division, if that was asked for, else of
+  /// the cell.
+  struct Corner {
+    Vec3 y;            ///< from the origin; for B rounded, off by at most
+    double tolerance;  ///< this
+    int site;          ///< nearest after removal; of a corner of the cell itself none
+  };
+  std::span<const Corner> corners() const { return corners_; }
+  /// The farthest corner of the cell, B or A, squared; a bound, with room for rounding.
+  double radius2() const { return radius2_; }
+  bool meets(FacetId t) const {
+    const std::uint32_t slot = slot_of_[t];
+    return slot < facets_.size() && facets_[slot].id == t;
+  }
+  std::size_t num_facets() const { return facets_.size(); }
+
+ private:
+  using Node = std::int32_t;            ///< a B: its number; a circle's or corner's end: -1 - its number
+  struct Facet {
+    FacetId id;
+    std::array<Frame::Slot, 3> corners;
+    std::array<bool, 3> done;  ///< edges
+    std::int32_t first_end;      ///< of its list in ends_; -1: empty
+  };
+  struct End {
+    std::int32_t label;
+    Node node;
+    std::int32_t next;
+  };
+  /// While ends are joined: the first one of a label.
+  struct Waiting {
+    std::uint32_t stamp = 0;
+    Node node = 0;
+    bool is_joined = false;
+  };
+  static constexpr int num_names = Frame::most + 1;  ///< of sites, the origin first
+  /// Where an interval of the edge from u to v begins or ends: at the vertex, or where the origin is as near as a site.
+  static constexpr int at_vertex = -1;
+  struct Interval {
+    int begin, end;
+  };
+
+  std::uint32_t meet(FacetId t);
+  bool trace_edge(std::uint32_t slot, int e);
+  enum class Meets { no, yes, unsure };
+  Meets interval(const Frame::Vertex& u, const Frame::Vertex& v, Interval& out) const;
+  bool divide(const Frame::Vertex& u, const Frame::Vertex& v, const Interval& part);
+  bool add_point(const Frame::Vertex& u, const Frame::Vertex& v, int i, int j, bool is_noted);
+  bool add_vertex(Frame::Slot s);
+  void add_end(Facet& facet, std::int32_t label, Node node);
+  bool join_ends(const Facet& facet);
+  static std::int32_t label_of(int i, int j) {
+    return i < j ? (i + 1) * num_names + j + 1 : (j + 1) * num_names + i + 1;
+  }
+
+  const TriMesh& mesh_;
+  Frame& frame_;
+  bool division_ = false;
+  std::vector<Facet> facets_;
+  Table<FacetId, std::uint32_t> slot_of_;  ///< if that slot says so, too
+  std::vector<End> ends_;
+  std::array<Waiting, num_names * num_names> waiting_;
+  std::uint32_t stamp_ = 0;
+  std::vector<Corner> corners_;
+  std::vector<std::uint8_t> vertex_seen_;  ///< by slots of the frame
+  double radius2_ = 0;
+  /// What lies on the edge being traced.
+  struct Point {
+    std::int32_t label;
+    Node node;
+  };
+  std::vector<Point> on_edge_;
+  std::vector<int> owners_;
+  std::vector<std::array<Node, 2>> links_;      ///< of each B: the other ends of its segments
+  std::vector<Node> links_of_ends_;             ///< of each other end: that of its segment
+};
+
+}  // namespace geom

@@ -1,0 +1,190 @@
+#include "geom/dual/restricted_dual.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "geom/check.h"
+
+namespace geom {
+
+RestrictedDual::RestrictedDual(const TriMesh& mesh, CornerTypes types, NeighbourSource* paper)
+    : state_(mesh, types, paper), fast_(state_), redivision_(state_) {}
+
+void RestrictedDual::begin() {
+  state_.circles.recycle(change_.circles_erased);
+  state_.circles.recycle(unlisted_);
+  unlisted_.clear();
+  change_.circles_erased.clear();
+  change_.circles_created.clear();
+  change_.circles_moved.clear();
+  change_.cells.clear();
+}
+
+const RestrictedDual::Change& RestrictedDual::build(std::span<const WeightedPoint3> points,
+                                                    std::span<const FacetId> homes,
+                                                    std::span<const SiteId> order, int threads) {
+  ensure(state_.num_sites == 0 && !points.empty(), "restricted dual: built once, of some sites");
+  begin();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    state_.admit(SiteId(i), points[i]);
+    state_.home[SiteId(i)] = homes[i];
+  }
+  for (const SiteId p : order) {
+    state_.tree.insert(p, points[p.index()]);
+    if (state_.paper) state_.paper->insert(p, points[p.index()], SiteId());
+  }
+  state_.num_sites = points.size();
+  redivision_.build(threads, change_);
+  for (std::size_t i = 0; i < points.size(); ++i) state_.set_regular(SiteId(i), fast_.certify(SiteId(i)));
+  return change_;
+}
+
+// --- updates -------------------------------------------------------------------------------------
+
+const RestrictedDual::Change& RestrictedDual::insert(SiteId p, const WeightedPoint3& point, FacetId home,
+                                                     CircleId at) {
+  begin();
+  insert_anyhow(p, point, home, at);
+  return change_;
+}
+
+void RestrictedDual::insert_anyhow(SiteId p, const WeightedPoint3& point, FacetId home, CircleId at) {
+  if (!at.valid()) at = beaten_circle(point);
+  if (at.valid() && home.valid() && fast_.insert(p, point, home, at, change_)) {
+    ++ways_.fast_insertions;
+    return;
+  }
+  ++ways_.general_insertions;
+  redivision_.insert(p, point, change_);
+  state_.home[p] = home;
+  look_again();
+  state_.set_regular(p, fast_.certify(p));
+}
+
+/// One of the circles around the nearest site that the point beats, probably; none if there is none.
+CircleId RestrictedDual::beaten_circle(const WeightedPoint3& point) const {
+  const SiteId nearest = state_.tree.nearest(point.position, SiteId()).site;
+  CircleId best;
+  double least = std::numeric_limits<double>::infinity();
+  if (!nearest.valid()) return best;
+  for (const CircleId c : circles_of(nearest)) {
+    const double lead = power(circle(c).center, point) - circle(c).radius2;
+    if (!(lead < least)) continue;
+    least = lead;
+    best = c;
+  }
+  return best;
+}
+
+const RestrictedDual::Change& RestrictedDual::remove(SiteId p) {
+  begin();
+  if (fast_.plan(p)) {
+    ++ways_.fast_removals;
+    fast_.remove(change_);
+  } else {
+    remove_generally(p);
+  }
+  return change_;
+}
+
+void RestrictedDual::remove_generally(SiteId p) {
+  ++ways_.general_removals;
+  redivision_.remove(p, change_);
+  state_.set_regular(p, true);
+  look_again();
+}
+
+/// After a general update: which of the sites around are regular now?
+void RestrictedDual::look_again() {
+  std::vector<SiteId> around = change_.cells;
+  for (const std::vector<CircleId>* list : {&change_.circles_erased, &change_.circles_created})
+    for (const CircleId c : *list)
+      for (const SiteId s : circle(c).sites)
+        if (s.valid()) around.push_back(s);
+  std::ranges::sort(around);
+  around.erase(std::unique(around.begin(), around.end()), around.end());
+  for (const SiteId s : around)
+    if (state_.tree.contains(s)) state_.set_regular(s, fast_.certify(s));
+}
+
+std::optional<RestrictedDual::Plan> RestrictedDual::plan_removal(SiteId p) {
+  begin();
+  is_carried_out_ = false;
+  if (fast_.plan(p)) return Plan{fast_.rim(), fast_.circles(), fast_.reach(), fast_.max_radius2()};
+  if (state_.types == CornerTypes::all || !has_cell(p) || !redivision_.has_neighbours(p)) return {};
+  is_carried_out_ = true;
+  remove_generally(p);
+  heirs_ = change_.cells;
+  planned_.clear();
+  for (const CircleId c : change_.circles_created) planned_.push_back(circle(c));
+  return Plan{heirs_, planned_, redivision_.last_reach(), redivision_.last_power()};
+}
+
+const RestrictedDual::Change& RestrictedDual::stay(SiteId p) {
+  if (!is_carried_out_) {
+    fast_.cancel();
+    return change_;
+  }
+  insert_anyhow(p, state_.sites[p], state_.home[p], CircleId());
+  take_net_change();
+  return change_;
+}
+
+const RestrictedDual::Change& RestrictedDual::move(SiteId p, const WeightedPoint3& point, FacetId home,
+                                                   Target target) {
+  if (!is_carried_out_) {
+    if (!target.circle.valid() && fast_.move_in_place(target.planned, point, change_)) {
+      ++ways_.in_place;
+      return change_;
+    }
+    ++ways_.fast_removals;
+    fast_.remove(change_);
+  }
+  if (!target.circle.valid()) target.circle = change_.circles_created[target.planned];
+  insert_anyhow(p, point, home, target.circle);
+  take_net_change();
+  return change_;
+}
+
+/// What was created and erased again is not told.
+void RestrictedDual::take_net_change() {
+  std::vector<CircleId> passing;
+  for (const CircleId c : change_.circles_created)
+    if (std::ranges::find(change_.circles_erased, c) != change_.circles_erased.end()) passing.push_back(c);
+  const auto is_passing = [&](CircleId c) { return std::ranges::find(passing, c) != passing.end(); };
+  std::erase_if(change_.circles_created, is_passing);
+  std::erase_if(change_.circles_erased, is_passing);
+  unlisted_.insert(unlisted_.end(), passing.begin(), passing.end());
+}
+
+// --- questions -----------------------------------------------------------------------------------
+
+void RestrictedDual::link(SiteId p, std::vector<SiteId>& out) const {
+  out.clear();
+  for (const CircleId c : circles_of(p))
+    for (const SiteId s : circle(c).sites)
+      if (s.valid() && s != p) out.push_back(s);
+  std::ranges::sort(out);
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+}
+
+double RestrictedDual::reach(SiteId p) {
+  if (!has_cell(p)) return state_.reach[p];
+  const double reach = redivision_.reach(p);
+  state_.set_reach(p, reach);
+  return reach;
+}
+
+std::vector<FacetPolygon> RestrictedDual::cell(SiteId p) {
+  std::vector<FacetPolygon> polygons;
+  redivision_.cell(p, polygons);
+  std::ranges::sort(polygons, {}, &FacetPolygon::facet);
+  return polygons;
+}
+
+void RestrictedDual::check() const {
+  state_.circles.check();
+  state_.tree.check();
+}
+
+}  // namespace geom

@@ -1,0 +1,86 @@
+#include "geom/dual/state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "geom/check.h"
+#include "geom/facet_cells.h"
+#include "geom/restricted_power.h"
+#include "geom/scaling.h"
+
+namespace geom {
+DualState::DualState(const TriMesh& surface, CornerTypes corners, NeighbourSource* source)
+    : mesh(surface),
+      types(corners),
+      extent(extent_of(surface)),
+      paper(source),
+      clipper(surface, sites, extent),
+      facets(surface, facets_along_curve(surface)) {
+  if (types == CornerTypes::c_only) return;
+  first_facet.resize(mesh.num_vertices());
+  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
+    for (const VertexId v : mesh.facet(t))
+      if (!first_facet[v].valid()) first_facet[v] = t;
+}
+
+void DualState::admit(SiteId p, const WeightedPoint3& point) {
+  ensure(point.position.lpNorm<Eigen::Infinity>() <= extent,
+         "restricted dual: a site outside the mesh's box");
+  if (p.index() >= sites.size()) {
+    sites.resize(p.index() + 1);
+    reach.resize(p.index() + 1, -std::numeric_limits<double>::infinity());
+    home.resize(p.index() + 1);
+    regular_.resize(p.index() + 1, true);
+  }
+  sites[p] = point;
+}
+
+void DualState::set_reach(SiteId p, double value) {
+  reach[p] = value;
+  tree.set_reach(p, value);
+}
+
+double DualState::distance_at(double power, SiteId p) const {
+  const double weight = sites[p].weight;
+  const double distance2 = power + weight + 1e-9 * (std::abs(power) + std::abs(weight));
+  return distance2 > 0 ? std::sqrt(distance2) * (1 + 1e-9) : 0;
+}
+
+bool DualState::corner_circle(const Polygon& polygon, std::size_t corner, EmptyCircle& out) const {
+  const EdgeLabel before = polygon.corners[previous_corner(corner, polygon.corners.size())].edge, after = polygon.corners[corner].edge;
+  out = EmptyCircle();
+  out.facet = polygon.facet;
+  out.sites[0] = polygon.owner;
+  if (before.is_site() && after.is_site()) {
+    if (before.site() < polygon.owner || after.site() < polygon.owner) return false;
+    out.sites = {polygon.owner, before.site(), after.site()};
+    out.clockwise = after.site() < before.site();
+    if (out.clockwise) std::swap(out.sites[1], out.sites[2]);
+  } else if (types == CornerTypes::c_only) {
+    return false;
+  } else if (before.is_site() || after.is_site()) {
+    const EdgeLabel edge = before.is_site() ? after : before, site = before.is_site() ? before : after;
+    const FacetId across = mesh.across(polygon.facet, edge.edge());
+    if (site.site() < polygon.owner || (across.valid() && across < polygon.facet)) return false;
+    out.sites[1] = site.site();
+    out.place = static_cast<std::int16_t>(1 + edge.edge());
+  } else {
+    const int i = after.edge();  // edges i - 1 and i meet in corner i
+    if (first_facet[mesh.facet(polygon.facet)[static_cast<std::size_t>(i)]] != polygon.facet) return false;
+    out.place = static_cast<std::int16_t>(4 + i);
+  }
+  center_circle(out, polygon.corners[corner].point.position);
+  return true;
+}
+
+void DualState::center_circle(EmptyCircle& circle, const Vec3& corner) const {
+  const Vec3 &q0 = mesh.corner(circle.facet, 0), &q1 = mesh.corner(circle.facet, 1),
+             &q2 = mesh.corner(circle.facet, 2);
+  circle.center =
+      snapped(corner.cwiseMax(q0.cwiseMin(q1).cwiseMin(q2)).cwiseMin(q0.cwiseMax(q1).cwiseMax(q2)));
+  circle.radius2 = power(circle.center, sites[circle.sites[0]]);
+}
+
+}  // namespace geom

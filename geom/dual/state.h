@@ -1,0 +1,81 @@
+#pragma once
+// What the restricted dual is made of: the surface, the sites, and the empty circles that follow from them. Its
+// operations (redivision.h, move.h) share it.
+
+#include <span>
+#include <vector>
+
+#include "geom/clip.h"
+#include "geom/dual/empty_circles.h"
+#include "geom/facet_tree.h"
+#include "geom/site_tree.h"
+
+namespace geom {
+
+/// Which corners of the diagram are registered as empty circles. Type C are the candidates for the farthest point in
+/// the paper (section 4.1); power being convex on a fragment, the farthest point of the whole surface can also be of
+/// type B (border, crease) or A (tip).
+enum class CornerTypes { c_only, all };
+
+/// What one update did. Valid until the next one. An id may be erased and created in the same change: erase first.
+struct DualChange {
+  std::vector<CircleId> circles_erased, circles_created;
+  std::vector<CircleId> circles_moved;  ///< other centers, the same sites
+  std::vector<SiteId> cells;            ///< after a removal: those that won something
+};
+
+struct DualState {
+  /// Without sites. Keeps a reference to the mesh. Throws InputError if it has no facet. `paper`: if given, it holds the
+  /// same sites and names those that can matter to each other; else the tree does.
+  DualState(const TriMesh& mesh, CornerTypes types, NeighbourSource* paper);
+  DualState(const DualState&) = delete;
+
+  /// Sets the point of a site that is not in the tree.
+  void admit(SiteId p, const WeightedPoint3& point);
+  /// A corner of a polygon of the diagram as a circle; none if another polygon registers it. Each C corner is seen from
+  /// three cells: the one of smallest id registers it. A B corner is registered by the smaller id in the smaller facet,
+  /// an A corner in the first facet of the vertex.
+  struct Polygon {
+    FacetId facet;
+    SiteId owner;
+    std::span<const PolygonCorner> corners;
+  };
+  bool corner_circle(const Polygon& polygon, std::size_t corner, EmptyCircle& out) const;
+  /// Sets center and radius2 of a circle whose facet and sites are known. The corner is rounded; a site may come to the
+  /// center: not outside of the facet's box, hence the mesh's.
+  void center_circle(EmptyCircle& circle, const Vec3& corner) const;
+  /// An upper bound of the distance from the site, of that power.
+  double distance_at(double power, SiteId p) const;
+  /// Reach of a site: see RestrictedDual::reach_bound().
+  void set_reach(SiteId p, double value);
+  void raise_reach(SiteId p, double value) {
+    if (value > reach[p]) set_reach(p, value);
+  }
+
+  const TriMesh& mesh;
+  const CornerTypes types;
+  const double extent;  ///< bounds all coordinates
+  NeighbourSource* const paper;
+  Clipper::Sites sites;
+  SiteTree tree;
+  EmptyCircles circles;
+  Clipper clipper;
+  FacetTree facets;
+  Table<SiteId, double> reach;  ///< an upper bound of the power in the cell; -infinity: the cell is empty
+  Table<VertexId, FacetId> first_facet;  ///< CornerTypes::all only: where a vertex's circle is registered
+  Table<SiteId, FacetId> home;  ///< a facet with the location of the site, or none
+  std::size_t num_sites = 0;      ///< that are in
+  std::size_t num_irregular = 0;  ///< of these; see fast_way.h
+
+  bool is_regular(SiteId p) const { return regular_[p]; }
+  /// Of a site that is in; one that goes out is made regular first.
+  void set_regular(SiteId p, bool value) {
+    num_irregular += static_cast<std::size_t>(regular_[p]) - static_cast<std::size_t>(value);
+    regular_[p] = value;
+  }
+
+ private:
+  Table<SiteId, char> regular_;
+};
+
+}  // namespace geom
