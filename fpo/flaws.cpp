@@ -107,7 +107,7 @@ void LocalResampling::move(const Backup& x) {
 bool LocalResampling::resample_directly(const Backup& x) {
   if (domain_.weight_share(x.id) != x.weight_share) return false;
   const std::optional<bool> moved = domain_.move_directly(x.id, Scope::two_ring);
-  if (moved == true) follow();
+  follow();  // who stays may have been out in between
   return moved.has_value();
 }
 

@@ -184,7 +184,9 @@ bool TileDomain::holds_vacancy(SiteId x, const Vacancy& vacancy) const {
 /// Are the cells where Scope::two_ring looks held?
 bool TileDomain::holds_heirs(const Vacancy& vacancy) {
   return std::ranges::all_of(vacancy.around, [&](SiteId y) {
-    return holds_by_reach(y, [&](double reach) { return holds_cell(y, reach, std::max(vacancy.power, reach)); });
+    const auto holds = [&](double reach) { return holds_cell(y, reach, std::max(vacancy.power, reach)); };
+    return holds(domain_->dual().reach_bound(y)) ||
+           holds(vacancy.planned.valid() ? domain_->reach_beside(y, vacancy.planned) : domain_->reach(y));
   });
 }
 
@@ -213,7 +215,7 @@ std::optional<TileDomain::Outcome> TileDomain::move_directly(SiteId x, Scope sco
     domain_->stay(x);
     return outcome;
   };
-  const Vacancy vacancy{radius(x, plan->reach), plan->max_radius2, plan->heirs};
+  const Vacancy vacancy{radius(x, plan->reach), plan->max_radius2, plan->heirs, x};
   if (!holds_vacancy(x, vacancy) || (scope == Scope::two_ring && !holds_heirs(vacancy)))
     return stay(Outcome::out_of_reach);
   const SurfaceDomain::Planned best = domain_->largest_planned(x, *plan, scope);
@@ -235,7 +237,7 @@ TileDomain::Outcome TileDomain::move_step_by_step(SiteId x, Scope scope) {
   domain_->remove(x);
   std::vector<SiteId> heirs = domain_->last_change().cells;
   if (heirs.empty()) heirs.push_back(domain_->dual().nearest(old.position, x).site);
-  Vacancy vacancy{cell, 0, heirs};
+  Vacancy vacancy{cell, 0, heirs, SiteId()};
   for (const SiteId heir : heirs) vacancy.power = std::max(vacancy.power, domain_->reach(heir));
   if (!holds_vacancy(x, vacancy) || (scope == Scope::two_ring && !holds_heirs(vacancy))) {
     domain_->put_back(x);

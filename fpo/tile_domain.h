@@ -105,6 +105,7 @@ class TileDomain {
     double cell;  ///< radius of what x had
     double power;
     std::span<const SiteId> around;  ///< the heirs, or else the nearest site
+    SiteId planned;                  ///< x if its removal is only planned
   };
   bool holds_vacancy(SiteId x, const Vacancy& vacancy) const;
   bool holds_heirs(const Vacancy& vacancy);

@@ -121,6 +121,16 @@ double Redivision::reach(SiteId p) {
   return facets_of(p, state_.distance_at(state_.reach[p], p), facets_);
 }
 
+double Redivision::reach_beside(SiteId heir, SiteId p) {
+  std::vector<FacetPolygon> polygons;
+  cell(heir, polygons);
+  double reach = -infinity;
+  for (FacetPolygon& polygon : polygons)
+    if (state_.clipper.clip(polygon, p) != Clip::swallowed)
+      reach = std::max(reach, state_.clipper.bound_power(polygon));
+  return reach;
+}
+
 void Redivision::cell(SiteId p, std::vector<FacetPolygon>& out) {
   divided_.begin();
   facets_of(p, state_.distance_at(state_.reach[p], p), facets_);

@@ -64,6 +64,8 @@ class Redivision {
 
   /// The least bound of the power in the cell of p, which is in.
   double reach(SiteId p);
+  /// Of what it would have if p, which was removed last, were there.
+  double reach_beside(SiteId heir, SiteId p);
   /// Its polygons.
   void cell(SiteId p, std::vector<FacetPolygon>& out);
 

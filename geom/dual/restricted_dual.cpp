@@ -175,6 +175,10 @@ double RestrictedDual::reach(SiteId p) {
   return reach;
 }
 
+double RestrictedDual::reach_beside(SiteId heir, SiteId p) {
+  return is_carried_out_ ? redivision_.reach_beside(heir, p) : reach(heir);
+}
+
 std::vector<FacetPolygon> RestrictedDual::cell(SiteId p) {
   std::vector<FacetPolygon> polygons;
   redivision_.cell(p, polygons);
