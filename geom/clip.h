@@ -124,6 +124,13 @@ class Clipper {
     return f > bound ? Clip::untouched : f < -bound ? Clip::swallowed : Clip::cut;
   }
 
+  /// Does the ball about the facet meet that about x?
+  bool comes_near(FacetId facet, const Vec3& x, double distance) const {
+    const Ball& ball = (*balls_)[facet];
+    const double far = (ball.radius + distance) * (1 + 1e-9);
+    return (x - ball.center).squaredNorm() <= far * far;
+  }
+
   /// Asks the memory for what that reads.
   void prefetch_facet(FacetId facet) const { prefetch(balls_->data() + facet.index()); }
 

@@ -11,6 +11,12 @@ bool circle_before(const EmptyCircle& a, const EmptyCircle& b) {
   return std::tie(a.facet, a.place, a.sites) < std::tie(b.facet, b.place, b.sites);
 }
 
+void EmptyCircle::sort_counterclockwise() {
+  std::ranges::rotate(sites, std::ranges::min_element(sites));
+  clockwise = sites[2] < sites[1];
+  if (clockwise) std::swap(sites[1], sites[2]);
+}
+
 CircleId EmptyCircles::create(const EmptyCircle& circle) {
   CircleId c;
   if (free_.empty()) {

@@ -32,6 +32,8 @@ struct EmptyCircle {
 
   bool touches(SiteId p) const { return sites[0] == p || sites[1] == p || sites[2] == p; }
   bool is_triangle() const { return sites[2].valid(); }
+  /// Puts sites that run counterclockwise in ascending order and notes which way they run then.
+  void sort_counterclockwise();
   /// The place of p among the sites.
   std::size_t index_of(SiteId p) const { return sites[0] == p ? 0 : sites[1] == p ? 1 : 2; }
   /// The place after i, counterclockwise; the place before it.

@@ -297,10 +297,7 @@ EmptyCircle FastWay::circle_of(const std::array<SiteId, 3>& counterclockwise, Fa
   EmptyCircle circle;
   circle.facet = facet;
   circle.sites = counterclockwise;
-  std::ranges::sort(circle.sites);
-  circle.clockwise = counterclockwise[(circle.sites[0] == counterclockwise[0]   ? 1
-                                       : circle.sites[0] == counterclockwise[1] ? 2
-                                                                                : 0)] != circle.sites[1];
+  circle.sort_counterclockwise();
   state_.center_circle(circle, point.position);
   return circle;
 }
@@ -352,7 +349,7 @@ bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, Dua
   starts_.clear();
   for (const CircleId s : star_) starts_.push_back(state_.circles[s].facet);
   const FacetId home = triangles_[circle].facet;
-  if (!prove_new_cell(home, least_distance)) {
+  if (!prove_new_cell(home, least_distance, star_)) {
     state_.sites[p_] = old;
     return false;
   }
@@ -381,13 +378,13 @@ bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, Dua
 }
 
 /// p_ is at its new place, but not in the tree; the rim and the facets to start from are known.
-bool FastWay::prove_new_cell(FacetId home, double least_distance) {
+bool FastWay::prove_new_cell(FacetId home, double least_distance, std::span<const CircleId> reached) {
   if (!find_star_corners()) return false;
   if (state_.paper) state_.paper->insert(p_, state_.sites[p_], rim_.front());
   const WeightedPoint3& point = state_.sites[p_];
   const auto prove = [&] {
-    if (!trace_cell(home) || has_irregular_rival()) return false;
-    const double enough = 1.7 * (cell_reach_ + point.weight) - point.weight;
+    if (!trace_cell(home) || may_beat_unreached(reached)) return false;
+    const double enough = 1.45 * (cell_reach_ + point.weight) - point.weight;
     const double power = state_.tree.largest_rival_reach(point, enough);
     return has_one_component(std::max(least_distance, state_.distance_at(power, p_)));
   };
@@ -444,12 +441,28 @@ bool FastWay::trace_cell(FacetId home) {
   return is_empty_of_strangers({p_, site.position, std::sqrt(radius2 * more), cell_reach_}, points_, {});
 }
 
-bool FastWay::has_irregular_rival() {
+/// May p_ beat circles that are not reached? They would be of an irregular site.
+bool FastWay::may_beat_unreached(std::span<const CircleId> reached) {
   if (state_.num_irregular == 0) return false;
   candidates_.clear();
   state_.tree.rivals(state_.sites[p_], candidates_);
-  const auto is_irregular = [&](SiteId s) { return s != p_ && !state_.is_regular(s); };
-  return std::ranges::any_of(candidates_, is_irregular) || std::ranges::any_of(rim_, is_irregular);
+  return std::ranges::any_of(candidates_, [&](SiteId s) {
+    if (s == p_ || state_.is_regular(s)) return false;
+    const std::span<const CircleId> circles = state_.circles.of_site(s);
+    return circles.empty() || std::ranges::any_of(circles, [&](CircleId c) {
+             return std::ranges::find(reached, c) == reached.end() && !lead_at(state_.circles[c]).positive();
+           });
+  });
+}
+
+/// The power of the center to p_, at its new place, less that to the sites of the circle.
+Sure FastWay::lead_at(const EmptyCircle& circle) const {
+  const WeightedPoint3& point = state_.sites[p_];
+  const double there2 = (circle.center - point.position).squaredNorm();
+  const double own2 = (circle.center - state_.sites[circle.sites[0]].position).squaredNorm();
+  const double scale = there2 + own2 + std::abs(point.weight) + std::abs(circle.radius2);
+  return {there2 - point.weight - circle.radius2,
+          0x1p-48 * scale + 8 * state_.clipper.most_tolerance() * std::sqrt(there2 + own2)};
 }
 
 /// Has the cell that was traced all that p_ owns within that distance? By the shape of the surface, or else by looking at
@@ -460,23 +473,33 @@ bool FastWay::has_one_component(double distance) {
   for (int j = 0; j < size(); ++j) link_.push_back({frame_.offset(j), frame_.constant(j)});
   if (sheets_.has_one_component(p, distance, link_)) return true;
   candidates_.clear();
-  state_.tree.heirs({p_, p, distance, distance * distance}, candidates_);
-  facets_.clear();
-  state_.facets.near(p, distance, facets_);
-  return std::ranges::all_of(facets_, [&](FacetId t) { return flood_.meets(t) || owns_nothing_of(t); });
+  cell_power_ = distance * distance - state_.sites[p_].weight;
+  return std::ranges::all_of(sheets_.facets_within(p, distance), [&](FacetId t) {
+    return flood_.meets(t) || !state_.clipper.comes_near(t, p, distance) || owns_nothing_of(t);
+  });
 }
 
+/// Mostly one and the same site of the rim is nearer at all three corners.
 bool FastWay::owns_nothing_of(FacetId t) {
+  const TriMesh::Facet& corners = state_.mesh.facet(t);
+  const Frame::Vertex v0 = frame_.vertex(frame_.at(corners[0])), v1 = frame_.vertex(frame_.at(corners[1])),
+                      v2 = frame_.vertex(frame_.at(corners[2]));
+  if (v0.sure && v1.sure && v2.sure && (v0.beaten_by & v1.beaten_by & v2.beaten_by) != 0) return true;
   state_.clipper.start(polygon_, t, p_);
   const auto takes_all = [&](SiteId s) { return s != p_ && state_.clipper.clip(polygon_, s) == Clip::swallowed; };
-  return std::ranges::any_of(rim_, takes_all) || std::ranges::any_of(candidates_, takes_all);
+  if (std::ranges::any_of(rim_, takes_all)) return true;
+  if (candidates_.empty()) {  // another sheet: who else is there?
+    const double radius = state_.distance_at(cell_power_, p_);
+    state_.tree.heirs({p_, state_.sites[p_].position, radius, cell_power_}, candidates_);
+  }
+  return std::ranges::any_of(candidates_, takes_all);
 }
 
 bool FastWay::insert(SiteId p, const WeightedPoint3& point, FacetId home, CircleId first, DualChange& change) {
   if (state_.types == CornerTypes::all) return false;
   p_ = p;
   state_.admit(p, point);
-  if (!find_conflict(first) || !prove_new_cell(home, 0)) return false;
+  if (!find_conflict(first) || !prove_new_cell(home, 0, conflict_)) return false;
   for (const CircleId c : conflict_) {
     state_.circles.erase(c);
     change.circles_erased.push_back(c);
@@ -509,14 +532,6 @@ bool FastWay::insert(SiteId p, const WeightedPoint3& point, FacetId home, Circle
 
 /// The circles that p_ beats, from one of them on, and the cycle of edges around them: rim_, outer_, starts_.
 bool FastWay::find_conflict(CircleId first) {
-  const WeightedPoint3& point = state_.sites[p_];
-  const double tolerance = 2 * state_.clipper.most_tolerance();
-  const auto lead = [&](const EmptyCircle& circle) -> Sure {
-    const double there2 = (circle.center - point.position).squaredNorm();
-    const double own2 = (circle.center - state_.sites[circle.sites[0]].position).squaredNorm();
-    const double scale = there2 + own2 + std::abs(point.weight) + std::abs(circle.radius2);
-    return {there2 - point.weight - circle.radius2, 0x1p-48 * scale + 4 * tolerance * std::sqrt(there2 + own2)};
-  };
   struct Edge {
     SiteId a, b;
     CircleId outer, inner;
@@ -524,14 +539,14 @@ bool FastWay::find_conflict(CircleId first) {
   std::array<Edge, 3 * most> edges;
   std::size_t num_edges = 0;
   conflict_.assign(1, first);
-  if (!lead(state_.circles[first]).negative()) return false;
+  if (!lead_at(state_.circles[first]).negative()) return false;
   for (std::size_t n = 0; n < conflict_.size(); ++n) {
     const EmptyCircle circle = state_.circles[conflict_[n]];
     for (std::size_t i = 0; i < 3; ++i) {
       const CircleId other = circle.beyond[i];
       if (!other.valid()) return false;
       if (std::ranges::find(conflict_, other) != conflict_.end()) continue;
-      const Sure found = lead(state_.circles[other]);
+      const Sure found = lead_at(state_.circles[other]);
       if (!found.certain()) return false;
       if (found.value < 0) {
         if (conflict_.size() == 2 * most) return false;

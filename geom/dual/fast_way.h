@@ -15,9 +15,8 @@
 //
 // What no tracing from circles would see are cells that no circle leads to, or that have several borders. A site is
 // called regular if its cell is known to be connected, with one border, a closed curve through all of its circles.
-// Only regular sites are removed in the fast way, and an insertion where an irregular site may lose something is left to
-// the general way. Why regular sites stay so: the rim's sites are distinct, so each wins a part of the hole along one
-// arc, or loses a part of its cell along one arc.
+// Only regular sites are removed in the fast way. Why regular sites stay so: the rim's sites are distinct, so each wins a
+// part of the hole along one arc, or loses a part of its cell along one arc.
 //
 //   - Winning: the parts hang together with their cells, as the dual of the hole is a triangulated polygon.
 //   - Losing: were the rest of a cell in two pieces, each would border the new cell, in an arc of its own. The part that
@@ -25,7 +24,10 @@
 //     one curve.
 //   - That all circles which the new site beats are reached: all edges of the diagram that cross the border of the new
 //     cell end at its circles, and are counted (as many as the rim has sites). A circle inside that is not reached would
-//     belong to cells surrounded by another one, which then had two borders.
+//     belong to cells surrounded by another one; that one then had two borders, with circles on each: it is irregular,
+//     and the circles of irregular sites that may lose something are looked at one by one. (If the surrounded cell is that
+//     of a single site there is no circle between the two. That site has none on this border: irregular as well, and if it
+//     has no circle at all the general way is taken, which finds out whether it is hidden.)
 //
 // False, from any of these, means: not certain, nothing is done.
 
@@ -90,10 +92,11 @@ class FastWay {
   bool prove_hole();
   bool is_empty_of_strangers(const Vacancy& cell, std::span<const RoundedPoint> circles,
                              std::span<const int> nearest_of_circles);
-  bool prove_new_cell(FacetId home, double least_distance);
+  bool prove_new_cell(FacetId home, double least_distance, std::span<const CircleId> reached);
   bool find_star_corners();
   bool trace_cell(FacetId home);
-  bool has_irregular_rival();
+  bool may_beat_unreached(std::span<const CircleId> reached);
+  Sure lead_at(const EmptyCircle& circle) const;
   bool has_one_component(double distance);
   bool owns_nothing_of(FacetId t);
   bool find_conflict(CircleId first);
@@ -117,6 +120,7 @@ class FastWay {
   double reach_ = 0, max_radius2_ = 0;
   std::vector<StarCorner> corners_;  ///< of a new cell
   double cell_reach_ = 0;
+  double cell_power_ = 0;  ///< no location of a second component has more
   std::vector<CircleId> conflict_;
   std::vector<FacetId> starts_;
   struct HoleCorner {

@@ -14,87 +14,173 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-// --- divided facets ------------------------------------------------------------------------------
+// --- clipped cells -------------------------------------------------------------------------------
 
-DividedFacets::DividedFacets(const DualState& state)
-    : cells_(state.mesh, state.sites, state.clipper, state.tree), range_of_(state.mesh.num_facets(), 0) {}
+ClippedCells::ClippedCells(const DualState& state)
+    : cells_(state.mesh, state.sites, state.clipper, state.tree), buckets_(num_buckets, none) {}
 
-void DividedFacets::begin() {
+void ClippedCells::begin() {
   cells_.forget();
   pieces_.clear();
   corners_.clear();
-  ranges_.clear();
-  facet_of_range_.clear();
+  std::ranges::fill(buckets_, none);
 }
 
-DividedFacets::Range DividedFacets::of(FacetId t) {
-  if (range_of_[t] < ranges_.size() && facet_of_range_[range_of_[t]] == t) return ranges_[range_of_[t]];
-  const std::size_t first = pieces_.size();
-  for (const FacetPolygon& polygon : cells_.divide(t)) {
-    const std::size_t begin = corners_.size();
-    corners_.insert(corners_.end(), polygon.corners.begin(), polygon.corners.end());
-    pieces_.push_back({polygon.owner, begin, corners_.size()});
-  }
-  range_of_[t] = static_cast<std::uint32_t>(ranges_.size());
-  facet_of_range_.push_back(t);
-  ranges_.push_back({first, pieces_.size()});
-  return ranges_.back();
+std::span<const PolygonCorner> ClippedCells::part(SiteId owner, FacetId t) {
+  std::uint32_t& bucket = buckets_[(owner.index() * 31 + t.index()) % num_buckets];
+  for (std::uint32_t i = bucket; i != none; i = pieces_[i].next)
+    if (pieces_[i].owner == owner && pieces_[i].facet == t)
+      return std::span(corners_).subspan(pieces_[i].begin, pieces_[i].size);
+  const bool has_part = cells_.part_of(owner, t, polygon_);
+  const auto begin = static_cast<std::uint32_t>(corners_.size());
+  if (has_part) corners_.insert(corners_.end(), polygon_.corners.begin(), polygon_.corners.end());
+  pieces_.push_back({t, owner, begin, static_cast<std::uint32_t>(corners_.size()) - begin, bucket});
+  bucket = static_cast<std::uint32_t>(pieces_.size()) - 1;
+  return std::span(corners_).subspan(begin);
 }
 
-const DividedFacets::Piece* DividedFacets::find(FacetId t, SiteId owner) {
-  const Range range = of(t);
-  for (std::size_t i = range.begin; i < range.end; ++i)
-    if (pieces_[i].owner == owner) return &pieces_[i];
-  return nullptr;
+std::vector<SiteId> ClippedCells::owners(FacetId t) {
+  std::vector<SiteId> result;
+  for (const FacetPolygon& polygon : cells_.divide(t)) result.push_back(polygon.owner);
+  return result;
 }
 
 // --- updates -------------------------------------------------------------------------------------
 
-Redivision::Redivision(DualState& state)
-    : state_(state), divided_(state), stamp_of_(state.mesh.num_facets(), 0) {}
+Redivision::Redivision(DualState& state) : state_(state), clipped_(state) {}
 
 void Redivision::remove(SiteId p, DualChange& change) {
-  divided_.begin();
+  clipped_.begin();
   last_reach_ = facets_of(p, state_.distance_at(state_.reach[p], p), facets_);
-  const std::vector<FacetId> facets = facets_;
+  around_.clear();
+  around_up_to_.clear();
+  for (const FacetId t : facets_) {
+    for (const PolygonCorner& corner : clipped_.part(p, t))
+      if (corner.edge.is_site()) around_.push_back(corner.edge.site());
+    around_up_to_.push_back(static_cast<std::uint32_t>(around_.size()));
+  }
   if (state_.paper) state_.paper->remove(p);
   state_.tree.remove(p);
   --state_.num_sites;
-  if (state_.num_sites == 0) {
-    while (!state_.circles.of_site(p).empty()) erase(state_.circles.of_site(p).front(), change);
-    return;
+  open_.clear();
+  while (!state_.circles.of_site(p).empty()) erase(state_.circles.of_site(p).front(), change);
+  last_power_ = last_reach_;
+  if (state_.num_sites > 0) {
+    clipped_.begin();
+    found_.clear();
+    for (std::size_t i = 0; i < facets_.size(); ++i) {
+      const std::uint32_t first = i == 0 ? 0 : around_up_to_[i - 1];
+      divide_vacancy(p, facets_[i], std::span(around_).subspan(first, around_up_to_[i] - first), change);
+    }
+    create_found(change);
+    std::ranges::sort(change.cells);
   }
-  divided_.begin();
-  update(facets, {p}, change);
-  note_winners(p, facets, change);
-  last_power_ = std::max(last_reach_, power_without(p, facets));
-  raise_reaches(facets);
   state_.reach[p] = -infinity;
+}
+
+/// Finds the corners that the present sites have in what p had on the facet, and who won something there. `around`: the
+/// sites at its border.
+void Redivision::divide_vacancy(SiteId p, FacetId t, std::span<const SiteId> around, DualChange& change) {
+  std::vector<SiteId> owners(around.begin(), around.end());
+  if (owners.empty()) owners = clipped_.owners(t);  // p had all
+  std::ranges::sort(owners);
+  owners.erase(std::unique(owners.begin(), owners.end()), owners.end());
+  for (std::size_t i = 0; i < owners.size(); ++i) {
+    const SiteId s = owners[i];
+    const std::span<const PolygonCorner> part = clipped_.part(s, t);
+    if (part.empty()) continue;
+    const Bisector b = state_.clipper.bisector_of(s, p);
+    const Clip outcome = state_.clipper.classify(t, s, part, p, b, beaten_);
+    if (outcome == Clip::untouched) continue;
+    if (std::ranges::find(change.cells, s) == change.cells.end()) change.cells.push_back(s);
+    state_.raise_reach(s, state_.clipper.bound_power(t, s, part));
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      if (part[k].edge.is_site() && std::ranges::find(owners, part[k].edge.site()) == owners.end())
+        owners.push_back(part[k].edge.site());
+      if (outcome == Clip::cut && !beaten_[k]) continue;
+      last_power_ = std::max(last_power_, state_.clipper.bound_power(t, s, part.subspan(k, 1)));
+      EmptyCircle circle;
+      if (state_.corner_circle({t, s, part}, k, circle)) found_.push_back(circle);
+    }
+  }
 }
 
 // Whoever loses something to p is among the rivals. So no location of the new cell has more power than the farthest
 // of their cells.
 void Redivision::insert(SiteId p, const WeightedPoint3& point, DualChange& change) {
+  const SiteId hint = state_.num_sites > 0 ? state_.tree.nearest(point.position, SiteId()).site : SiteId();
   state_.admit(p, point);
-  if (state_.paper) state_.paper->insert(p, point, state_.num_sites > 0 ? state_.tree.nearest(point.position, SiteId()).site : SiteId());
+  if (state_.paper) state_.paper->insert(p, point, hint);
   state_.tree.insert(p, point);
   ++state_.num_sites;
-  std::vector<SiteId> rivals;
+  rivals_.clear();
   double power = infinity;
   if (state_.num_sites > 1) {
-    state_.tree.rivals(p, rivals);
+    state_.tree.rivals(p, rivals_);
     power = -infinity;
-    for (const SiteId j : rivals) power = std::max(power, state_.reach[j]);
+    for (const SiteId j : rivals_) power = std::max(power, state_.reach[j]);
   }
-  divided_.begin();
+  clipped_.begin();
   const double reach = facets_of(p, state_.distance_at(power, p), facets_);
-  rivals.push_back(p);
-  const std::vector<FacetId> facets = facets_;
-  update(facets, rivals, change);
+  open_.clear();
+  erase_beaten(p, rivals_, change);
+  found_.clear();
+  for (const FacetId t : facets_) {
+    const std::span<const PolygonCorner> part = clipped_.part(p, t);
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      EmptyCircle circle;
+      if (state_.corner_circle_of_any({t, p, part}, k, circle)) found_.push_back(circle);
+    }
+  }
+  create_found(change);
   state_.set_reach(p, reach);
-  for (const SiteId j : rivals)  // p may have hidden it
-    if (j != p && state_.circles.of_site(j).empty())
+  for (const SiteId j : rivals_)  // p may have hidden it
+    if (state_.circles.of_site(j).empty() && state_.reach[j] > -infinity)
       state_.set_reach(j, facets_of(j, state_.distance_at(state_.reach[j], j), facets_));
+}
+
+void Redivision::erase_beaten(SiteId p, std::span<const SiteId> rivals, DualChange& change) {
+  std::vector<CircleId> beaten;
+  const double tolerance = 2 * state_.clipper.most_tolerance();
+  for (const SiteId j : rivals) {
+    const Bisector b = state_.clipper.bisector_of(j, p);
+    for (const CircleId c : state_.circles.of_site(j)) {
+      const EmptyCircle& circle = state_.circles[c];
+      if (circle.sites[0] != j) continue;
+      if (state_.clipper.beats_at(state_.corner_of(circle, tolerance), p, b)) beaten.push_back(c);
+    }
+  }
+  for (const CircleId c : beaten) erase(c, change);
+}
+
+/// Notes the edges that lose an end.
+void Redivision::erase(CircleId c, DualChange& change) {
+  const std::array<CircleId, 3> beyond = state_.circles[c].beyond;
+  for (const CircleId other : beyond) {
+    if (!other.valid()) continue;
+    for (std::size_t side = 0; side < 3; ++side)
+      if (state_.circles[other].beyond[side] == c) {
+        state_.circles.set_beyond(other, side, CircleId());
+        open_.push_back({other, side});
+      }
+  }
+  for (std::size_t side = 0; side < 3; ++side) state_.circles.set_beyond(c, side, CircleId());
+  state_.circles.erase(c);
+  change.circles_erased.push_back(c);
+}
+
+/// Creates the circles found, in order, and joins all edges that have no other end.
+void Redivision::create_found(DualChange& change) {
+  const std::vector<CircleId> erased = change.circles_erased;
+  std::erase_if(open_, [&](const Side& s) { return std::ranges::find(erased, s.circle) != erased.end(); });
+  std::ranges::sort(found_, circle_before);
+  for (const EmptyCircle& circle : found_) {
+    const CircleId c = state_.circles.create(circle);
+    change.circles_created.push_back(c);
+    for (std::size_t side = 0; side < 3 && circle.is_triangle(); ++side) open_.push_back({c, side});
+  }
+  for (const Side& side : open_)
+    if (!state_.circles[side.circle].beyond[side.side].valid()) connect(side);
 }
 
 void Redivision::build(int threads, DualChange& change) {
@@ -116,9 +202,43 @@ void Redivision::build(int threads, DualChange& change) {
     if (state_.reach[s] > -infinity) state_.tree.set_reach(s, state_.reach[s]);
 }
 
+// --- questions -----------------------------------------------------------------------------------
+
+double Redivision::facets_of(SiteId p, double radius, std::vector<FacetId>& out) {
+  out.clear();
+  near_.clear();
+  double reach = -infinity;
+  if (!(radius > 0)) return reach;
+  state_.facets.near(state_.sites[p].position, radius, near_);
+  for (const FacetId t : near_) {
+    const std::span<const PolygonCorner> part = clipped_.part(p, t);
+    if (part.empty()) continue;
+    out.push_back(t);
+    reach = std::max(reach, state_.clipper.bound_power(t, p, part));
+  }
+  return reach;
+}
+
+bool Redivision::has_neighbours(SiteId p) {
+  clipped_.begin();
+  facets_of(p, state_.distance_at(state_.reach[p], p), facets_);
+  return std::ranges::any_of(facets_, [&](FacetId t) {
+    return std::ranges::any_of(clipped_.part(p, t), [](const PolygonCorner& c) { return c.edge.is_site(); });
+  });
+}
+
 double Redivision::reach(SiteId p) {
-  divided_.begin();
+  clipped_.begin();
   return facets_of(p, state_.distance_at(state_.reach[p], p), facets_);
+}
+
+void Redivision::cell(SiteId p, std::vector<FacetPolygon>& out) {
+  clipped_.begin();
+  facets_of(p, state_.distance_at(state_.reach[p], p), facets_);
+  for (const FacetId t : facets_) {
+    const std::span<const PolygonCorner> part = clipped_.part(p, t);
+    out.push_back({t, p, {part.begin(), part.end()}});
+  }
 }
 
 double Redivision::reach_beside(SiteId heir, SiteId p) {
@@ -131,102 +251,7 @@ double Redivision::reach_beside(SiteId heir, SiteId p) {
   return reach;
 }
 
-void Redivision::cell(SiteId p, std::vector<FacetPolygon>& out) {
-  divided_.begin();
-  facets_of(p, state_.distance_at(state_.reach[p], p), facets_);
-  for (const FacetId t : facets_)
-    if (divided_.has_part(p, t, out.emplace_back()) == false) out.pop_back();
-}
-
-double Redivision::facets_of(SiteId p, double radius, std::vector<FacetId>& out) {
-  out.clear();
-  near_.clear();
-  double reach = -infinity;
-  if (!(radius > 0)) return reach;
-  state_.facets.near(state_.sites[p].position, radius, near_);
-  for (const FacetId t : near_) {
-    if (!divided_.has_part(p, t, polygon_)) continue;
-    out.push_back(t);
-    reach = std::max(reach, state_.clipper.bound_power(polygon_));
-  }
-  return reach;
-}
-
-/// The present sites have divided these facets anew, and no others. `involved`: all that owned something there before
-/// and may own nothing there now, and any others.
-void Redivision::update(std::span<const FacetId> facets, std::vector<SiteId> involved, DualChange& change) {
-  ++stamp_;
-  open_.clear();
-  for (const FacetId t : facets) stamp_of_[t] = stamp_;
-  find_circles(facets);
-  for (const FacetId t : facets) {
-    const DividedFacets::Range range = divided_.of(t);
-    for (std::size_t i = range.begin; i < range.end; ++i) involved.push_back(divided_.piece(i).owner);
-  }
-  std::ranges::sort(involved);
-  involved.erase(std::unique(involved.begin(), involved.end()), involved.end());
-  compare_circles(involved, change);
-  const std::size_t of_neighbours = open_.size();
-  for (std::size_t i = 0; i < found_.size(); ++i) {
-    if (is_registered_[i]) continue;
-    const CircleId c = state_.circles.create(found_[i]);
-    change.circles_created.push_back(c);
-    if (found_[i].is_triangle())
-      for (std::size_t side = 0; side < 3; ++side) open_.push_back({c, side});
-  }
-  for (std::size_t i = 0; i < open_.size(); ++i) {
-    const bool is_alive = i >= of_neighbours || !std::ranges::binary_search(change.circles_erased, open_[i].circle);
-    if (is_alive) connect(open_[i]);
-  }
-}
-
-/// All that are to be registered on these facets, in order.
-void Redivision::find_circles(std::span<const FacetId> facets) {
-  found_.clear();
-  for (const FacetId t : facets) {
-    const DividedFacets::Range range = divided_.of(t);
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-      const DividedFacets::Piece& piece = divided_.piece(i);
-      const std::span<const PolygonCorner> corners = divided_.corners(piece);
-      EmptyCircle circle;
-      for (std::size_t k = 0; k < corners.size(); ++k)
-        if (state_.corner_circle({t, piece.owner, corners}, k, circle)) found_.push_back(circle);
-    }
-  }
-  std::ranges::sort(found_, circle_before);
-  is_registered_.assign(found_.size(), false);
-}
-
-/// Erases those registered on these facets that were not found, and marks the others.
-void Redivision::compare_circles(std::span<const SiteId> involved, DualChange& change) {
-  std::vector<CircleId> gone;
-  for (const SiteId s : involved)
-    for (const CircleId c : state_.circles.of_site(s)) {
-      const EmptyCircle& circle = state_.circles[c];
-      if (circle.sites[0] != s || stamp_of_[circle.facet] != stamp_) continue;
-      const auto at = std::ranges::lower_bound(found_, circle, circle_before);
-      if (at != found_.end() && !circle_before(circle, *at) && at->clockwise == circle.clockwise)
-        is_registered_[static_cast<std::size_t>(at - found_.begin())] = true;
-      else
-        gone.push_back(c);
-    }
-  for (const CircleId c : gone) {
-    const EmptyCircle& circle = state_.circles[c];
-    for (const CircleId other : circle.beyond) {
-      if (!other.valid()) continue;
-      const std::array<CircleId, 3>& back = state_.circles[other].beyond;
-      for (std::size_t side = 0; side < 3; ++side)
-        if (back[side] == c) open_.push_back({other, side});
-    }
-  }
-  for (const CircleId c : gone) erase(c, change);
-  std::ranges::sort(change.circles_erased);
-}
-
-void Redivision::erase(CircleId c, DualChange& change) {
-  state_.circles.erase(c);
-  change.circles_erased.push_back(c);
-}
+// --- edges ---------------------------------------------------------------------------------------
 
 void Redivision::connect(Side from) {
   const Side to = other_end(from);
@@ -245,9 +270,7 @@ Redivision::Side Redivision::other_end(Side from) {
   FacetId t = circle.facet;
   EdgeLabel start = EdgeLabel::bisector(circle.sites[from.side]);
   for (std::size_t steps = 0; steps <= state_.mesh.num_facets(); ++steps) {
-    const DividedFacets::Piece* const piece = divided_.find(t, a);
-    if (!piece) break;
-    const std::span<const PolygonCorner> corners = divided_.corners(*piece);
+    const std::span<const PolygonCorner> corners = clipped_.part(a, t);
     const std::size_t n = corners.size();
     const auto at = static_cast<std::size_t>(std::ranges::find(corners, along, &PolygonCorner::edge) - corners.begin());
     if (at == n) break;
@@ -274,58 +297,6 @@ CircleId Redivision::circle_at(FacetId t, SiteId a, SiteId b, SiteId c) const {
     if (found.facet == t && found.is_triangle() && found.touches(b) && found.touches(c)) return circle;
   }
   return CircleId();
-}
-
-/// A bound of the power at those corners of the new division where p was nearer.
-double Redivision::power_without(SiteId p, std::span<const FacetId> facets) {
-  double power = -infinity;
-  for (const FacetId t : facets) {
-    const DividedFacets::Range range = divided_.of(t);
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-      const DividedFacets::Piece& piece = divided_.piece(i);
-      const std::span<const PolygonCorner> corners = divided_.corners(piece);
-      const Bisector b = state_.clipper.bisector_of(piece.owner, p);
-      if (state_.clipper.classify(t, piece.owner, corners, p, b, beaten_) == Clip::untouched) continue;
-      for (std::size_t k = 0; k < corners.size(); ++k)
-        if (state_.clipper.beats_at(cell_corner(t, piece.owner, corners, k), p, b))
-          power = std::max(power, state_.clipper.bound_power(t, piece.owner, corners.subspan(k, 1)));
-    }
-  }
-  return power;
-}
-
-bool Redivision::has_neighbours(SiteId p) {
-  divided_.begin();
-  facets_of(p, state_.distance_at(state_.reach[p], p), facets_);
-  return std::ranges::any_of(facets_, [&](FacetId t) {
-    return divided_.has_part(p, t, polygon_) &&
-           std::ranges::any_of(polygon_.corners, [](const PolygonCorner& c) { return c.edge.is_site(); });
-  });
-}
-
-/// Who owns something that p, where it was, is nearer to?
-void Redivision::note_winners(SiteId p, std::span<const FacetId> facets, DualChange& change) {
-  for (const FacetId t : facets) {
-    const DividedFacets::Range range = divided_.of(t);
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-      const DividedFacets::Piece& piece = divided_.piece(i);
-      if (std::ranges::find(change.cells, piece.owner) != change.cells.end()) continue;
-      const Bisector b = state_.clipper.bisector_of(piece.owner, p);
-      if (state_.clipper.classify(t, piece.owner, divided_.corners(piece), p, b, beaten_) != Clip::untouched)
-        change.cells.push_back(piece.owner);
-    }
-  }
-  std::ranges::sort(change.cells);
-}
-
-void Redivision::raise_reaches(std::span<const FacetId> facets) {
-  for (const FacetId t : facets) {
-    const DividedFacets::Range range = divided_.of(t);
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-      const DividedFacets::Piece& piece = divided_.piece(i);
-      state_.raise_reach(piece.owner, state_.clipper.bound_power(t, piece.owner, divided_.corners(piece)));
-    }
-  }
 }
 
 }  // namespace geom

@@ -1,7 +1,14 @@
 #pragma once
-// The general way of an update: facets are divided from nothing, by exact clipping (facet_cells.h), and the circles
-// on them compared with those registered. It needs no assumption on the surface, the sites or the cells, and is
-// the definition that the fast way (move.h) is held against.
+// The general way of an update: cells are clipped from nothing, by exact clipping (facet_cells.h), on the facets that
+// they meet. It needs no assumption on the surface, the sites or the cells, and is what the fast way (fast_way.h) is
+// held against.
+//
+// Removal of p. The circles of p go. On each facet, the part of p's cell is a convex polygon, and those who own
+// something of it now hang together there by common edges: from the sites on its border their polygons lead to all
+// others. The new circles are the corners of these polygons where p was nearer.
+//
+// Insertion of p. The new circles are the corners of p's cell. The circles that it beats go: they belong to sites of
+// which it takes something.
 
 #include <cstdint>
 #include <span>
@@ -12,37 +19,32 @@
 
 namespace geom {
 
-/// Facets of the diagram of the present sites, each divided when it is asked for.
-class DividedFacets {
+/// Polygons of the diagram of the present sites, each clipped when it is asked for.
+class ClippedCells {
  public:
-  explicit DividedFacets(const DualState& state);
+  explicit ClippedCells(const DualState& state);
 
   /// Forgets all: the sites are others.
   void begin();
-  struct Piece {
-    SiteId owner;
-    std::size_t begin, end;  ///< of its corners
-  };
-  /// The indices of the pieces on a facet: first, last + 1.
-  struct Range {
-    std::size_t begin, end;
-  };
-  Range of(FacetId t);
-  /// The piece of a site, or none.
-  const Piece* find(FacetId t, SiteId owner);
-  const Piece& piece(std::size_t i) const { return pieces_[i]; }
-  std::span<const PolygonCorner> corners(const Piece& piece) const {
-    return std::span(corners_).subspan(piece.begin, piece.end - piece.begin);
-  }
-  bool has_part(SiteId p, FacetId t, FacetPolygon& polygon) { return cells_.part_of(p, t, polygon); }
+  /// The part of a cell on a facet, empty if there is none. Valid until the next call.
+  std::span<const PolygonCorner> part(SiteId owner, FacetId t);
+  /// All owners on a facet.
+  std::vector<SiteId> owners(FacetId t);
 
  private:
+  struct Piece {
+    FacetId facet;
+    SiteId owner;
+    std::uint32_t begin, size, next;
+  };
+  static constexpr std::uint32_t none = 0xffffffffu;
+  static constexpr std::size_t num_buckets = 1024;
+
   FacetCells cells_;
+  FacetPolygon polygon_;
   std::vector<Piece> pieces_;
   std::vector<PolygonCorner> corners_;
-  std::vector<Range> ranges_;
-  Table<FacetId, std::uint32_t> range_of_;  ///< index into ranges_; not known if that is of another facet
-  std::vector<FacetId> facet_of_range_;
+  std::vector<std::uint32_t> buckets_;
 };
 
 /// One object serves all updates of a state.
@@ -53,20 +55,19 @@ class Redivision {
   /// Takes p out, or puts it in at a place: the tree and the neighbour source follow.
   void remove(SiteId p, DualChange& change);
   void insert(SiteId p, const WeightedPoint3& point, DualChange& change);
-  /// After remove(): a bound of the power in what p had, with p and without.
-  double last_power() const { return last_power_; }
-  /// And of that with p alone.
-  double last_reach() const { return last_reach_; }
-  /// Does any other site border the cell of p, which is in?
-  bool has_neighbours(SiteId p);
   /// All circles, there being none, and all reaches.
   void build(int threads, DualChange& change);
 
+  /// After remove(): bounds of the power in what p had, with p, and with p or without.
+  double last_reach() const { return last_reach_; }
+  double last_power() const { return last_power_; }
+  /// Does any other site border the cell of p, which is in?
+  bool has_neighbours(SiteId p);
   /// The least bound of the power in the cell of p, which is in.
   double reach(SiteId p);
   /// Of what it would have if p, which was removed last, were there.
   double reach_beside(SiteId heir, SiteId p);
-  /// Its polygons.
+  /// The polygons of p, which is in.
   void cell(SiteId p, std::vector<FacetPolygon>& out);
 
  private:
@@ -76,31 +77,27 @@ class Redivision {
     std::size_t side;
   };
 
-  /// The facets where p, which is in, owns something, and the exact bound of the power there (-infinity if it owns
+  /// The facets where p, which is in, owns something, and the least bound of the power there (-infinity if it owns
   /// nothing). `radius`: no location of its cell is farther from it.
   double facets_of(SiteId p, double radius, std::vector<FacetId>& out);
-  void update(std::span<const FacetId> facets, std::vector<SiteId> involved, DualChange& change);
-  void find_circles(std::span<const FacetId> facets);
-  void compare_circles(std::span<const SiteId> involved, DualChange& change);
+  void divide_vacancy(SiteId p, FacetId t, std::span<const SiteId> around, DualChange& change);
+  void add_corner(const DualState::Polygon& polygon, std::size_t corner);
+  void erase_beaten(SiteId p, std::span<const SiteId> rivals, DualChange& change);
   void erase(CircleId c, DualChange& change);
+  void create_found(DualChange& change);
   void connect(Side from);
   Side other_end(Side from);
   CircleId circle_at(FacetId t, SiteId a, SiteId b, SiteId c) const;
-  void note_winners(SiteId p, std::span<const FacetId> facets, DualChange& change);
-  double power_without(SiteId p, std::span<const FacetId> facets);
-  void raise_reaches(std::span<const FacetId> facets);
 
   DualState& state_;
-  DividedFacets divided_;
-  FacetPolygon polygon_;
-  Bisector bisector_{};
+  ClippedCells clipped_;
   std::vector<FacetId> near_, facets_;
-  Table<FacetId, std::uint32_t> stamp_of_;  ///< of the update that the facet is part of
-  std::uint32_t stamp_ = 0;
+  std::vector<SiteId> around_, rivals_;
+  std::vector<std::uint32_t> around_up_to_;  ///< of each facet
   std::vector<EmptyCircle> found_;
-  std::vector<char> is_registered_;  ///< of those found
-  std::vector<Side> open_;           ///< whose other end is not known
+  std::vector<Side> open_;  ///< whose other end is not known
   std::vector<char> beaten_;
+  FacetPolygon polygon_;
   double last_power_ = 0, last_reach_ = 0;
 };
 

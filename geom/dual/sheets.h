@@ -40,31 +40,21 @@
 
 namespace geom {
 
-/// One place of the surface: a ball, and the graph that the surface is in it.
-struct Sheet {
-  Vec3 center{0, 0, 0};
-  Vec3 axis{0, 0, 1};
-  double slope = 0;   ///< s; no graph if it is not less than 1
-  double width = -1;  ///< R / sqrt(1 + s^2); negative: no graph
-};
-
-/// Sheets, made where they are asked for and kept.
+/// Sheets, made where they are asked for and kept: one for each cell of a grid, whose size follows the radius.
 class Sheets {
  public:
   /// Keeps references.
   Sheets(const TriMesh& mesh, const FacetTree& facets) : mesh_(mesh), facets_(facets) {}
 
-  /// Of a place that holds the ball about p, which is on the surface, of that radius, if the surface is a sheet there.
-  /// Amortised O(1): places are shared among all locations of a cell of a grid.
-  const Sheet& around(const Vec3& p, double radius);
-
   /// Is there surely no second component of the cell of p within `distance` of it, given its link: the differences
-  /// q - p and the numbers c?
+  /// q - p and the numbers c? p is on the surface. Amortised O(1).
   struct Neighbour {
     Vec3 offset;
     double lead;
   };
   bool has_one_component(const Vec3& p, double distance, std::span<const Neighbour> link);
+  /// All facets that come within that distance of p, and more. Valid until the next call of any of these.
+  std::span<const FacetId> facets_within(const Vec3& p, double distance);
 
   std::size_t num_places() const { return places_.size(); }
 
@@ -81,13 +71,24 @@ class Sheets {
       return x;
     }
   };
-  Sheet make(const Vec3& center, double radius);
+  struct Place {
+    Vec3 center{0, 0, 0};  ///< p0
+    Vec3 axis{0, 0, 1};
+    double slope = 0;
+    double width = -1;  ///< R / sqrt(1 + s^2); negative: the surface is no sheet there
+    std::int32_t first = -1, last = -1;  ///< of its facets, if they were asked for
+  };
+  /// The place of p and a distance, and its level's radius, which is no less.
+  Place& at(const Vec3& p, double distance, double& level_radius);
+  void make(Place& place, double radius);
   bool hangs_together(const Vec3& center, double radius);
 
   const TriMesh& mesh_;
   const FacetTree& facets_;
-  std::unordered_map<Key, Sheet, Hash> places_;
+  std::unordered_map<Key, Place, Hash> places_;
+  std::vector<FacetId> lists_;
   std::vector<FacetId> near_, stack_;  // workspaces
+  std::vector<Vec3> normals_;
   std::vector<char> reached_;
 };
 

@@ -49,22 +49,29 @@ double DualState::distance_at(double power, SiteId p) const {
 }
 
 bool DualState::corner_circle(const Polygon& polygon, std::size_t corner, EmptyCircle& out) const {
-  const EdgeLabel before = polygon.corners[previous_corner(corner, polygon.corners.size())].edge, after = polygon.corners[corner].edge;
+  const EdgeLabel before = polygon.corners[previous_corner(corner, polygon.corners.size())].edge,
+                  after = polygon.corners[corner].edge;
+  if ((before.is_site() && before.site() < polygon.owner) || (after.is_site() && after.site() < polygon.owner))
+    return false;
+  return corner_circle_of_any(polygon, corner, out);
+}
+
+bool DualState::corner_circle_of_any(const Polygon& polygon, std::size_t corner, EmptyCircle& out) const {
+  const EdgeLabel before = polygon.corners[previous_corner(corner, polygon.corners.size())].edge,
+                  after = polygon.corners[corner].edge;
   out = EmptyCircle();
   out.facet = polygon.facet;
   out.sites[0] = polygon.owner;
   if (before.is_site() && after.is_site()) {
-    if (before.site() < polygon.owner || after.site() < polygon.owner) return false;
     out.sites = {polygon.owner, before.site(), after.site()};
-    out.clockwise = after.site() < before.site();
-    if (out.clockwise) std::swap(out.sites[1], out.sites[2]);
+    out.sort_counterclockwise();
   } else if (types == CornerTypes::c_only) {
     return false;
   } else if (before.is_site() || after.is_site()) {
     const EdgeLabel edge = before.is_site() ? after : before, site = before.is_site() ? before : after;
     const FacetId across = mesh.across(polygon.facet, edge.edge());
-    if (site.site() < polygon.owner || (across.valid() && across < polygon.facet)) return false;
-    out.sites[1] = site.site();
+    if (across.valid() && across < polygon.facet) return false;
+    out.sites = {std::min(polygon.owner, site.site()), std::max(polygon.owner, site.site()), SiteId()};
     out.place = static_cast<std::int16_t>(1 + edge.edge());
   } else {
     const int i = after.edge();  // edges i - 1 and i meet in corner i
@@ -73,6 +80,22 @@ bool DualState::corner_circle(const Polygon& polygon, std::size_t corner, EmptyC
   }
   center_circle(out, polygon.corners[corner].point.position);
   return true;
+}
+
+CellCorner DualState::corner_of(const EmptyCircle& circle, double tolerance) const {
+  const auto edge = [](int e) { return EdgeLabel::facet_edge(e); };
+  CellCorner corner{circle.facet, circle.sites[0], EdgeLabel(), EdgeLabel(), {circle.center, tolerance}};
+  if (circle.is_triangle()) {
+    corner.before = EdgeLabel::bisector(circle.sites[1]);
+    corner.after = EdgeLabel::bisector(circle.sites[2]);
+  } else if (circle.sites[1].valid()) {
+    corner.before = edge(circle.place - 1);
+    corner.after = EdgeLabel::bisector(circle.sites[1]);
+  } else {
+    corner.before = edge(circle.place == 4 ? 2 : circle.place - 5);
+    corner.after = edge(circle.place - 4);
+  }
+  return corner;
 }
 
 void DualState::center_circle(EmptyCircle& circle, const Vec3& corner) const {
