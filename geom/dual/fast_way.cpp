@@ -131,16 +131,11 @@ FacetId FastWay::walk(int a, int b, int c, FacetId start) {
   for (std::size_t step = 0; step < walk_limit; ++step) {
     const TriMesh::Facet& corners = state_.mesh.facet(t);
     const Frame::Slot s0 = frame_.at(corners[0]), s1 = frame_.at(corners[1]), s2 = frame_.at(corners[2]);
-    const Frame::Vertex &v0 = frame_.vertex(s0), &v1 = frame_.vertex(s1), &v2 = frame_.vertex(s2);
-    const Sure lambda[3] = {Frame::determinant(v1, v2, b, c, a), Frame::determinant(v2, v0, b, c, a),
-                            Frame::determinant(v0, v1, b, c, a)};
-    if (!(lambda[0].value + lambda[1].value + lambda[2].value > 0)) return FacetId();
-    int least = lambda[1].value < lambda[0].value ? 1 : 0;
-    if (lambda[2].value < lambda[least].value) least = 2;
-    if (lambda[least].value >= 0) {
-      const bool is_inside = lambda[0].positive() && lambda[1].positive() && lambda[2].positive();
-      return is_inside ? t : FacetId();
-    }
+    int least = 0;
+    const Frame::Meets meets =
+        Frame::axis_meets({&frame_.vertex(s0), &frame_.vertex(s1), &frame_.vertex(s2)}, {a, b, c}, least);
+    if (meets == Frame::Meets::inside) return t;
+    if (meets == Frame::Meets::unsure) return FacetId();
     t = state_.mesh.across(t, least == 2 ? 0 : least + 1);
     if (!t.valid()) return FacetId();
   }
@@ -154,14 +149,14 @@ bool FastWay::find_circle(Triangle& triangle, FacetId start) {
   std::array<SiteId, 3> sites{rim_[at(a)], rim_[at(b)], rim_[at(c)]};
   std::ranges::sort(sites);
   triangle.point = state_.clipper.meeting(triangle.facet, sites);
+  frame_.evaluate(triangle.point.position - frame_.origin().position, triangle.point.tolerance, triangle.values);
   return true;
 }
 
 /// The surface has the last word: flips edges until no circle holds the corner across, then looks at the whole rim.
 bool FastWay::flip_until_empty() {
   const auto holds = [&](const Triangle& triangle, int site, bool& certain) {
-    const Vec3 y = triangle.point.position - frame_.origin().position;
-    const Sure lead = frame_.lead(y, triangle.point.tolerance, site, triangle.corners[0]);
+    const Sure lead = triangle.values.difference(site, triangle.corners[0]);
     certain &= lead.certain();
     return lead.value < 0;
   };
@@ -281,13 +276,17 @@ bool FastWay::is_empty_of_strangers(const Vacancy& cell, std::span<const Rounded
     if (!is_hole && is_behind(Vec3(0, 0, 0), 0)) return true;
     for (int j = 0; is_hole && j < size(); ++j)
       if (is_behind(frame_.offset(j), frame_.constant(j))) return true;
+    Frame::Values values;
+    const auto is_farther = [&](const Vec3& y, double off, int nearest) {
+      frame_.evaluate(y, off, values);
+      return frame_.difference(values, d, c, nearest).positive();
+    };
     for (const Flood::Corner& corner : flood_.corners())
-      if (!frame_.lead(corner.y, corner.tolerance, d, c, corner.site).positive()) return false;
-    for (std::size_t i = 0; i < circles.size(); ++i) {
-      const Vec3 y = circles[i].position - frame_.origin().position;
-      if (!frame_.lead(y, circles[i].tolerance, d, c, is_hole ? nearest_of_circles[i] : Frame::none).positive())
+      if (!is_farther(corner.y, corner.tolerance, corner.site)) return false;
+    for (std::size_t i = 0; i < circles.size(); ++i)
+      if (!is_farther(circles[i].position - frame_.origin().position, circles[i].tolerance,
+                      is_hole ? nearest_of_circles[i] : Frame::none))
         return false;
-    }
     return true;
   });
 }
@@ -333,13 +332,14 @@ bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, Dua
   const WeightedPoint3 old = state_.sites[p_];
   const Vec3 d = Frame::offset(point, old);
   const double c = Frame::constant(point, old);
-  for (const Triangle& triangle : triangles_) {
-    const Vec3 y = triangle.point.position - old.position;
-    if (!frame_.lead(y, triangle.point.tolerance, d, c, triangle.corners[0]).negative()) return false;
-  }
+  for (const Triangle& triangle : triangles_)
+    if (!frame_.difference(triangle.values, d, c, triangle.corners[0]).negative()) return false;
   const double tolerance = 2 * state_.clipper.most_tolerance();
-  for (int j = 0; j < size(); ++j)
-    if (!frame_.lead(state_.circles[outer_[at(j)]].center - old.position, tolerance, d, c, j).positive()) return false;
+  Frame::Values values;
+  for (int j = 0; j < size(); ++j) {
+    frame_.evaluate(state_.circles[outer_[at(j)]].center - old.position, tolerance, values);
+    if (!frame_.difference(values, d, c, j).positive()) return false;
+  }
 
   const double least_distance = (state_.distance_at(reach_, p_) + d.norm()) * more;  // H is in this ball
   hole_corners_.clear();
@@ -398,15 +398,16 @@ bool FastWay::find_star_corners() {
   frame_.begin(state_.sites[p_]);
   for (const SiteId r : rim_) frame_.add(state_.sites[r]);
   corners_.clear();
+  Frame::Values values;
   for (int j = 0; j < size(); ++j) {
     const FacetId t = walk(Frame::none, j, next(j), starts_[at(j)]);
     if (!t.valid()) return false;
     std::array<SiteId, 3> sites{p_, rim_[at(j)], rim_[at(next(j))]};
     std::ranges::sort(sites);
     const RoundedPoint point = state_.clipper.meeting(t, sites);
-    const Vec3 y = point.position - frame_.origin().position;
+    frame_.evaluate(point.position - frame_.origin().position, point.tolerance, values);
     for (int i = 0; i < size(); ++i)
-      if (i != j && i != next(j) && !frame_.lead(y, point.tolerance, i, Frame::none).positive()) return false;
+      if (i != j && i != next(j) && !values.nearer(Frame::none, i)) return false;
     corners_.push_back({t, point});
   }
   return true;
@@ -482,8 +483,8 @@ bool FastWay::has_one_component(double distance) {
 /// Mostly one and the same site of the rim is nearer at all three corners.
 bool FastWay::owns_nothing_of(FacetId t) {
   const TriMesh::Facet& corners = state_.mesh.facet(t);
-  const Frame::Vertex v0 = frame_.vertex(frame_.at(corners[0])), v1 = frame_.vertex(frame_.at(corners[1])),
-                      v2 = frame_.vertex(frame_.at(corners[2]));
+  const Frame::Slot s0 = frame_.at(corners[0]), s1 = frame_.at(corners[1]), s2 = frame_.at(corners[2]);
+  const Frame::Vertex &v0 = frame_.vertex(s0), &v1 = frame_.vertex(s1), &v2 = frame_.vertex(s2);
   if (v0.sure && v1.sure && v2.sure && (v0.beaten_by & v1.beaten_by & v2.beaten_by) != 0) return true;
   state_.clipper.start(polygon_, t, p_);
   const auto takes_all = [&](SiteId s) { return s != p_ && state_.clipper.clip(polygon_, s) == Clip::swallowed; };

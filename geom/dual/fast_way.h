@@ -75,6 +75,7 @@ class FastWay {
     std::array<int, 3> beyond;  ///< opposite to each: a triangle of the hole, or -1 - the edge of the rim from that place on
     FacetId facet;
     RoundedPoint point;
+    Frame::Values values;  ///< there
   };
   /// A corner of the new cell, between rim sites j and j + 1.
   struct StarCorner {

@@ -32,6 +32,7 @@
 #include <vector>
 
 #include "geom/dual/frame.h"
+#include "geom/reused.h"
 
 namespace geom {
 
@@ -56,7 +57,7 @@ class Flood {
     double tolerance;  ///< this
     int site;          ///< nearest after removal; of a corner of the cell itself none
   };
-  std::span<const Corner> corners() const { return corners_; }
+  std::span<const Corner> corners() const { return corners_.items(); }
   /// The farthest corner of the cell, B or A, squared; a bound, with room for rounding.
   double radius2() const { return radius2_; }
   bool meets(FacetId t) const {
@@ -66,12 +67,12 @@ class Flood {
   std::size_t num_facets() const { return facets_.size(); }
 
  private:
-  using Node = std::int32_t;            ///< a B: its number; a circle's or corner's end: -1 - its number
+  using Node = std::int32_t;  ///< a B: its number; a circle's or corner's end: -1 - its number
   struct Facet {
     FacetId id;
     std::array<Frame::Slot, 3> corners;
     std::array<bool, 3> done;  ///< edges
-    std::int32_t first_end;      ///< of its list in ends_; -1: empty
+    std::int32_t first_end;    ///< of its list in ends_; -1: empty
   };
   struct End {
     std::int32_t label;
@@ -84,7 +85,7 @@ class Flood {
     Node node = 0;
     bool is_joined = false;
   };
-  static constexpr int num_names = Frame::most + 1;  ///< of sites, the origin first
+  static constexpr int num_names = Frame::most + 1;  ///< of sites and the origin
   /// Where an interval of the edge from u to v begins or ends: at the vertex, or where the origin is as near as a site.
   static constexpr int at_vertex = -1;
   struct Interval {
@@ -92,38 +93,35 @@ class Flood {
   };
 
   std::uint32_t meet(FacetId t);
-  bool trace_edge(std::uint32_t slot, int e);
+  bool trace_edge(std::uint32_t slot, std::size_t e);
   enum class Meets { no, yes, unsure };
-  Meets interval(const Frame::Vertex& u, const Frame::Vertex& v, Interval& out) const;
+  static Meets interval(const Frame::Vertex& u, const Frame::Vertex& v, Interval& out);
   bool divide(const Frame::Vertex& u, const Frame::Vertex& v, const Interval& part);
-  bool add_point(const Frame::Vertex& u, const Frame::Vertex& v, int i, int j, bool is_noted);
+  bool add_point(const Frame::Vertex& u, const Frame::Vertex& v, int i, int j);
   bool add_vertex(Frame::Slot s);
   void add_end(Facet& facet, std::int32_t label, Node node);
   bool join_ends(const Facet& facet);
-  static std::int32_t label_of(int i, int j) {
-    return i < j ? (i + 1) * num_names + j + 1 : (j + 1) * num_names + i + 1;
-  }
+  static std::int32_t label_of(int i, int j) { return i < j ? i * num_names + j : j * num_names + i; }
 
   const TriMesh& mesh_;
   Frame& frame_;
   bool division_ = false;
-  std::vector<Facet> facets_;
+  Reused<Facet> facets_;
   Table<FacetId, std::uint32_t> slot_of_;  ///< if that slot says so, too
-  std::vector<End> ends_;
-  std::array<Waiting, num_names * num_names> waiting_;
-  std::uint32_t stamp_ = 0;
-  std::vector<Corner> corners_;
-  std::vector<std::uint8_t> vertex_seen_;  ///< by slots of the frame
+  Reused<Corner> corners_;
+  std::vector<std::uint32_t> vertex_seen_;  ///< by slots of the frame: of which trace()
   double radius2_ = 0;
-  /// What lies on the edge being traced.
   struct Point {
     std::int32_t label;
     Node node;
   };
-  std::vector<Point> on_edge_;
+  Reused<Point> on_edge_;  ///< of the edge being traced
   std::vector<int> owners_;
-  std::vector<std::array<Node, 2>> links_;      ///< of each B: the other ends of its segments
-  std::vector<Node> links_of_ends_;             ///< of each other end: that of its segment
+  Reused<End> ends_;
+  Reused<std::array<Node, 2>> links_;  ///< of each B: the other ends of its segments
+  Reused<Node> links_of_ends_;         ///< of each other end: that of its segment
+  std::array<Waiting, num_names * num_names> waiting_;
+  std::uint32_t stamp_ = 0, trace_ = 0;
 };
 
 }  // namespace geom

@@ -1,6 +1,5 @@
 #include "geom/dual/frame.h"
 
-#include <algorithm>
 #include <limits>
 
 #include "geom/check.h"
@@ -9,7 +8,7 @@ namespace geom {
 
 void Frame::begin(const WeightedPoint3& origin) {
   origin_ = origin;
-  size_ = padded_ = 0;
+  size_ = 0;
   largest2_ = largest_ = heaviest_ = 0;
   vertices_.clear();
 }
@@ -18,60 +17,90 @@ void Frame::add(const WeightedPoint3& site) {
   ensure(size_ < most, "frame: too many sites");
   const Vec3 d = site.position - origin_.position;
   const double d2 = d.squaredNorm(), dw = site.weight - origin_.weight;
+  if (size_ % 4 == 0)  // evaluated four by four
+    for (int i = size_; i < size_ + 4; ++i) dx_[i] = dy_[i] = dz_[i] = c_[i] = 0;
   dx_[size_] = d.x();
   dy_[size_] = d.y();
   dz_[size_] = d.z();
   c_[size_] = d2 - dw;
-  largest2_ = std::max(largest2_, d2);
+  if (d2 > largest2_) {
+    largest2_ = d2;
+    largest_ = std::sqrt(d2);
+  }
   heaviest_ = std::max(heaviest_, std::abs(dw));
   ++size_;
-  if (size_ <= padded_) return;
-  for (int i = padded_; i < padded_ + 4; ++i)  // evaluated four by four
-    if (i >= size_) dx_[i] = dy_[i] = dz_[i] = c_[i] = 0;
-  padded_ += 4;
 }
 
-Sure Frame::lead(const Vec3& y, double tolerance, const Vec3& d, double c, int i) const {
-  const Vec3 di = i == none ? Vec3(0, 0, 0) : offset(i);
-  const double ci = i == none ? 0 : c_[i];
-  const double size = std::abs(y.x()) + std::abs(y.y()) + std::abs(y.z());
-  const double d2 = std::max(largest2_, d.squaredNorm()), far = std::sqrt(d2);
-  const double heavy = std::max(heaviest_, std::abs(c) + d2);  // no less than |dw|
-  return {(c - ci) - 2 * (d - di).dot(y), 0x1p-47 * (d2 + heavy + far * size) + 4 * far * tolerance};
+void Frame::evaluate(const Vec3& y, double off, Values& out) const {
+  const double x2 = 2 * y.x(), y2 = 2 * y.y(), z2 = 2 * y.z();
+  out.y = y;
+  out.error = 0x1p-49 * (largest2_ + heaviest_ + 0.5 * largest_ * (std::abs(x2) + std::abs(y2) + std::abs(z2))) +
+              2 * largest_ * off;
+  const int blocks = (size_ + 3) / 4;
+  double g[most];
+  for (int b = 0; b < blocks; ++b)
+    for (int k = 4 * b; k < 4 * b + 4; ++k) g[k] = c_[k] - (dx_[k] * x2 + dy_[k] * y2 + dz_[k] * z2);
+  for (int b = 0; b < blocks; ++b)
+    for (int k = 4 * b; k < 4 * b + 4; ++k) out.g[k] = g[k];
+  out.g[most] = 0;
+}
+
+Sure Frame::difference(const Values& at, const Vec3& d, double c, int j) const {
+  const double d2 = d.squaredNorm(), far2 = std::max(d2, largest2_);
+  const double size = std::abs(at.y.x()) + std::abs(at.y.y()) + std::abs(at.y.z());
+  const double heavy = std::abs(c) + d2 + heaviest_;  // no less than |dw|
+  // what `off` adds to the error of the frame's sites counts for a farther one in proportion
+  const double scale = largest2_ > 0 ? 1 + far2 / largest2_ : 2;
+  return {(c - 2 * d.dot(at.y)) - at.g[Values::at(j)],
+          4 * scale * at.error + 0x1p-47 * (far2 + heavy + std::sqrt(far2) * size)};
 }
 
 Frame::Slot Frame::evaluate(VertexId v) {
-  if (vertices_.empty()) largest_ = std::sqrt(largest2_);
   const auto slot = static_cast<Slot>(vertices_.size());
   slot_of_[v] = slot;
-  Vertex& out = vertices_.emplace_back();
+  Vertex& out = vertices_.add();
   out.id = v;
-  out.y = mesh_.position(v) - origin_.position;
-  const double x = 2 * out.y.x(), y = 2 * out.y.y(), z = 2 * out.y.z();
-  out.error = 0x1p-49 * (largest2_ + heaviest_ + 0.5 * largest_ * (std::abs(x) + std::abs(y) + std::abs(z)));
-  for (int i = 0; i < padded_; i += 4)
-    for (int k = i; k < i + 4; ++k) out.g[k] = c_[k] - (dx_[k] * x + dy_[k] * y + dz_[k] * z);
-  double least = out.g[0], second = std::numeric_limits<double>::infinity();
+  evaluate(mesh_.position(v) - origin_.position, 0, out);
+  double least = std::numeric_limits<double>::infinity(), second = least, closest_to_0 = least;
   int nearest = 0;
-  std::uint32_t beaten_by = least < 0, unsure = std::abs(least) <= out.error;
-  for (int i = 1; i < size_; ++i) {
+  std::uint32_t beaten_by = 0;
+  for (int i = 0; i < size_; ++i) {
     const double g = out.g[i];
     beaten_by |= static_cast<std::uint32_t>(g < 0) << i;
-    unsure |= std::abs(g) <= out.error;
-    if (g < least) {
-      second = least;
-      least = g;
-      nearest = i;
-    } else {
-      second = std::min(second, g);
-    }
+    closest_to_0 = std::min(closest_to_0, std::abs(g));
+    second = std::min(second, std::max(g, least));
+    nearest = g < least ? i : nearest;
+    least = std::min(least, g);
   }
   out.nearest = static_cast<std::int8_t>(nearest);
   out.beaten_by = beaten_by;
-  out.owned = beaten_by == 0;
-  out.sure = unsure == 0;
+  out.sure = closest_to_0 > out.error;
   out.sure_nearest = second - least > 4 * out.error;
   return slot;
+}
+
+// lambda_i = a_j b_k - a_k b_j for the values a, b of two bisectors at the corners: the barycentric coordinates of the
+// axis up to scale. One bound for the three: with A and B the largest |a|, |b| and E the largest error of one,
+// 2 E (A + B) + 2 E E + 6u A B.
+Frame::Meets Frame::axis_meets(const std::array<const Values*, 3>& corners, const std::array<int, 3>& sites,
+                               int& farthest) {
+  double a[3], b[3], error = 0, most_a = 0, most_b = 0;
+  const std::size_t s0 = Values::at(sites[0]), s1 = Values::at(sites[1]), s2 = Values::at(sites[2]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Values& corner = *corners[i];
+    a[i] = corner.g[s1] - corner.g[s0];
+    b[i] = corner.g[s2] - corner.g[s0];
+    error = std::max(error, 3 * corner.error);
+    most_a = std::max(most_a, std::abs(a[i]));
+    most_b = std::max(most_b, std::abs(b[i]));
+  }
+  const double lambda[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  if (!(lambda[0] + lambda[1] + lambda[2] > 0)) return Meets::unsure;
+  farthest = lambda[1] < lambda[0] ? 1 : 0;
+  if (lambda[2] < lambda[farthest]) farthest = 2;
+  if (lambda[farthest] < 0) return Meets::beyond;
+  const double bound = 2.1 * error * (most_a + most_b + error) + 0x1p-50 * most_a * most_b;
+  return lambda[farthest] > bound ? Meets::inside : Meets::unsure;
 }
 
 }  // namespace geom

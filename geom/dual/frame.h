@@ -1,6 +1,6 @@
 #pragma once
-// A few sites seen from one of them, and their powers at the vertices of the surface: the doubles that the fast way of
-// a move decides by, with a bound on their errors.
+// A few sites seen from one of them, and their powers at locations: the doubles that the fast way of a move decides by,
+// with a bound on their errors.
 //
 // Let p be the origin, y = z - p for a location z, d_i = p_i - p for a site i. The power of z to site i less that to the
 // origin is
@@ -19,7 +19,8 @@
 //
 // which the code takes as e = 16u (|d|^2 + |dw| + |d| |y|), with the largest |d| and |dw| of all sites and |y|_1 for
 // |y|: room for higher orders and for the rounding of e itself. A difference of two values then is off by 2e + u times
-// itself, less than 3e if it is no larger than a few |d|^2, and is taken to be certain beyond 4e.
+// itself, less than 3e if it is no larger than a few |d|^2, and is taken to be certain beyond 4e. Of a location that is
+// only known within a distance `off` all values move by 2 |d| off at most, which is added to e.
 //
 // A determinant M = a b' - a' b of values at two vertices, each off by at most E at the one and E' at the other, is
 // off by E (|b'| + |a'|) + E' (|a| + |b|) + 2 E E' + 3u (|a b'| + |a' b|) at most.
@@ -27,11 +28,12 @@
 // Underflow does not count: coordinates and weights are in the valid range of predicates.h, whose products of two
 // lengths do not underflow.
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
-#include <span>
-#include <vector>
 
+#include "geom/reused.h"
 #include "geom/trimesh.h"
 
 namespace geom {
@@ -53,20 +55,32 @@ class Frame {
 
   /// Starts anew, with no other site.
   void begin(const WeightedPoint3& origin);
-  /// All before the first vertex. They are numbered 0, 1, ...
+  /// All before the first location. They are numbered 0, 1, ...
   void add(const WeightedPoint3& site);
   int size() const { return size_; }
 
-  struct Vertex {
-    VertexId id;
-    bool owned;           ///< all g_i are positive: the origin is nearest
-    bool sure;            ///< of the signs of all g_i
-    bool sure_nearest;    ///< of `nearest`
-    std::int8_t nearest;  ///< the site of least g_i
-    std::uint32_t beaten_by;  ///< bit i: g_i < 0
-    double error;         ///< e
+  /// The values g_i at a location y, and their error e.
+  struct Values {
     Vec3 y;
-    double g[most];
+    double error;
+    double g[most + 1];  ///< the last one is that of the origin: 0
+    bool nearer(int i, int j) const { return g[at(j)] - g[at(i)] > 4 * error; }  ///< certainly, i is nearer than j
+    Sure difference(int i, int j) const { return {g[at(i)] - g[at(j)], 4 * error}; }
+    static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+  };
+  /// The number of the origin as a site.
+  static constexpr int none = most;
+  void evaluate(const Vec3& y, double off, Values& out) const;
+  /// Of a site given by its d and c.
+  Sure difference(const Values& at, const Vec3& d, double c, int j) const;
+
+  struct Vertex : Values {
+    VertexId id;
+    std::uint32_t beaten_by;  ///< bit i: g_i < 0
+    std::int8_t nearest;      ///< the site of least g_i
+    bool sure;                ///< of the signs of all g_i
+    bool sure_nearest;        ///< of `nearest`
+    bool owned() const { return beaten_by == 0; }  ///< the origin is nearest
   };
   /// The values at a vertex of the surface; valid until begin(). A reference is, until the next call.
   Slot at(VertexId v) {
@@ -75,31 +89,24 @@ class Frame {
     return evaluate(v);
   }
   const Vertex& vertex(Slot s) const { return vertices_[s]; }
-  std::span<const Vertex> vertices() const { return vertices_; }
+  std::size_t num_vertices() const { return vertices_.size(); }
 
-  /// Of two sites, or of one (j = none) and the origin, at a vertex: g_i - g_j.
-  static constexpr int none = -1;
-  static double value(const Vertex& v, int i) { return i == none ? 0 : v.g[i]; }
-  static Sure difference(const Vertex& v, int i, int j) { return {value(v, i) - value(v, j), 4 * v.error}; }
   /// M = a(u) b(v) - a(v) b(u) for a = g_i - g_k, b = g_j - g_k.
-  static Sure determinant(const Vertex& u, const Vertex& v, int i, int j, int k);
-
-  /// The power of a location, off by at most `tolerance`, to a site given by its d and c, less that to site i.
-  Sure lead(const Vec3& y, double tolerance, const Vec3& d, double c, int i) const;
-  /// The same for a site of the frame.
-  Sure lead(const Vec3& y, double tolerance, int j, int i) const {
-    return j == none ? lead(y, tolerance, Vec3(0, 0, 0), 0, i) : lead(y, tolerance, offset(j), c_[j], i);
-  }
+  static Sure determinant(const Values& u, const Values& v, int i, int j, int k);
+  /// Does the axis of three sites meet the triangle with these corners, and the sites run counterclockwise there? Else the
+  /// corner from which it is farthest, on the other side of the edge opposite.
+  enum class Meets { inside, beyond, unsure };
+  static Meets axis_meets(const std::array<const Values*, 3>& corners, const std::array<int, 3>& sites, int& farthest);
 
   /// d_i, c_i, and the power of the location y to site i.
-  Vec3 offset(int i) const { return {dx_[i], dy_[i], dz_[i]}; }
-  double constant(int i) const { return c_[i]; }
+  Vec3 offset(int i) const { return i == none ? Vec3(0, 0, 0) : Vec3(dx_[i], dy_[i], dz_[i]); }
+  double constant(int i) const { return i == none ? 0 : c_[i]; }
   static Vec3 offset(const WeightedPoint3& site, const WeightedPoint3& origin) { return site.position - origin.position; }
   static double constant(const WeightedPoint3& site, const WeightedPoint3& origin) {
     return (site.position - origin.position).squaredNorm() - (site.weight - origin.weight);
   }
   double power(const Vec3& y, int i) const {
-    return y.squaredNorm() - origin_.weight + (i == none ? 0 : c_[i] - 2 * (dx_[i] * y.x() + dy_[i] * y.y() + dz_[i] * y.z()));
+    return y.squaredNorm() - origin_.weight + (constant(i) - 2 * offset(i).dot(y));
   }
   const WeightedPoint3& origin() const { return origin_; }
 
@@ -108,16 +115,17 @@ class Frame {
 
   const TriMesh& mesh_;
   WeightedPoint3 origin_{{0, 0, 0}, 0};
-  int size_ = 0, padded_ = 0;
+  int size_ = 0;
   double largest2_ = 0, largest_ = 0, heaviest_ = 0;  ///< |d|^2, |d|, |dw|
   alignas(64) double dx_[most], dy_[most], dz_[most], c_[most];
-  std::vector<Vertex> vertices_;
+  Reused<Vertex> vertices_;
   Table<VertexId, Slot> slot_of_;  ///< if that slot says so, too
 };
 
-inline Sure Frame::determinant(const Vertex& u, const Vertex& v, int i, int j, int k) {
-  const double a = value(u, i) - value(u, k), b = value(u, j) - value(u, k);
-  const double a2 = value(v, i) - value(v, k), b2 = value(v, j) - value(v, k);
+inline Sure Frame::determinant(const Values& u, const Values& v, int i, int j, int k) {
+  const std::size_t si = Values::at(i), sj = Values::at(j), sk = Values::at(k);
+  const double a = u.g[si] - u.g[sk], b = u.g[sj] - u.g[sk];
+  const double a2 = v.g[si] - v.g[sk], b2 = v.g[sj] - v.g[sk];
   const double e = 3 * u.error, e2 = 3 * v.error;
   return {a * b2 - a2 * b, e * (std::abs(a2) + std::abs(b2)) + e2 * (std::abs(a) + std::abs(b)) + 2 * e * e2 +
                                0x1p-51 * (std::abs(a * b2) + std::abs(a2 * b))};

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "geom/aabb_tree.h"
 
 namespace geom {
 namespace {
@@ -16,6 +15,23 @@ constexpr double steepest = 0.7075;    // cosine: a slope less than 1
 constexpr double flat_enough = 0.98;
 constexpr int axis_rounds = 8;
 constexpr std::size_t most_places = 1 << 20, most_listed = 1 << 25;  // then they are made anew
+
+/// Does the triangle come within that distance of the origin? Rounded.
+bool comes_within(double limit2, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) {
+  const double height = normal.dot(a);
+  if (height * height > limit2 * normal.squaredNorm() * (1 + 1e-9)) return false;
+  const auto beside = [&](const Vec3& from, const Vec3& to) { return from.cross(to).dot(normal) < 0; };
+  const auto near_edge = [&](const Vec3& from, const Vec3& to) {
+    const Vec3 d = to - from;
+    const double along = -from.dot(d), length2 = d.squaredNorm();
+    if (along <= 0) return from.squaredNorm() <= limit2;
+    if (along >= length2) return to.squaredNorm() <= limit2;
+    return from.squaredNorm() * length2 - along * along <= limit2 * length2;
+  };
+  const bool ab = beside(a, b), bc = beside(b, c), ca = beside(c, a);
+  if (!ab && !bc && !ca) return true;  // the foot of the perpendicular is inside
+  return (ab && near_edge(a, b)) || (bc && near_edge(b, c)) || (ca && near_edge(c, a));
+}
 
 /// The squared distance of x from the segment.
 double distance2(const Vec3& x, const Vec3& a, const Vec3& b) {
@@ -80,20 +96,20 @@ void Sheets::make(Place& place, double radius) {
   near_.clear();
   normals_.clear();
   facets_.near(place.center, radius * more, near_);
-  std::erase_if(near_, [&](FacetId t) {
-    const std::array<Vec3, 3> q{mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)};
-    return closest_point(place.center, q).distance2 > radius * radius * more;
-  });
   Vec3 axis(0, 0, 0);
+  std::size_t count = 0;
   for (const FacetId t : near_) {
-    const Vec3 n = mesh_.normal(t);
-    const double length = n.norm();
-    const double sides =
-        (mesh_.corner(t, 1) - mesh_.corner(t, 0)).norm() * (mesh_.corner(t, 2) - mesh_.corner(t, 0)).norm();
-    if (!(length > 1e-8 * sides)) return;  // a needle, whose normal is rounded by more than 1e-7
-    normals_.push_back(n / length);
+    const Vec3 a = mesh_.corner(t, 0) - place.center, b = mesh_.corner(t, 1) - place.center,
+               c = mesh_.corner(t, 2) - place.center;
+    const Vec3 ab = b - a, ac = c - a, n = ab.cross(ac);
+    if (!comes_within(radius * radius * more, a, b, c, n)) continue;
+    const double length2 = n.squaredNorm();
+    if (!(length2 > 1e-16 * ab.squaredNorm() * ac.squaredNorm())) return;  // a needle: its normal is off by more than 1e-7
+    normals_.push_back(n / std::sqrt(length2));
     axis += normals_.back();
+    near_[count++] = t;
   }
+  near_.resize(count);
   if (normals_.empty() || !(axis.norm() > 1e-9)) return;
   axis.normalize();
   double cosine = -1;  // towards the middle of the smallest cone about the normals
@@ -115,25 +131,26 @@ void Sheets::make(Place& place, double radius) {
 
 /// Premises (2) and (3) for the facets in near_.
 bool Sheets::hangs_together(const Vec3& center, double radius) {
-  std::ranges::sort(near_);
-  reached_.assign(near_.size(), false);
-  stack_.assign(1, near_.front());
-  reached_[0] = true;
-  std::size_t count = 1;
+  ++stamp_;
+  for (const FacetId t : near_) stamp_of_[t] = 2 * stamp_;  // even: near, not reached
+  const auto reach = [&](FacetId t) {
+    stamp_of_[t] = 2 * stamp_ + 1;
+    stack_.push_back(t);
+  };
+  stack_.clear();
+  reach(near_.front());
+  std::size_t count = 0;
   while (!stack_.empty()) {
     const FacetId t = stack_.back();
     stack_.pop_back();
+    ++count;
     for (int e = 0; e < 3; ++e) {
-      if (distance2(center, mesh_.corner(t, e), mesh_.corner(t, e == 2 ? 0 : e + 1)) > radius * radius) continue;
       const FacetId across = mesh_.across(t, e);
+      const bool is_reached = across.valid() && stamp_of_[across] == 2 * stamp_ + 1;
+      if (is_reached || distance2(center, mesh_.corner(t, e), mesh_.corner(t, e == 2 ? 0 : e + 1)) > radius * radius)
+        continue;
       if (!across.valid()) return false;
-      const auto at = std::ranges::lower_bound(near_, across);
-      if (at == near_.end() || *at != across) continue;
-      char& reached = reached_[static_cast<std::size_t>(at - near_.begin())];
-      if (reached) continue;
-      reached = true;
-      ++count;
-      stack_.push_back(across);
+      if (stamp_of_[across] == 2 * stamp_) reach(across);
     }
   }
   return count == near_.size();

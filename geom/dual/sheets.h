@@ -44,7 +44,8 @@ namespace geom {
 class Sheets {
  public:
   /// Keeps references.
-  Sheets(const TriMesh& mesh, const FacetTree& facets) : mesh_(mesh), facets_(facets) {}
+  Sheets(const TriMesh& mesh, const FacetTree& facets)
+      : mesh_(mesh), facets_(facets), stamp_of_(mesh.num_facets(), 0) {}
 
   /// Is there surely no second component of the cell of p within `distance` of it, given its link: the differences
   /// q - p and the numbers c? p is on the surface. Amortised O(1).
@@ -89,7 +90,8 @@ class Sheets {
   std::vector<FacetId> lists_;
   std::vector<FacetId> near_, stack_;  // workspaces
   std::vector<Vec3> normals_;
-  std::vector<char> reached_;
+  Table<FacetId, std::uint32_t> stamp_of_;
+  std::uint32_t stamp_ = 0;
 };
 
 }  // namespace geom
