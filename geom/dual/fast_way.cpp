@@ -23,6 +23,7 @@ FastWay::FastWay(DualState& state)
 // --- removal -------------------------------------------------------------------------------------
 
 bool FastWay::plan(SiteId p) {
+  known_radius_ = -1;
   if (state_.types == CornerTypes::all || !state_.is_regular(p) || !open_star(p)) return false;
   frame_.begin(state_.sites[p]);
   for (const SiteId r : rim_) frame_.add(state_.sites[r]);
@@ -245,7 +246,7 @@ bool FastWay::prove_hole() {
   const Vacancy hole{p_, site.position, std::sqrt(radius2 * more), most_power + 1e-9 * std::abs(most_power)};
   candidates_.clear();
   if (!state_.paper) {
-    state_.tree.heirs(hole, candidates_);
+    look_around(hole);
     return is_empty_of_strangers(hole, points_, nearest_);
   }
   state_.paper->remove(p_);
@@ -257,6 +258,38 @@ bool FastWay::prove_hole() {
 
 void FastWay::cancel() {
   if (state_.paper) state_.paper->insert(p_, state_.sites[p_], rim_.front());
+}
+
+/// Candidates for a vacancy. If they are few cells of the grid away, at once all sites that may lose something to p_ near
+/// there, or own something of a cell there: for its insertion.
+void FastWay::look_around(const Vacancy& vacancy) {
+  const double distance = std::max(vacancy.radius + state_.distance_at(vacancy.max_radius2),
+                                   2.1 * state_.distance_at(state_.largest_reach()));
+  known_radius_ = -1;
+  if (state_.find_near(vacancy.center, distance, candidates_)) {
+    known_center_ = vacancy.center;
+    known_radius_ = distance;
+  } else {
+    state_.near(vacancy, candidates_);
+  }
+}
+
+/// Are all sites within that distance of x among the candidates that were found last?
+bool FastWay::knows(const Vec3& x, double distance) const {
+  return ((x - known_center_).norm() + distance) * more < known_radius_;
+}
+
+/// A bound of the reach of those who may lose something to p_.
+double FastWay::power_of_rivals() {
+  const WeightedPoint3& point = state_.sites[p_];
+  const double largest = state_.largest_reach();
+  const double enough = 1.45 * (cell_reach_ + point.weight) - point.weight;
+  if (largest <= enough) return largest;
+  if (!knows(point.position, 2 * state_.distance_at(largest))) return state_.tree.largest_rival_reach(point, enough);
+  double power = -infinity;
+  for (const SiteId s : candidates_)
+    if (s != p_) power = std::max(power, state_.reach[s]);
+  return power;
 }
 
 /// Is no candidate but the rim's nearer than the sites that are said to be nearest, at all corners of the flood and at
@@ -319,8 +352,7 @@ void FastWay::remove(DualChange& change) {
       state_.circles.set_beyond(other, state_.circles[other].opposite(rim_[at(j)], rim_[at(next(j))]), id(i));
     }
   for (const SiteId r : rim_) state_.raise_reach(r, max_radius2_);
-  state_.tree.remove(p_);
-  --state_.num_sites;
+  state_.leave(p_);
   state_.reach[p_] = -infinity;
   change.cells = rim_;
   std::ranges::sort(change.cells);
@@ -353,7 +385,7 @@ bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, Dua
     state_.sites[p_] = old;
     return false;
   }
-  state_.tree.move(p_, point);
+  state_.follow(p_, old.position);
   state_.home[p_] = home;
   for (int j = 0; j < size(); ++j) {
     EmptyCircle moved = state_.circles[star_[at(j)]];
@@ -381,12 +413,9 @@ bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, Dua
 bool FastWay::prove_new_cell(FacetId home, double least_distance, std::span<const CircleId> reached) {
   if (!find_star_corners()) return false;
   if (state_.paper) state_.paper->insert(p_, state_.sites[p_], rim_.front());
-  const WeightedPoint3& point = state_.sites[p_];
   const auto prove = [&] {
     if (!trace_cell(home) || may_beat_unreached(reached)) return false;
-    const double enough = 1.45 * (cell_reach_ + point.weight) - point.weight;
-    const double power = state_.tree.largest_rival_reach(point, enough);
-    return has_one_component(std::max(least_distance, state_.distance_at(power, p_)));
+    return has_one_component(std::max(least_distance, state_.distance_at(power_of_rivals(), p_)));
   };
   if (prove()) return true;
   if (state_.paper) state_.paper->remove(p_);
@@ -434,20 +463,23 @@ bool FastWay::trace_cell(FacetId home) {
     radius2 = std::max(radius2, far * far);
   }
   cell_reach_ = radius2 * more - site.weight;
-  candidates_.clear();
-  if (state_.paper)
+  const Vacancy cell{p_, site.position, std::sqrt(radius2 * more), cell_reach_};
+  if (state_.paper) {
+    candidates_.clear();
     state_.paper->rivals(p_, candidates_);
-  else
-    state_.tree.heirs({p_, site.position, std::sqrt(radius2 * more), cell_reach_}, candidates_);
+  } else if (!knows(site.position, cell.radius + state_.distance_at(cell_reach_))) {
+    candidates_.clear();
+    look_around(cell);
+  }
   return is_empty_of_strangers({p_, site.position, std::sqrt(radius2 * more), cell_reach_}, points_, {});
 }
 
 /// May p_ beat circles that are not reached? They would be of an irregular site.
 bool FastWay::may_beat_unreached(std::span<const CircleId> reached) {
   if (state_.num_irregular == 0) return false;
-  candidates_.clear();
-  state_.tree.rivals(state_.sites[p_], candidates_);
-  return std::ranges::any_of(candidates_, [&](SiteId s) {
+  rivals_.clear();
+  state_.tree.rivals(state_.sites[p_], rivals_);
+  return std::ranges::any_of(rivals_, [&](SiteId s) {
     if (s == p_ || state_.is_regular(s)) return false;
     const std::span<const CircleId> circles = state_.circles.of_site(s);
     return circles.empty() || std::ranges::any_of(circles, [&](CircleId c) {
@@ -474,6 +506,7 @@ bool FastWay::has_one_component(double distance) {
   for (int j = 0; j < size(); ++j) link_.push_back({frame_.offset(j), frame_.constant(j)});
   if (sheets_.has_one_component(p, distance, link_)) return true;
   candidates_.clear();
+  known_radius_ = -1;
   cell_power_ = distance * distance - state_.sites[p_].weight;
   return std::ranges::all_of(sheets_.facets_within(p, distance), [&](FacetId t) {
     return flood_.meets(t) || !state_.clipper.comes_near(t, p, distance) || owns_nothing_of(t);
@@ -491,7 +524,7 @@ bool FastWay::owns_nothing_of(FacetId t) {
   if (std::ranges::any_of(rim_, takes_all)) return true;
   if (candidates_.empty()) {  // another sheet: who else is there?
     const double radius = state_.distance_at(cell_power_, p_);
-    state_.tree.heirs({p_, state_.sites[p_].position, radius, cell_power_}, candidates_);
+    state_.near({p_, state_.sites[p_].position, radius, cell_power_}, candidates_);
   }
   return std::ranges::any_of(candidates_, takes_all);
 }
@@ -499,6 +532,7 @@ bool FastWay::owns_nothing_of(FacetId t) {
 bool FastWay::insert(SiteId p, const WeightedPoint3& point, FacetId home, CircleId first, DualChange& change) {
   if (state_.types == CornerTypes::all) return false;
   p_ = p;
+  known_radius_ = -1;
   state_.admit(p, point);
   if (!find_conflict(first) || !prove_new_cell(home, 0, conflict_)) return false;
   for (const CircleId c : conflict_) {
@@ -518,8 +552,7 @@ bool FastWay::insert(SiteId p, const WeightedPoint3& point, FacetId home, Circle
     state_.circles.set_beyond(id(j), circle.index_of(b), id(previous(j)));
     state_.circles.set_beyond(outer_[at(j)], state_.circles[outer_[at(j)]].opposite(a, b), id(j));
   }
-  state_.tree.insert(p, point);
-  ++state_.num_sites;
+  state_.enter(p);
   state_.home[p] = home;
   state_.set_reach(p, cell_reach_);
   state_.set_regular(p, true);
@@ -580,6 +613,7 @@ bool FastWay::find_conflict(CircleId first) {
 // --- regular sites -------------------------------------------------------------------------------
 
 bool FastWay::certify(SiteId p) {
+  known_radius_ = -1;
   if (state_.types == CornerTypes::all || !state_.home[p].valid() || !open_star(p)) return false;
   frame_.begin(state_.sites[p]);
   for (const SiteId r : rim_) frame_.add(state_.sites[r]);

@@ -96,6 +96,9 @@ class FastWay {
   bool prove_new_cell(FacetId home, double least_distance, std::span<const CircleId> reached);
   bool find_star_corners();
   bool trace_cell(FacetId home);
+  void look_around(const Vacancy& vacancy);
+  bool knows(const Vec3& x, double distance) const;
+  double power_of_rivals();
   bool may_beat_unreached(std::span<const CircleId> reached);
   Sure lead_at(const EmptyCircle& circle) const;
   bool has_one_component(double distance);
@@ -131,7 +134,9 @@ class FastWay {
   std::vector<HoleCorner> hole_corners_;
   // Workspaces.
   FacetPolygon polygon_;
-  std::vector<SiteId> candidates_;
+  std::vector<SiteId> candidates_, rivals_;
+  Vec3 known_center_{0, 0, 0};  ///< candidates_ are all sites this near
+  double known_radius_ = -1;
   std::vector<FacetId> facets_;
   std::vector<RoundedPoint> points_;
   std::vector<int> nearest_;

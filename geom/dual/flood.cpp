@@ -109,10 +109,9 @@ Flood::Meets Flood::interval(const Frame::Vertex& u, const Frame::Vertex& v, Int
 // both ends have one owner, all between has. Else the bisectors of consecutive owners meet the edge, and a third site
 // that is nearer there comes between.
 bool Flood::divide(const Frame::Vertex& u, const Frame::Vertex& v, const Interval& part) {
-  if (part.begin == at_vertex && !u.sure_nearest) return false;
-  if (part.end == at_vertex && !v.sure_nearest) return false;
-  const int first = part.begin == at_vertex ? u.nearest : part.begin,
-            last = part.end == at_vertex ? v.nearest : part.end;
+  const int first = part.begin == at_vertex ? frame_.nearest(u) : part.begin,
+            last = part.end == at_vertex ? frame_.nearest(v) : part.end;
+  if (first < 0 || last < 0) return false;
   if (first == last) return true;
   owners_.assign({first, last});
   for (std::size_t k = 0; k + 1 < owners_.size();) {
@@ -165,9 +164,10 @@ bool Flood::add_vertex(Frame::Slot s) {
   if (vertex_seen_[s] == trace_) return true;
   vertex_seen_[s] = trace_;
   const Frame::Vertex& v = frame_.vertex(s);
-  if (division_ && !v.sure_nearest) return false;
+  const int nearest = division_ ? frame_.nearest(v) : Frame::none;
+  if (nearest < 0) return false;
   radius2_ = std::max(radius2_, v.y.squaredNorm());
-  corners_.add({v.y, 0, division_ ? v.nearest : Frame::none});
+  corners_.add({v.y, 0, nearest});
   return true;
 }
 

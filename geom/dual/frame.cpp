@@ -61,22 +61,24 @@ Frame::Slot Frame::evaluate(VertexId v) {
   Vertex& out = vertices_.add();
   out.id = v;
   evaluate(mesh_.position(v) - origin_.position, 0, out);
-  double least = std::numeric_limits<double>::infinity(), second = least, closest_to_0 = least;
-  int nearest = 0;
+  double closest_to_0 = std::numeric_limits<double>::infinity();
   std::uint32_t beaten_by = 0;
   for (int i = 0; i < size_; ++i) {
-    const double g = out.g[i];
-    beaten_by |= static_cast<std::uint32_t>(g < 0) << i;
-    closest_to_0 = std::min(closest_to_0, std::abs(g));
-    second = std::min(second, std::max(g, least));
-    nearest = g < least ? i : nearest;
-    least = std::min(least, g);
+    beaten_by |= static_cast<std::uint32_t>(out.g[i] < 0) << i;
+    closest_to_0 = std::min(closest_to_0, std::abs(out.g[i]));
   }
-  out.nearest = static_cast<std::int8_t>(nearest);
   out.beaten_by = beaten_by;
   out.sure = closest_to_0 > out.error;
-  out.sure_nearest = second - least > 4 * out.error;
   return slot;
+}
+
+int Frame::nearest(const Vertex& v) const {
+  int nearest = 0;
+  for (int i = 1; i < size_; ++i)
+    if (v.g[i] < v.g[nearest]) nearest = i;
+  for (int i = 0; i < size_; ++i)
+    if (i != nearest && !v.nearer(nearest, i)) return -1;
+  return nearest;
 }
 
 // lambda_i = a_j b_k - a_k b_j for the values a, b of two bisectors at the corners: the barycentric coordinates of the

@@ -77,9 +77,7 @@ class Frame {
   struct Vertex : Values {
     VertexId id;
     std::uint32_t beaten_by;  ///< bit i: g_i < 0
-    std::int8_t nearest;      ///< the site of least g_i
     bool sure;                ///< of the signs of all g_i
-    bool sure_nearest;        ///< of `nearest`
     bool owned() const { return beaten_by == 0; }  ///< the origin is nearest
   };
   /// The values at a vertex of the surface; valid until begin(). A reference is, until the next call.
@@ -89,6 +87,8 @@ class Frame {
     return evaluate(v);
   }
   const Vertex& vertex(Slot s) const { return vertices_[s]; }
+  /// The site of least g_i, if that is certain; else -1.
+  int nearest(const Vertex& v) const;
   std::size_t num_vertices() const { return vertices_.size(); }
 
   /// M = a(u) b(v) - a(v) b(u) for a = g_i - g_k, b = g_j - g_k.

@@ -60,8 +60,7 @@ void Redivision::remove(SiteId p, DualChange& change) {
     around_up_to_.push_back(static_cast<std::uint32_t>(around_.size()));
   }
   if (state_.paper) state_.paper->remove(p);
-  state_.tree.remove(p);
-  --state_.num_sites;
+  state_.leave(p);
   open_.clear();
   while (!state_.circles.of_site(p).empty()) erase(state_.circles.of_site(p).front(), change);
   last_power_ = last_reach_;
@@ -111,8 +110,7 @@ void Redivision::insert(SiteId p, const WeightedPoint3& point, DualChange& chang
   const SiteId hint = state_.num_sites > 0 ? state_.tree.nearest(point.position, SiteId()).site : SiteId();
   state_.admit(p, point);
   if (state_.paper) state_.paper->insert(p, point, hint);
-  state_.tree.insert(p, point);
-  ++state_.num_sites;
+  state_.enter(p);
   rivals_.clear();
   double power = infinity;
   if (state_.num_sites > 1) {
@@ -199,7 +197,7 @@ void Redivision::build(int threads, DualChange& change) {
     chains.add(t, pieces);
   });
   for (SiteId s(0); s.index() < state_.sites.size(); s = SiteId(s.value + 1))
-    if (state_.reach[s] > -infinity) state_.tree.set_reach(s, state_.reach[s]);
+    if (state_.reach[s] > -infinity) state_.set_reach(s, state_.reach[s]);
 }
 
 // --- questions -----------------------------------------------------------------------------------

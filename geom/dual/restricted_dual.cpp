@@ -30,10 +30,10 @@ const RestrictedDual::Change& RestrictedDual::build(std::span<const WeightedPoin
     state_.home[SiteId(i)] = homes[i];
   }
   for (const SiteId p : order) {
-    state_.tree.insert(p, points[p.index()]);
+    state_.enter(p);
     if (state_.paper) state_.paper->insert(p, points[p.index()], SiteId());
   }
-  state_.num_sites = points.size();
+  state_.choose_search();
   redivision_.build(threads, change_);
   for (std::size_t i = 0; i < points.size(); ++i) state_.set_regular(SiteId(i), fast_.certify(SiteId(i)));
   return change_;

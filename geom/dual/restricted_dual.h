@@ -72,7 +72,7 @@ class RestrictedDual {
   std::vector<FacetPolygon> cell(SiteId p);
   /// The site nearest to x in power, as NeighbourSource::nearest().
   NeighbourSource::Nearest nearest(const Vec3& x, SiteId without) const {
-    return state_.tree.nearest(x, without);
+    return state_.nearest(x, without);
   }
   /// All sites that are in, by position.
   const SiteTree& tree() const { return state_.tree; }

@@ -44,11 +44,15 @@ double distance2(const Vec3& x, const Vec3& a, const Vec3& b) {
 }  // namespace
 
 Sheets::Place& Sheets::at(const Vec3& p, double distance, double& level_radius) {
-  int exponent = 0;
-  const double mantissa = std::frexp(distance, &exponent);  // levels a factor sqrt(2) apart
-  const bool half = mantissa <= std::numbers::sqrt2 / 2;
-  level_radius = std::ldexp(half ? std::numbers::sqrt2 / 2 : 1.0, exponent);
-  Key key{2 * exponent - half, {}};
+  if (!(distance <= level_radius_ && level_radius_ < 1.6 * distance)) {  // else the level of the last place will do
+    int exponent = 0;
+    const double mantissa = std::frexp(distance, &exponent);
+    const auto step = static_cast<int>(std::ceil(4 * std::log2(mantissa) - 1e-6));  // levels a factor 2^(1/4) apart
+    level_ = 4 * exponent + step;
+    level_radius_ = std::exp2(0.25 * level_) * more;
+  }
+  level_radius = level_radius_;
+  Key key{level_, {}};
   for (int i = 0; i < 3; ++i)
     key.cell[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(std::floor(p[i] / (cell_size * level_radius)));
   if (places_.size() > most_places) {
@@ -106,6 +110,7 @@ void Sheets::make(Place& place, double radius) {
     const double length2 = n.squaredNorm();
     if (!(length2 > 1e-16 * ab.squaredNorm() * ac.squaredNorm())) return;  // a needle: its normal is off by more than 1e-7
     normals_.push_back(n / std::sqrt(length2));
+    if (normals_.back().dot(normals_.front()) < 0) return;  // more than 45 degrees from any axis, one of them
     axis += normals_.back();
     near_[count++] = t;
   }

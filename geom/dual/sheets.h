@@ -86,6 +86,8 @@ class Sheets {
 
   const TriMesh& mesh_;
   const FacetTree& facets_;
+  int level_ = 0;
+  double level_radius_ = 0;  ///< that serves the distances asked for last
   std::unordered_map<Key, Place, Hash> places_;
   std::vector<FacetId> lists_;
   std::vector<FacetId> near_, stack_;  // workspaces

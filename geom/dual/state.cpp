@@ -11,6 +11,12 @@
 #include "geom/scaling.h"
 
 namespace geom {
+namespace {
+
+constexpr double cell_of_grid = 2.4;  // in square roots of the area of a cell
+
+}  // namespace
+
 DualState::DualState(const TriMesh& surface, CornerTypes corners, NeighbourSource* source)
     : mesh(surface),
       types(corners),
@@ -35,10 +41,89 @@ void DualState::admit(SiteId p, const WeightedPoint3& point) {
     regular_.resize(p.index() + 1, true);
   }
   sites[p] = point;
+  heaviest_ = std::max(heaviest_, point.weight);
+}
+
+void DualState::enter(SiteId p) {
+  tree.insert(p, sites[p]);
+  if (grid.is_in_use()) grid.insert(p, sites[p].position);
+  ++num_sites;
+}
+
+void DualState::leave(SiteId p) {
+  tree.remove(p);
+  if (grid.is_in_use()) grid.remove(p, sites[p].position);
+  --num_sites;
+}
+
+void DualState::follow(SiteId p, const Vec3& from) {
+  tree.move(p, sites[p]);
+  if (grid.is_in_use()) grid.move(p, from, sites[p].position);
+}
+
+void DualState::choose_search() {
+  const auto [least, most] = std::ranges::minmax(sites, {}, &WeightedPoint3::weight);
+  double area = mesh.area();
+  const double spacing = std::sqrt(area / static_cast<double>(num_sites));
+  if (least.weight != most.weight || !(spacing > 0) || extent > 1e5 * spacing) return;
+  grid = SiteGrid(cell_of_grid * spacing, num_sites);
+  for (SiteId p(0); p.index() < sites.size(); p = SiteId(p.value + 1))
+    if (tree.contains(p)) grid.insert(p, sites[p].position);
+}
+
+void DualState::near(const Vacancy& vacancy, std::vector<SiteId>& out) const {
+  const double far2 = vacancy.max_radius2 + heaviest_;
+  const double distance = vacancy.radius + (far2 > 0 ? std::sqrt(far2) : 0);
+  if (grid.is_in_use() && grid.is_short(distance))
+    grid.near(vacancy.center, distance, out);
+  else
+    tree.heirs(vacancy, out);
+}
+
+double DualState::distance_at(double power) const {
+  const double distance2 = power + heaviest_ + 1e-9 * (std::abs(power) + heaviest_);
+  return distance2 > 0 ? std::sqrt(distance2) * (1 + 1e-9) : 0;
+}
+
+bool DualState::find_near(const Vec3& x, double distance, std::vector<SiteId>& out) const {
+  if (!grid.is_in_use() || !grid.is_short(distance)) return false;
+  grid.near(x, distance, out);
+  return true;
+}
+
+/// A site beside one that is in bounds the distance.
+NeighbourSource::Nearest DualState::nearest(const Vec3& x, SiteId without) const {
+  double bound = std::numeric_limits<double>::infinity();
+  if (grid.is_in_use() && without.valid())
+    for (const CircleId c : circles.of_site(without))
+      for (const SiteId s : circles[c].sites)
+        if (s.valid() && s != without) bound = std::min(bound, power(x, sites[s]));
+  const double distance = std::sqrt(std::max(0.0, bound + heaviest_)) * (1 + 1e-9);
+  if (!(distance < std::numeric_limits<double>::infinity()) || !grid.is_short(distance)) return tree.nearest(x, without);
+  std::vector<SiteId>& found = found_;
+  found.clear();
+  grid.near(x, distance, found);
+  NeighbourSource::Nearest best{SiteId(), std::numeric_limits<double>::infinity()};
+  for (const SiteId s : found) {
+    if (s == without) continue;
+    const double radius2 = power(x, sites[s]);
+    if (radius2 < best.radius2 || (radius2 == best.radius2 && s < best.site)) best = {s, radius2};
+  }
+  return best;
+}
+
+double DualState::largest_reach() {
+  if (++changes_ > num_sites / 2) {
+    changes_ = 0;
+    largest_reach_ = -std::numeric_limits<double>::infinity();
+    for (const double r : reach) largest_reach_ = std::max(largest_reach_, r);
+  }
+  return largest_reach_;
 }
 
 void DualState::set_reach(SiteId p, double value) {
   reach[p] = value;
+  largest_reach_ = std::max(largest_reach_, value);
   tree.set_reach(p, value);
 }
 

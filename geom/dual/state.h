@@ -8,6 +8,7 @@
 #include "geom/clip.h"
 #include "geom/dual/empty_circles.h"
 #include "geom/facet_tree.h"
+#include "geom/site_grid.h"
 #include "geom/site_tree.h"
 
 namespace geom {
@@ -30,8 +31,21 @@ struct DualState {
   DualState(const TriMesh& mesh, CornerTypes types, NeighbourSource* paper);
   DualState(const DualState&) = delete;
 
-  /// Sets the point of a site that is not in the tree.
+  /// Sets the point of a site that is not in.
   void admit(SiteId p, const WeightedPoint3& point);
+  // A site that is admitted comes in, goes out, or was elsewhere: for those who search.
+  void enter(SiteId p);
+  void leave(SiteId p);
+  void follow(SiteId p, const Vec3& from);
+  /// All sites are in, of about even density or not: chooses how they are searched from now on.
+  void choose_search();
+
+  /// Appends all sites that may own a location of the vacancy, and some more (NeighbourSource::heirs()).
+  void near(const Vacancy& vacancy, std::vector<SiteId>& out) const;
+  /// Appends all sites that near a location if that is a quick search; else false.
+  bool find_near(const Vec3& x, double distance, std::vector<SiteId>& out) const;
+  /// NeighbourSource::nearest().
+  NeighbourSource::Nearest nearest(const Vec3& x, SiteId without) const;
   /// A corner of a polygon of the diagram as a circle; none if another polygon registers it. Each C corner is seen from
   /// three cells: the one of smallest id registers it. A B corner is registered by the smaller id in the smaller facet,
   /// an A corner in the first facet of the vertex.
@@ -50,11 +64,15 @@ struct DualState {
   void center_circle(EmptyCircle& circle, const Vec3& corner) const;
   /// An upper bound of the distance from the site, of that power.
   double distance_at(double power, SiteId p) const;
+  /// The same from any site that has been in.
+  double distance_at(double power) const;
   /// Reach of a site: see RestrictedDual::reach_bound().
   void set_reach(SiteId p, double value);
   void raise_reach(SiteId p, double value) {
     if (value > reach[p]) set_reach(p, value);
   }
+  /// An upper bound of all reaches. Amortised O(1).
+  double largest_reach();
 
   const TriMesh& mesh;
   const CornerTypes types;
@@ -62,6 +80,7 @@ struct DualState {
   NeighbourSource* const paper;
   Clipper::Sites sites;
   SiteTree tree;
+  SiteGrid grid;  ///< the same sites, where their density is even
   EmptyCircles circles;
   Clipper clipper;
   FacetTree facets;
@@ -80,6 +99,10 @@ struct DualState {
 
  private:
   Table<SiteId, char> regular_;
+  double heaviest_ = 0;
+  double largest_reach_ = 0;
+  mutable std::vector<SiteId> found_;  // workspace
+  std::size_t changes_ = 0;  ///< of reaches, since it was the largest one
 };
 
 }  // namespace geom
