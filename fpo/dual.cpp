@@ -23,7 +23,6 @@ std::vector<SurfaceSample> samples_of(const SurfaceDomain& domain) {
   return samples;
 }
 
-
 }  // namespace
 
 Dual dual_of(const SurfaceDomain& domain, bool keep_cells) {

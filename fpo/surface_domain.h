@@ -12,8 +12,8 @@
 
 #include "fpo/domain.h"
 #include "fpo/initial_samples.h"
-#include "geom/indexed_heap.h"
 #include "geom/dual/restricted_dual.h"
+#include "geom/indexed_heap.h"
 #include "geom/restricted_power.h"
 
 namespace fpo {
@@ -130,13 +130,13 @@ class SurfaceDomain final : public Domain {
   SurfaceOptions options_;
   geom::Table<SiteId, SurfaceSample> samples_;
   geom::Table<SiteId, double> weight_share_;
-  bool unweighted_;  ///< all weights are and have always been 0
+  bool unweighted_;                               ///< all weights are and have always been 0
   std::unique_ptr<geom::NeighbourSource> paper_;  ///< Engine::triangulation
   std::unique_ptr<geom::RestrictedDual> dual_;
   geom::IndexedHeap<CircleId, CircleOrder> circles_;
   const geom::RestrictedDual::Change* last_change_ = nullptr;
-  SiteId near_removed_;             ///< a sample near the removed one if that had no cell
-  std::vector<SiteId> link_;        // workspace
+  SiteId near_removed_;       ///< a sample near the removed one if that had no cell
+  std::vector<SiteId> link_;  // workspace
 };
 
 }  // namespace fpo

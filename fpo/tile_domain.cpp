@@ -150,7 +150,9 @@ std::vector<SiteId> TileDomain::restless(std::span<const SiteId> of_whole, doubl
 }
 
 /// No location of a cell with that reach is farther from x.
-double TileDomain::radius(SiteId x, double reach) const { return root(reach + domain_->dual().site(x).weight); }
+double TileDomain::radius(SiteId x, double reach) const {
+  return root(reach + domain_->dual().site(x).weight);
+}
 
 /// Is that held whose size follows from the reach of x? The least reach is asked for where a bound is too large.
 template <class Holds>

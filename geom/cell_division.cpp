@@ -8,10 +8,7 @@ namespace geom {
 
 CellDivision::CellDivision(const TriMesh& mesh, const Clipper::Sites& sites, Clipper& clipper,
                            const FragmentStore& store)
-    : mesh_(mesh),
-      sites_(sites),
-      clipper_(clipper),
-      store_(store) {}
+    : mesh_(mesh), sites_(sites), clipper_(clipper), store_(store) {}
 
 void CellDivision::begin(SiteId p, std::span<const FragmentId> vacated, std::span<const SiteId> excluded) {
   p_ = p;
@@ -182,7 +179,6 @@ bool CellDivision::inherits_whole(FacetId t) {
     corners_.push_back(cell_corner(t, share.polygon.owner, share.polygon.corners, c));
   return true;
 }
-
 
 /// What the heirs have on the facets of the vacated fragments: from a facet's list if that is short, else heir
 /// by heir.

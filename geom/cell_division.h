@@ -82,7 +82,7 @@ class CellDivision {
   bool misfit_ = false;
 
   std::vector<FragmentId> old_fragments_;  ///< row: vacated fragment, column: what the heir has on that facet
-  std::vector<Heir> order_;  ///< those that matter most on the facet in hand first
+  std::vector<Heir> order_;                ///< those that matter most on the facet in hand first
   std::vector<char> beaten_;
   FacetPolygon polygon_;
 };

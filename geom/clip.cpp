@@ -40,8 +40,7 @@ void Clipper::start(FacetPolygon& polygon, FacetId facet, SiteId owner) const {
   polygon.owner = owner;
   polygon.corners.resize(3);
   for (int i = 0; i < 3; ++i)
-    polygon.corners[static_cast<std::size_t>(i)] = {
-        {mesh_.corner(facet, i), 0}, EdgeLabel::facet_edge(i)};
+    polygon.corners[static_cast<std::size_t>(i)] = {{mesh_.corner(facet, i), 0}, EdgeLabel::facet_edge(i)};
 }
 
 /// Power is convex, so its maximum is at a corner. With a the rounded distance of a corner and b = sqrt(3)

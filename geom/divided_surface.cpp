@@ -63,7 +63,8 @@ void DividedSurface::for_each(std::span<const FacetId> facets, int threads, cons
   };
   const std::size_t at_once = facets_of(patience);
   for (std::size_t first = 0; first < facets.size(); first += at_once) {
-    divide(facets.subspan(first, std::min(at_once, facets.size() - first)), facets_of(in_batch), lanes, batches);
+    divide(facets.subspan(first, std::min(at_once, facets.size() - first)), facets_of(in_batch), lanes,
+           batches);
     std::size_t at = first;
     for (const Batch& batch : batches) {
       std::size_t i = 0;

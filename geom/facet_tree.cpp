@@ -36,8 +36,10 @@ FacetTree::FacetTree(const TriMesh& mesh, std::vector<FacetId> order) : order_(s
   do {
     std::vector<Box> above;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-      if (i % arity == 0) above.push_back(boxes[i]);
-      else above.back().extend(boxes[i]);
+      if (i % arity == 0)
+        above.push_back(boxes[i]);
+      else
+        above.back().extend(boxes[i]);
     }
     boxes = above;
     levels_.push_back(std::move(above));

@@ -58,8 +58,8 @@ class FragmentStore {
     SiteId site;
     FacetId facet;
     std::uint32_t place_in_cell = 0, place_in_facet = 0;
-    std::uint32_t polygon = 0;        ///< its block
-    std::uint16_t size = 0;           ///< of that, in corners; 0: whole, without a block
+    std::uint32_t polygon = 0;   ///< its block
+    std::uint16_t size = 0;      ///< of that, in corners; 0: whole, without a block
     std::uint16_t capacity = 0;  ///< likewise
   };
   void release_block(Fragment& f);

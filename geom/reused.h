@@ -12,21 +12,33 @@ namespace geom {
 template <class T>
 class Reused {
  public:
+  Reused() = default;
+  Reused(const Reused&) = delete;
+  Reused& operator=(const Reused&) = delete;
+
   void clear() { size_ = 0; }
   T& add() {
-    if (size_ == items_.size()) items_.resize(2 * size_ + 16);
-    return items_[size_++];
+    if (size_ == capacity_) [[unlikely]]
+      grow();
+    return first_[size_++];
   }
   void add(const T& item) { add() = item; }
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
-  T& operator[](std::size_t i) { return items_[i]; }
-  const T& operator[](std::size_t i) const { return items_[i]; }
-  std::span<const T> items() const { return std::span(items_).first(size_); }
+  T& operator[](std::size_t i) { return first_[i]; }
+  const T& operator[](std::size_t i) const { return first_[i]; }
+  std::span<const T> items() const { return {first_, size_}; }
 
  private:
+  [[gnu::noinline]] void grow() {
+    items_.resize(2 * size_ + 16);
+    first_ = items_.data();
+    capacity_ = items_.size();
+  }
+
   std::vector<T> items_;
-  std::size_t size_ = 0;
+  T* first_ = nullptr;
+  std::size_t size_ = 0, capacity_ = 0;
 };
 
 }  // namespace geom

@@ -45,7 +45,9 @@ class SiteGrid {
     return static_cast<std::uint64_t>(i + bias) << 42 | static_cast<std::uint64_t>(j + bias) << 21 |
            static_cast<std::uint64_t>(k + bias);
   }
-  std::uint64_t key_at(const Vec3& x) const { return key_of(coordinate(x.x()), coordinate(x.y()), coordinate(x.z())); }
+  std::uint64_t key_at(const Vec3& x) const {
+    return key_of(coordinate(x.x()), coordinate(x.y()), coordinate(x.z()));
+  }
   std::uint32_t find(std::uint64_t key) const;
   std::uint32_t find_or_make(std::uint64_t key);
   void grow();
@@ -54,8 +56,8 @@ class SiteGrid {
     return static_cast<std::size_t>(key ^ key >> 32);
   }
 
-  double inverse_ = 0;  ///< of the cell size
-  double slack_ = 0;    ///< more than a rounded position is off
+  double inverse_ = 0;                ///< of the cell size
+  double slack_ = 0;                  ///< more than a rounded position is off
   std::vector<std::uint32_t> table_;  ///< open addressing: places of buckets, 0: none
   std::vector<Bucket> buckets_;       ///< the first one is not used; cells are never given up
 };

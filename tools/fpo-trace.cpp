@@ -59,7 +59,9 @@ void print_pieces(const char* what, const Pieces& pieces) {
 
 /// Which fragments of one diagram are not in the other, cut or not.
 Pieces pieces_without(const Pieces& all, const Pieces& without) {
-  const auto place = [](const geom::RestrictedPower::Canonical& piece) { return std::tie(piece.facet, piece.site); };
+  const auto place = [](const geom::RestrictedPower::Canonical& piece) {
+    return std::tie(piece.facet, piece.site);
+  };
   Pieces result;
   std::ranges::set_difference(all, without, std::back_inserter(result), {}, place, place);
   return result;
@@ -149,8 +151,7 @@ int trace(tools::CommandLine& cli) {
   const bool moves = c.radius2 > d;
   std::printf("  r^2 = %.9g %s d_x^2 = %.9g: the sample %s\n", c.radius2, moves ? ">" : "<=", d,
               moves ? "moves there" : "goes back");
-  const auto removed =
-      picture.draw(*diagram, x, c.id.valid() ? &domain.dual().circle(c.id) : nullptr);
+  const auto removed = picture.draw(*diagram, x, c.id.valid() ? &domain.dual().circle(c.id) : nullptr);
 
   if (moves)
     domain.insert_at(x, c);

@@ -30,8 +30,7 @@ struct GapTriangle {
 class DiskDiagram {
  public:
   DiskDiagram(const BaselineTask& task, double radius_factor)
-      : surface_(task.surface),
-        disks_(task.sizing, radius_factor) {}
+      : surface_(task.surface), disks_(task.sizing, radius_factor) {}
 
   bool is_free(const Vec3& x) const { return disks_.is_free(x); }
   void add(const SurfaceSample& x) { disks_.add(x); }

@@ -36,7 +36,8 @@ EdgeChains::End EdgeChains::end_at(FacetId t, SiteId a, SiteId b, EdgeLabel labe
   if (label.is_site()) {
     for (const CircleId c : state_.circles.of_site(a)) {
       const EmptyCircle& circle = state_.circles[c];
-      if (circle.facet != t || !circle.is_triangle() || !circle.touches(b) || !circle.touches(label.site())) continue;
+      if (circle.facet != t || !circle.is_triangle() || !circle.touches(b) || !circle.touches(label.site()))
+        continue;
       end.circle = c;
       end.side = circle.index_of(label.site());
     }
@@ -46,7 +47,8 @@ EdgeChains::End EdgeChains::end_at(FacetId t, SiteId a, SiteId b, EdgeLabel labe
   if (!across.valid()) return end;
   const int e = same_edge(state_.mesh, t, label.edge(), across);
   if (e < 0) return end;
-  end.point = {t < across ? 3 * std::int64_t{t.value} + label.edge() : 3 * std::int64_t{across.value} + e, a, b};
+  end.point = {t < across ? 3 * std::int64_t{t.value} + label.edge() : 3 * std::int64_t{across.value} + e, a,
+               b};
   return end;
 }
 

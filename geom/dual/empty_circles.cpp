@@ -58,7 +58,8 @@ void EmptyCircles::check() const {
         const EmptyCircle& other = circles_[circle.beyond[i]];
         ensure(other.touches(a) && other.touches(b), "empty circles: two beyond each other share no edge");
         ensure(std::ranges::count(other.beyond, c) > 0, "empty circles: one beyond another does not know it");
-        ensure(std::ranges::count(of_site_[a], circle.beyond[i]) == 1, "empty circles: an erased one is beyond");
+        ensure(std::ranges::count(of_site_[a], circle.beyond[i]) == 1,
+               "empty circles: an erased one is beyond");
       }
     }
   ensure(listed == live_, "empty circles: listed and present differ in number");

@@ -24,11 +24,12 @@ namespace geom {
 struct EmptyCircle {
   Vec3 center{0, 0, 0};
   double radius2 = 0;
-  FacetId facet;                 ///< it lies in; the smallest for a B or A corner
-  std::array<SiteId, 3> sites;   ///< ascending; the last one none for B, the last two for A
-  std::array<CircleId, 3> beyond{};  ///< the circle at the other end of the edge opposite to a site; none at borders
-  std::int16_t place = 0;        ///< C: 0, B: 1 + facet edge, A: 4 + facet corner
-  bool clockwise = false;        ///< in the facet, seen from outside, the sites run clockwise
+  FacetId facet;                ///< it lies in; the smallest for a B or A corner
+  std::array<SiteId, 3> sites;  ///< ascending; the last one none for B, the last two for A
+  std::array<CircleId, 3>
+      beyond{};            ///< the circle at the other end of the edge opposite to a site; none at borders
+  std::int16_t place = 0;  ///< C: 0, B: 1 + facet edge, A: 4 + facet corner
+  bool clockwise = false;  ///< in the facet, seen from outside, the sites run clockwise
 
   bool touches(SiteId p) const { return sites[0] == p || sites[1] == p || sites[2] == p; }
   bool is_triangle() const { return sites[2].valid(); }

@@ -72,7 +72,8 @@ class FastWay {
   /// A triangle of the hole: sites by their places on the rim, counterclockwise.
   struct Triangle {
     std::array<int, 3> corners;
-    std::array<int, 3> beyond;  ///< opposite to each: a triangle of the hole, or -1 - the edge of the rim from that place on
+    std::array<int, 3>
+        beyond;  ///< opposite to each: a triangle of the hole, or -1 - the edge of the rim from that place on
     FacetId facet;
     RoundedPoint point;
     Frame::Values values;  ///< there
@@ -104,7 +105,8 @@ class FastWay {
   bool has_one_component(double distance);
   bool owns_nothing_of(FacetId t);
   bool find_conflict(CircleId first);
-  EmptyCircle circle_of(const std::array<SiteId, 3>& counterclockwise, FacetId facet, const RoundedPoint& point) const;
+  EmptyCircle circle_of(const std::array<SiteId, 3>& counterclockwise, FacetId facet,
+                        const RoundedPoint& point) const;
   int next(int i) const { return i + 1 == size() ? 0 : i + 1; }
   int previous(int i) const { return i == 0 ? size() - 1 : i - 1; }
   int size() const { return static_cast<int>(rim_.size()); }
@@ -115,10 +117,10 @@ class FastWay {
   Sheets sheets_;
 
   SiteId p_;
-  std::vector<SiteId> rim_;        ///< counterclockwise
-  std::vector<CircleId> star_;     ///< of p and places j, j + 1 of the rim
-  std::vector<CircleId> outer_;    ///< beyond them
-  std::vector<double> x_, y_;      ///< the rim in its plane, from p
+  std::vector<SiteId> rim_;      ///< counterclockwise
+  std::vector<CircleId> star_;   ///< of p and places j, j + 1 of the rim
+  std::vector<CircleId> outer_;  ///< beyond them
+  std::vector<double> x_, y_;    ///< the rim in its plane, from p
   std::vector<Triangle> triangles_;
   std::vector<EmptyCircle> circles_;
   double reach_ = 0, max_radius2_ = 0;

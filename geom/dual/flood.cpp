@@ -58,7 +58,8 @@ bool Flood::trace_edge(std::uint32_t slot, std::size_t e) {
   const std::uint32_t other = meet(across);
   const Frame::Vertex &u = frame_.vertex(from), &v = frame_.vertex(to);  // meet() may have moved them
   std::size_t back = 0;
-  while (back < 3 && !(facets_[other].corners[back] == to && facets_[other].corners[back == 2 ? 0 : back + 1] == from))
+  while (back < 3 &&
+         !(facets_[other].corners[back] == to && facets_[other].corners[back == 2 ? 0 : back + 1] == from))
     ++back;
   if (back == 3) return false;  // the other facet runs the other way round
   facets_[other].done[back] = true;

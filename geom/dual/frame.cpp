@@ -11,14 +11,13 @@ void Frame::begin(const WeightedPoint3& origin) {
   size_ = 0;
   largest2_ = largest_ = heaviest_ = 0;
   vertices_.clear();
+  for (int i = 0; i < most; ++i) dx_[i] = dy_[i] = dz_[i] = c_[i] = 0;
 }
 
 void Frame::add(const WeightedPoint3& site) {
   ensure(size_ < most, "frame: too many sites");
   const Vec3 d = site.position - origin_.position;
   const double d2 = d.squaredNorm(), dw = site.weight - origin_.weight;
-  if (size_ % 4 == 0)  // evaluated four by four
-    for (int i = size_; i < size_ + 4; ++i) dx_[i] = dy_[i] = dz_[i] = c_[i] = 0;
   dx_[size_] = d.x();
   dy_[size_] = d.y();
   dz_[size_] = d.z();
@@ -34,15 +33,22 @@ void Frame::add(const WeightedPoint3& site) {
 void Frame::evaluate(const Vec3& y, double off, Values& out) const {
   const double x2 = 2 * y.x(), y2 = 2 * y.y(), z2 = 2 * y.z();
   out.y = y;
-  out.error = 0x1p-49 * (largest2_ + heaviest_ + 0.5 * largest_ * (std::abs(x2) + std::abs(y2) + std::abs(z2))) +
-              2 * largest_ * off;
-  const int blocks = (size_ + 3) / 4;
-  double g[most];
-  for (int b = 0; b < blocks; ++b)
-    for (int k = 4 * b; k < 4 * b + 4; ++k) g[k] = c_[k] - (dx_[k] * x2 + dy_[k] * y2 + dz_[k] * z2);
-  for (int b = 0; b < blocks; ++b)
-    for (int k = 4 * b; k < 4 * b + 4; ++k) out.g[k] = g[k];
+  out.error =
+      0x1p-49 * (largest2_ + heaviest_ + 0.5 * largest_ * (std::abs(x2) + std::abs(y2) + std::abs(z2))) +
+      2 * largest_ * off;
+  if (size_ <= 8)
+    fill<8>(x2, y2, z2, out.g);
+  else
+    fill<most>(x2, y2, z2, out.g);
   out.g[most] = 0;
+}
+
+/// So many at once, two by two.
+template <int count>
+void Frame::fill(double x2, double y2, double z2, double* out) const {
+  double g[count];
+  for (int k = 0; k < count; ++k) g[k] = c_[k] - (dx_[k] * x2 + dy_[k] * y2 + dz_[k] * z2);
+  for (int k = 0; k < count; ++k) out[k] = g[k];
 }
 
 Sure Frame::difference(const Values& at, const Vec3& d, double c, int j) const {

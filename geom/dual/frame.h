@@ -64,7 +64,9 @@ class Frame {
     Vec3 y;
     double error;
     double g[most + 1];  ///< the last one is that of the origin: 0
-    bool nearer(int i, int j) const { return g[at(j)] - g[at(i)] > 4 * error; }  ///< certainly, i is nearer than j
+    bool nearer(int i, int j) const {
+      return g[at(j)] - g[at(i)] > 4 * error;
+    }  ///< certainly, i is nearer than j
     Sure difference(int i, int j) const { return {g[at(i)] - g[at(j)], 4 * error}; }
     static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   };
@@ -76,8 +78,8 @@ class Frame {
 
   struct Vertex : Values {
     VertexId id;
-    std::uint32_t beaten_by;  ///< bit i: g_i < 0
-    bool sure;                ///< of the signs of all g_i
+    std::uint32_t beaten_by;                       ///< bit i: g_i < 0
+    bool sure;                                     ///< of the signs of all g_i
     bool owned() const { return beaten_by == 0; }  ///< the origin is nearest
   };
   /// The values at a vertex of the surface; valid until begin(). A reference is, until the next call.
@@ -96,12 +98,15 @@ class Frame {
   /// Does the axis of three sites meet the triangle with these corners, and the sites run counterclockwise there? Else the
   /// corner from which it is farthest, on the other side of the edge opposite.
   enum class Meets { inside, beyond, unsure };
-  static Meets axis_meets(const std::array<const Values*, 3>& corners, const std::array<int, 3>& sites, int& farthest);
+  static Meets axis_meets(const std::array<const Values*, 3>& corners, const std::array<int, 3>& sites,
+                          int& farthest);
 
   /// d_i, c_i, and the power of the location y to site i.
   Vec3 offset(int i) const { return i == none ? Vec3(0, 0, 0) : Vec3(dx_[i], dy_[i], dz_[i]); }
   double constant(int i) const { return i == none ? 0 : c_[i]; }
-  static Vec3 offset(const WeightedPoint3& site, const WeightedPoint3& origin) { return site.position - origin.position; }
+  static Vec3 offset(const WeightedPoint3& site, const WeightedPoint3& origin) {
+    return site.position - origin.position;
+  }
   static double constant(const WeightedPoint3& site, const WeightedPoint3& origin) {
     return (site.position - origin.position).squaredNorm() - (site.weight - origin.weight);
   }
@@ -112,6 +117,8 @@ class Frame {
 
  private:
   Slot evaluate(VertexId v);
+  template <int count>
+  void fill(double x2, double y2, double z2, double* out) const;
 
   const TriMesh& mesh_;
   WeightedPoint3 origin_{{0, 0, 0}, 0};

@@ -270,7 +270,8 @@ Redivision::Side Redivision::other_end(Side from) {
   for (std::size_t steps = 0; steps <= state_.mesh.num_facets(); ++steps) {
     const std::span<const PolygonCorner> corners = clipped_.part(a, t);
     const std::size_t n = corners.size();
-    const auto at = static_cast<std::size_t>(std::ranges::find(corners, along, &PolygonCorner::edge) - corners.begin());
+    const auto at =
+        static_cast<std::size_t>(std::ranges::find(corners, along, &PolygonCorner::edge) - corners.begin());
     if (at == n) break;
     const EdgeLabel one = corners[previous_corner(at, n)].edge, two = corners[next_corner(at, n)].edge;
     if (one != start && two != start) break;

@@ -71,15 +71,14 @@ class RestrictedDual {
   /// The polygons of p's cell, ascending by facet. Cost: the facets around p.
   std::vector<FacetPolygon> cell(SiteId p);
   /// The site nearest to x in power, as NeighbourSource::nearest().
-  NeighbourSource::Nearest nearest(const Vec3& x, SiteId without) const {
-    return state_.nearest(x, without);
-  }
+  NeighbourSource::Nearest nearest(const Vec3& x, SiteId without) const { return state_.nearest(x, without); }
   /// All sites that are in, by position.
   const SiteTree& tree() const { return state_.tree; }
 
   /// How often which way was taken.
   struct Ways {
-    std::size_t in_place = 0, fast_removals = 0, fast_insertions = 0, general_removals = 0, general_insertions = 0;
+    std::size_t in_place = 0, fast_removals = 0, fast_insertions = 0, general_removals = 0,
+                general_insertions = 0;
   };
   const Ways& ways() const { return ways_; }
   /// Sites whose cells are not known to be connected, with one border through all their circles (fast_way.h).
@@ -101,7 +100,7 @@ class RestrictedDual {
   Redivision redivision_;
   Change change_;
   Ways ways_;
-  bool is_carried_out_ = false;  ///< the planned removal, as there was no plan without
+  bool is_carried_out_ = false;     ///< the planned removal, as there was no plan without
   std::vector<CircleId> unlisted_;  ///< created and erased in the same change
   std::vector<EmptyCircle> planned_;
   std::vector<SiteId> heirs_;

@@ -4,14 +4,13 @@
 #include <cmath>
 #include <numbers>
 
-
 namespace geom {
 namespace {
 
 constexpr double cell_size = 0.5;      // of a level's radius
 constexpr double reach_factor = 1.65;  // R, likewise
 constexpr double more = 1 + 1e-6;
-constexpr double steepest = 0.7075;    // cosine: a slope less than 1
+constexpr double steepest = 0.7075;  // cosine: a slope less than 1
 constexpr double flat_enough = 0.98;
 constexpr int axis_rounds = 8;
 constexpr std::size_t most_places = 1 << 20, most_listed = 1 << 25;  // then they are made anew
@@ -44,17 +43,20 @@ double distance2(const Vec3& x, const Vec3& a, const Vec3& b) {
 }  // namespace
 
 Sheets::Place& Sheets::at(const Vec3& p, double distance, double& level_radius) {
-  if (!(distance <= level_radius_ && level_radius_ < 1.6 * distance)) {  // else the level of the last place will do
+  if (!(distance <= level_radius_ &&
+        level_radius_ < 1.6 * distance)) {  // else the level of the last place will do
     int exponent = 0;
     const double mantissa = std::frexp(distance, &exponent);
-    const auto step = static_cast<int>(std::ceil(4 * std::log2(mantissa) - 1e-6));  // levels a factor 2^(1/4) apart
+    const auto step =
+        static_cast<int>(std::ceil(4 * std::log2(mantissa) - 1e-6));  // levels a factor 2^(1/4) apart
     level_ = 4 * exponent + step;
     level_radius_ = std::exp2(0.25 * level_) * more;
   }
   level_radius = level_radius_;
   Key key{level_, {}};
   for (int i = 0; i < 3; ++i)
-    key.cell[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(std::floor(p[i] / (cell_size * level_radius)));
+    key.cell[static_cast<std::size_t>(i)] =
+        static_cast<std::int32_t>(std::floor(p[i] / (cell_size * level_radius)));
   if (places_.size() > most_places) {
     places_.clear();
     lists_.clear();
@@ -93,7 +95,8 @@ std::span<const FacetId> Sheets::facets_within(const Vec3& p, double distance) {
     lists_.insert(lists_.end(), near_.begin(), near_.end());
     place.last = static_cast<std::int32_t>(lists_.size());
   }
-  return std::span(lists_).subspan(static_cast<std::size_t>(place.first), static_cast<std::size_t>(place.last - place.first));
+  return std::span(lists_).subspan(static_cast<std::size_t>(place.first),
+                                   static_cast<std::size_t>(place.last - place.first));
 }
 
 void Sheets::make(Place& place, double radius) {
@@ -108,7 +111,8 @@ void Sheets::make(Place& place, double radius) {
     const Vec3 ab = b - a, ac = c - a, n = ab.cross(ac);
     if (!comes_within(radius * radius * more, a, b, c, n)) continue;
     const double length2 = n.squaredNorm();
-    if (!(length2 > 1e-16 * ab.squaredNorm() * ac.squaredNorm())) return;  // a needle: its normal is off by more than 1e-7
+    if (!(length2 > 1e-16 * ab.squaredNorm() * ac.squaredNorm()))
+      return;  // a needle: its normal is off by more than 1e-7
     normals_.push_back(n / std::sqrt(length2));
     if (normals_.back().dot(normals_.front()) < 0) return;  // more than 45 degrees from any axis, one of them
     axis += normals_.back();
@@ -131,7 +135,8 @@ void Sheets::make(Place& place, double radius) {
   }
   if (!(cosine > steepest)) return;
   place.slope = more * std::sqrt(std::max(0.0, 1 - cosine * cosine)) / cosine + 1e-9;
-  if (hangs_together(place.center, radius)) place.width = radius / std::sqrt(1 + place.slope * place.slope) / more;
+  if (hangs_together(place.center, radius))
+    place.width = radius / std::sqrt(1 + place.slope * place.slope) / more;
 }
 
 /// Premises (2) and (3) for the facets in near_.
@@ -152,7 +157,8 @@ bool Sheets::hangs_together(const Vec3& center, double radius) {
     for (int e = 0; e < 3; ++e) {
       const FacetId across = mesh_.across(t, e);
       const bool is_reached = across.valid() && stamp_of_[across] == 2 * stamp_ + 1;
-      if (is_reached || distance2(center, mesh_.corner(t, e), mesh_.corner(t, e == 2 ? 0 : e + 1)) > radius * radius)
+      if (is_reached ||
+          distance2(center, mesh_.corner(t, e), mesh_.corner(t, e == 2 ? 0 : e + 1)) > radius * radius)
         continue;
       if (!across.valid()) return false;
       if (stamp_of_[across] == 2 * stamp_) reach(across);

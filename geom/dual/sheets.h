@@ -68,7 +68,8 @@ class Sheets {
   struct Hash {
     std::size_t operator()(const Key& k) const {
       std::uint64_t x = static_cast<std::uint32_t>(k.level);
-      for (const std::int32_t c : k.cell) x = (x ^ static_cast<std::uint32_t>(c)) * 0x9e3779b97f4a7c15u, x ^= x >> 29;
+      for (const std::int32_t c : k.cell)
+        x = (x ^ static_cast<std::uint32_t>(c)) * 0x9e3779b97f4a7c15u, x ^= x >> 29;
       return x;
     }
   };
@@ -76,7 +77,7 @@ class Sheets {
     Vec3 center{0, 0, 0};  ///< p0
     Vec3 axis{0, 0, 1};
     double slope = 0;
-    double width = -1;  ///< R / sqrt(1 + s^2); negative: the surface is no sheet there
+    double width = -1;                   ///< R / sqrt(1 + s^2); negative: the surface is no sheet there
     std::int32_t first = -1, last = -1;  ///< of its facets, if they were asked for
   };
   /// The place of p and a distance, and its level's radius, which is no less.

@@ -99,7 +99,8 @@ NeighbourSource::Nearest DualState::nearest(const Vec3& x, SiteId without) const
       for (const SiteId s : circles[c].sites)
         if (s.valid() && s != without) bound = std::min(bound, power(x, sites[s]));
   const double distance = std::sqrt(std::max(0.0, bound + heaviest_)) * (1 + 1e-9);
-  if (!(distance < std::numeric_limits<double>::infinity()) || !grid.is_short(distance)) return tree.nearest(x, without);
+  if (!(distance < std::numeric_limits<double>::infinity()) || !grid.is_short(distance))
+    return tree.nearest(x, without);
   std::vector<SiteId>& found = found_;
   found.clear();
   grid.near(x, distance, found);
@@ -136,7 +137,8 @@ double DualState::distance_at(double power, SiteId p) const {
 bool DualState::corner_circle(const Polygon& polygon, std::size_t corner, EmptyCircle& out) const {
   const EdgeLabel before = polygon.corners[previous_corner(corner, polygon.corners.size())].edge,
                   after = polygon.corners[corner].edge;
-  if ((before.is_site() && before.site() < polygon.owner) || (after.is_site() && after.site() < polygon.owner))
+  if ((before.is_site() && before.site() < polygon.owner) ||
+      (after.is_site() && after.site() < polygon.owner))
     return false;
   return corner_circle_of_any(polygon, corner, out);
 }

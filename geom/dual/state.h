@@ -86,9 +86,9 @@ struct DualState {
   FacetTree facets;
   Table<SiteId, double> reach;  ///< an upper bound of the power in the cell; -infinity: the cell is empty
   Table<VertexId, FacetId> first_facet;  ///< CornerTypes::all only: where a vertex's circle is registered
-  Table<SiteId, FacetId> home;  ///< a facet with the location of the site, or none
-  std::size_t num_sites = 0;      ///< that are in
-  std::size_t num_irregular = 0;  ///< of these; see fast_way.h
+  Table<SiteId, FacetId> home;           ///< a facet with the location of the site, or none
+  std::size_t num_sites = 0;             ///< that are in
+  std::size_t num_irregular = 0;         ///< of these; see fast_way.h
 
   bool is_regular(SiteId p) const { return regular_[p]; }
   /// Of a site that is in; one that goes out is made regular first.
@@ -102,7 +102,7 @@ struct DualState {
   double heaviest_ = 0;
   double largest_reach_ = 0;
   mutable std::vector<SiteId> found_;  // workspace
-  std::size_t changes_ = 0;  ///< of reaches, since it was the largest one
+  std::size_t changes_ = 0;            ///< of reaches, since it was the largest one
 };
 
 }  // namespace geom

@@ -1,0 +1,294 @@
+// The other half of the fast way: p comes to its new place.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "geom/dual/fast_way.h"
+
+namespace geom {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double more = 1 + 1e-9;  // for the rounding of distances
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, DualChange& change) {
+  const WeightedPoint3 old = state_.sites[p_];
+  const Vec3 d = Frame::offset(point, old);
+  const double c = Frame::constant(point, old);
+  for (const Triangle& triangle : triangles_)
+    if (!frame_.difference(triangle.values, d, c, triangle.corners[0]).negative()) return false;
+  const double tolerance = 2 * state_.clipper.most_tolerance();
+  Frame::Values values;
+  for (int j = 0; j < size(); ++j) {
+    frame_.evaluate(state_.circles[outer_[at(j)]].center - old.position, tolerance, values);
+    if (!frame_.difference(values, d, c, j).positive()) return false;
+  }
+
+  const double least_distance = (state_.distance_at(reach_, p_) + d.norm()) * more;  // H is in this ball
+  hole_corners_.clear();
+  for (const Flood::Corner& corner : flood_.corners())
+    hole_corners_.push_back({corner.y + old.position, frame_.power(corner.y, corner.site), corner.tolerance});
+  state_.sites[p_] = point;
+  starts_.clear();
+  for (const CircleId s : star_) starts_.push_back(state_.circles[s].facet);
+  const FacetId home = triangles_[circle].facet;
+  if (!prove_new_cell(home, least_distance, star_)) {
+    state_.sites[p_] = old;
+    return false;
+  }
+  state_.follow(p_, old.position);
+  state_.home[p_] = home;
+  for (int j = 0; j < size(); ++j) {
+    EmptyCircle moved = state_.circles[star_[at(j)]];
+    moved.facet = corners_[at(j)].facet;
+    state_.center_circle(moved, corners_[at(j)].point.position);
+    state_.circles.move(star_[at(j)], moved.center, moved.radius2, moved.facet);
+    change.circles_moved.push_back(star_[at(j)]);
+  }
+  state_.set_reach(p_, cell_reach_);
+  // What the rim has now of the hole lies between the old border, the new one, and corners that p does not take.
+  double power = std::max(reach_, cell_reach_);
+  for (const auto& [z, without_p, off] : hole_corners_)
+    if (geom::power(z, point) > without_p) {
+      const double weight = -old.weight;  // any will do: the power is turned into a distance and back
+      const double far = std::sqrt(std::max(0.0, without_p - weight)) + off;
+      power = std::max(power, far * far * more + weight);
+    }
+  for (const SiteId r : rim_) state_.raise_reach(r, power);
+  change.cells = rim_;
+  std::ranges::sort(change.cells);
+  return true;
+}
+
+/// p_ is at its new place, but not in the tree; the rim and the facets to start from are known.
+bool FastWay::prove_new_cell(FacetId home, double least_distance, std::span<const CircleId> reached) {
+  if (!find_star_corners()) return false;
+  if (state_.paper) state_.paper->insert(p_, state_.sites[p_], rim_.front());
+  const auto prove = [&] {
+    if (!trace_cell(home) || may_beat_unreached(reached)) return false;
+    return has_one_component(std::max(least_distance, state_.distance_at(power_of_rivals(), p_)));
+  };
+  if (prove()) return true;
+  if (state_.paper) state_.paper->remove(p_);
+  return false;
+}
+
+/// Of the new cell of p_, empty but for strangers.
+bool FastWay::find_star_corners() {
+  frame_.begin(state_.sites[p_]);
+  for (const SiteId r : rim_) frame_.add(state_.sites[r]);
+  corners_.clear();
+  Frame::Values values;
+  for (int j = 0; j < size(); ++j) {
+    const FacetId t = walk(Frame::none, j, next(j), starts_[at(j)]);
+    if (!t.valid()) return false;
+    std::array<SiteId, 3> sites{p_, rim_[at(j)], rim_[at(next(j))]};
+    std::ranges::sort(sites);
+    const RoundedPoint point = state_.clipper.meeting(t, sites);
+    frame_.evaluate(point.position - frame_.origin().position, point.tolerance, values);
+    for (int i = 0; i < size(); ++i)
+      if (i != j && i != next(j) && !values.nearer(Frame::none, i)) return false;
+    corners_.push_back({t, point});
+  }
+  return true;
+}
+
+/// Sets cell_reach_. `home`: a facet with the location of p_.
+bool FastWay::trace_cell(FacetId home) {
+  facets_.clear();
+  points_.clear();
+  for (const StarCorner& corner : corners_) {
+    facets_.push_back(corner.facet);
+    points_.push_back(corner.point);
+  }
+  if (!home.valid() || !flood_.trace(facets_, false) || !flood_.meets(home)) return false;
+  for (int j = 0; j < size(); ++j)
+    if (!flood_.add_end(corners_[at(j)].facet, j, Frame::none) ||
+        !flood_.add_end(corners_[at(j)].facet, next(j), Frame::none))
+      return false;
+  if (!flood_.is_complete()) return false;
+  const WeightedPoint3& site = state_.sites[p_];
+  double radius2 = flood_.radius2();
+  for (const RoundedPoint& point : points_) {
+    const double far = (point.position - site.position).norm() + point.tolerance;
+    radius2 = std::max(radius2, far * far);
+  }
+  cell_reach_ = radius2 * more - site.weight;
+  const Vacancy cell{p_, site.position, std::sqrt(radius2 * more), cell_reach_};
+  if (state_.paper) {
+    candidates_.clear();
+    state_.paper->rivals(p_, candidates_);
+  } else if (!knows(site.position, cell.radius + state_.distance_at(cell_reach_))) {
+    candidates_.clear();
+    look_around(cell);
+  }
+  return is_empty_of_strangers({p_, site.position, std::sqrt(radius2 * more), cell_reach_}, points_, {});
+}
+
+/// May p_ beat circles that are not reached? They would be of an irregular site.
+bool FastWay::may_beat_unreached(std::span<const CircleId> reached) {
+  if (state_.num_irregular == 0) return false;
+  rivals_.clear();
+  state_.tree.rivals(state_.sites[p_], rivals_);
+  return std::ranges::any_of(rivals_, [&](SiteId s) {
+    if (s == p_ || state_.is_regular(s)) return false;
+    const std::span<const CircleId> circles = state_.circles.of_site(s);
+    return circles.empty() || std::ranges::any_of(circles, [&](CircleId c) {
+             return std::ranges::find(reached, c) == reached.end() && !lead_at(state_.circles[c]).positive();
+           });
+  });
+}
+
+/// The power of the center to p_, at its new place, less that to the sites of the circle.
+Sure FastWay::lead_at(const EmptyCircle& circle) const {
+  const WeightedPoint3& point = state_.sites[p_];
+  const double there2 = (circle.center - point.position).squaredNorm();
+  const double own2 = (circle.center - state_.sites[circle.sites[0]].position).squaredNorm();
+  const double scale = there2 + own2 + std::abs(point.weight) + std::abs(circle.radius2);
+  return {there2 - point.weight - circle.radius2,
+          0x1p-48 * scale + 8 * state_.clipper.most_tolerance() * std::sqrt(there2 + own2)};
+}
+
+/// Has the cell that was traced all that p_ owns within that distance? By the shape of the surface, or else by looking at
+/// each facet there that the cell does not meet.
+bool FastWay::has_one_component(double distance) {
+  const Vec3& p = state_.sites[p_].position;
+  link_.clear();
+  for (int j = 0; j < size(); ++j) link_.push_back({frame_.offset(j), frame_.constant(j)});
+  if (sheets_.has_one_component(p, distance, link_)) return true;
+  candidates_.clear();
+  known_radius_ = -1;
+  cell_power_ = distance * distance - state_.sites[p_].weight;
+  return std::ranges::all_of(sheets_.facets_within(p, distance), [&](FacetId t) {
+    return flood_.meets(t) || !state_.clipper.comes_near(t, p, distance) || owns_nothing_of(t);
+  });
+}
+
+/// Mostly one and the same site of the rim is nearer at all three corners.
+bool FastWay::owns_nothing_of(FacetId t) {
+  const TriMesh::Facet& corners = state_.mesh.facet(t);
+  const Frame::Slot s0 = frame_.at(corners[0]), s1 = frame_.at(corners[1]), s2 = frame_.at(corners[2]);
+  const Frame::Vertex &v0 = frame_.vertex(s0), &v1 = frame_.vertex(s1), &v2 = frame_.vertex(s2);
+  if (v0.sure && v1.sure && v2.sure && (v0.beaten_by & v1.beaten_by & v2.beaten_by) != 0) return true;
+  state_.clipper.start(polygon_, t, p_);
+  const auto takes_all = [&](SiteId s) {
+    return s != p_ && state_.clipper.clip(polygon_, s) == Clip::swallowed;
+  };
+  if (std::ranges::any_of(rim_, takes_all)) return true;
+  if (candidates_.empty()) {  // another sheet: who else is there?
+    const double radius = state_.distance_at(cell_power_, p_);
+    state_.near({p_, state_.sites[p_].position, radius, cell_power_}, candidates_);
+  }
+  return std::ranges::any_of(candidates_, takes_all);
+}
+
+bool FastWay::insert(SiteId p, const WeightedPoint3& point, FacetId home, CircleId first,
+                     DualChange& change) {
+  if (state_.types == CornerTypes::all) return false;
+  p_ = p;
+  known_radius_ = -1;
+  state_.admit(p, point);
+  if (!find_conflict(first) || !prove_new_cell(home, 0, conflict_)) return false;
+  for (const CircleId c : conflict_) {
+    state_.circles.erase(c);
+    change.circles_erased.push_back(c);
+  }
+  const std::size_t created = change.circles_created.size();
+  for (int j = 0; j < size(); ++j)
+    change.circles_created.push_back(state_.circles.create(
+        circle_of({p, rim_[at(j)], rim_[at(next(j))]}, corners_[at(j)].facet, corners_[at(j)].point)));
+  const auto id = [&](int j) { return change.circles_created[created + at(j)]; };
+  for (int j = 0; j < size(); ++j) {
+    const EmptyCircle& circle = state_.circles[id(j)];
+    const SiteId a = rim_[at(j)], b = rim_[at(next(j))];
+    state_.circles.set_beyond(id(j), circle.index_of(p), outer_[at(j)]);
+    state_.circles.set_beyond(id(j), circle.index_of(a), id(next(j)));
+    state_.circles.set_beyond(id(j), circle.index_of(b), id(previous(j)));
+    state_.circles.set_beyond(outer_[at(j)], state_.circles[outer_[at(j)]].opposite(a, b), id(j));
+  }
+  state_.enter(p);
+  state_.home[p] = home;
+  state_.set_reach(p, cell_reach_);
+  state_.set_regular(p, true);
+  for (const CircleId c : conflict_)
+    for (const SiteId s : state_.circles[c].sites)  // who has lost all is hidden now
+      if (s != p && state_.circles.of_site(s).empty() && state_.reach[s] > -infinity)
+        state_.set_reach(s, -infinity);
+  change.cells = rim_;
+  std::ranges::sort(change.cells);
+  return true;
+}
+
+/// The circles that p_ beats, from one of them on, and the cycle of edges around them: rim_, outer_, starts_.
+bool FastWay::find_conflict(CircleId first) {
+  struct Edge {
+    SiteId a, b;
+    CircleId outer, inner;
+  };
+  std::array<Edge, 3 * most> edges;
+  std::size_t num_edges = 0;
+  conflict_.assign(1, first);
+  if (!lead_at(state_.circles[first]).negative()) return false;
+  for (std::size_t n = 0; n < conflict_.size(); ++n) {
+    const EmptyCircle circle = state_.circles[conflict_[n]];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const CircleId other = circle.beyond[i];
+      if (!other.valid()) return false;
+      if (std::ranges::find(conflict_, other) != conflict_.end()) continue;
+      const Sure found = lead_at(state_.circles[other]);
+      if (!found.certain()) return false;
+      if (found.value < 0) {
+        if (conflict_.size() == 2 * most) return false;
+        conflict_.push_back(other);
+      } else {
+        if (num_edges == edges.size()) return false;
+        edges[num_edges++] = {circle.sites[circle.after(i)], circle.sites[circle.before(i)], other,
+                              conflict_[n]};
+      }
+    }
+  }
+  if (num_edges != conflict_.size() + 2 || num_edges > most) return false;
+  rim_.clear();
+  outer_.clear();
+  starts_.clear();
+  std::size_t edge = 0;
+  for (std::size_t j = 0; j < num_edges; ++j) {
+    if (std::ranges::find(rim_, edges[edge].a) != rim_.end()) return false;
+    rim_.push_back(edges[edge].a);
+    outer_.push_back(edges[edge].outer);
+    starts_.push_back(state_.circles[edges[edge].inner].facet);
+    const SiteId b = edges[edge].b;
+    edge = static_cast<std::size_t>(std::find_if(edges.begin(),
+                                                 edges.begin() + static_cast<std::ptrdiff_t>(num_edges),
+                                                 [&](const Edge& e) { return e.a == b; }) -
+                                    edges.begin());
+    if (edge == num_edges) return false;
+  }
+  return edge == 0;
+}
+
+// --- regular sites -------------------------------------------------------------------------------
+
+bool FastWay::certify(SiteId p) {
+  known_radius_ = -1;
+  if (state_.types == CornerTypes::all || !state_.home[p].valid() || !open_star(p)) return false;
+  frame_.begin(state_.sites[p]);
+  for (const SiteId r : rim_) frame_.add(state_.sites[r]);
+  corners_.clear();
+  for (const CircleId c : star_)
+    corners_.push_back(
+        {state_.circles[c].facet, {state_.circles[c].center, 2 * state_.clipper.most_tolerance()}});
+  if (!trace_cell(state_.home[p])) return false;
+  const double known = state_.distance_at(state_.reach[p], p);
+  if (!has_one_component(known)) return false;
+  state_.set_reach(p, std::min(state_.reach[p], cell_reach_));
+  return true;
+}
+
+}  // namespace geom
