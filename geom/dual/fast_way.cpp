@@ -24,7 +24,9 @@ FastWay::FastWay(DualState& state)
 
 bool FastWay::plan(SiteId p) {
   known_radius_ = -1;
-  if (state_.types == CornerTypes::all || !state_.is_regular(p) || !open_star(p)) return false;
+  if (state_.types == CornerTypes::all) return false;
+  if (state_.shape(p) == DualState::Shape::unknown) certify(p);
+  if (state_.shape(p) != DualState::Shape::regular || !open_star(p)) return false;
   frame_.begin(state_.sites[p]);
   for (const SiteId r : rim_) frame_.add(state_.sites[r]);
   if (!guess_triangles()) return false;

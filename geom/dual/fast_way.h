@@ -64,7 +64,7 @@ class FastWay {
   bool insert(SiteId p, const WeightedPoint3& point, FacetId home, CircleId at, DualChange& change);
 
   /// Finds out whether p is regular, and what the power in its cell is at most.
-  bool certify(SiteId p);
+  void certify(SiteId p);
 
  private:
   static constexpr int most = Frame::most - 2;  ///< sites on a rim
@@ -100,10 +100,12 @@ class FastWay {
   void look_around(const Vacancy& vacancy);
   bool knows(const Vec3& x, double distance) const;
   double power_of_rivals();
+  bool is_regular(SiteId p);
   bool may_beat_unreached(std::span<const CircleId> reached);
   Sure lead_at(const EmptyCircle& circle) const;
   bool has_one_component(double distance);
   bool owns_nothing_of(FacetId t);
+  bool keep_part(const Vec3& d, double c, double size);
   bool find_conflict(CircleId first);
   EmptyCircle circle_of(const std::array<SiteId, 3>& counterclockwise, FacetId facet,
                         const RoundedPoint& point) const;
@@ -135,7 +137,7 @@ class FastWay {
   };
   std::vector<HoleCorner> hole_corners_;
   // Workspaces.
-  FacetPolygon polygon_;
+  std::vector<Vec3> part_, clipped_;
   std::vector<SiteId> candidates_, rivals_;
   Vec3 known_center_{0, 0, 0};  ///< candidates_ are all sites this near
   double known_radius_ = -1;

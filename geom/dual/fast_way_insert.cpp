@@ -12,6 +12,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double more = 1 + 1e-9;  // for the rounding of distances
+constexpr std::size_t few = 40;    // sites are looked at one by one
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -133,11 +134,17 @@ bool FastWay::trace_cell(FacetId home) {
 
 /// May p_ beat circles that are not reached? They would be of an irregular site.
 bool FastWay::may_beat_unreached(std::span<const CircleId> reached) {
-  if (state_.num_irregular == 0) return false;
-  rivals_.clear();
-  state_.tree.rivals(state_.sites[p_], rivals_);
-  return std::ranges::any_of(rivals_, [&](SiteId s) {
-    if (s == p_ || state_.is_regular(s)) return false;
+  const WeightedPoint3& point = state_.sites[p_];
+  std::span<const SiteId> suspects = state_.not_regular();
+  if (suspects.size() > few) {
+    rivals_.clear();
+    state_.tree.rivals(point, rivals_);
+    std::erase_if(rivals_, [&](SiteId s) { return state_.shape(s) == DualState::Shape::regular; });
+    suspects = rivals_;
+  }
+  return std::ranges::any_of(suspects, [&](SiteId s) {
+    const double far = state_.distance_at(state_.reach[s], s) + state_.distance_at(state_.reach[s], p_);
+    if (s == p_ || (state_.sites[s].position - point.position).squaredNorm() > far * far * more) return false;
     const std::span<const CircleId> circles = state_.circles.of_site(s);
     return circles.empty() || std::ranges::any_of(circles, [&](CircleId c) {
              return std::ranges::find(reached, c) == reached.end() && !lead_at(state_.circles[c]).positive();
@@ -170,22 +177,42 @@ bool FastWay::has_one_component(double distance) {
   });
 }
 
-/// Mostly one and the same site of the rim is nearer at all three corners.
+/// Is some site nearer than p_, everywhere on the facet? Mostly it is one and the same at all three corners. Else the facet
+/// is clipped, in doubles, by those who are nearer somewhere, and what is left kept a little too large.
 bool FastWay::owns_nothing_of(FacetId t) {
   const TriMesh::Facet& corners = state_.mesh.facet(t);
   const Frame::Slot s0 = frame_.at(corners[0]), s1 = frame_.at(corners[1]), s2 = frame_.at(corners[2]);
   const Frame::Vertex &v0 = frame_.vertex(s0), &v1 = frame_.vertex(s1), &v2 = frame_.vertex(s2);
   if (v0.sure && v1.sure && v2.sure && (v0.beaten_by & v1.beaten_by & v2.beaten_by) != 0) return true;
-  state_.clipper.start(polygon_, t, p_);
-  const auto takes_all = [&](SiteId s) {
-    return s != p_ && state_.clipper.clip(polygon_, s) == Clip::swallowed;
-  };
-  if (std::ranges::any_of(rim_, takes_all)) return true;
+  part_ = {v0.y, v1.y, v2.y};
+  const double most = std::max({v0.y.norm(), v1.y.norm(), v2.y.norm()});
+  for (int j = 0; j < this->size(); ++j)
+    if (keep_part(frame_.offset(j), frame_.constant(j), most)) return true;
   if (candidates_.empty()) {  // another sheet: who else is there?
     const double radius = state_.distance_at(cell_power_, p_);
     state_.near({p_, state_.sites[p_].position, radius, cell_power_}, candidates_);
   }
-  return std::ranges::any_of(candidates_, takes_all);
+  return std::ranges::any_of(candidates_, [&](SiteId s) {
+    if (s == p_) return false;
+    const WeightedPoint3 &site = state_.sites[s], &origin = frame_.origin();
+    return keep_part(Frame::offset(site, origin), Frame::constant(site, origin), most);
+  });
+}
+
+/// Clips part_ to where a site, given by its d and c, is not nearer than p_. True if nothing is left. `size` bounds all
+/// |y|; what rounding may have misplaced, by far less than a 2^-40th of it, is kept.
+bool FastWay::keep_part(const Vec3& d, double c, double size) {
+  const double length = d.norm(), slack = 0x1p-40 * (length * (size + length) + std::abs(c));
+  const auto value = [&](const Vec3& y) { return c - 2 * d.dot(y) + slack; };
+  clipped_.clear();
+  for (std::size_t i = 0; i < part_.size(); ++i) {
+    const Vec3 &a = part_[i], &b = part_[i + 1 == part_.size() ? 0 : i + 1];
+    const double at_a = value(a), at_b = value(b);
+    if (at_a >= 0) clipped_.push_back(a);
+    if ((at_a >= 0) != (at_b >= 0)) clipped_.push_back(a + at_a / (at_a - at_b) * (b - a));
+  }
+  part_.swap(clipped_);
+  return part_.empty();
 }
 
 bool FastWay::insert(SiteId p, const WeightedPoint3& point, FacetId home, CircleId first,
@@ -215,7 +242,7 @@ bool FastWay::insert(SiteId p, const WeightedPoint3& point, FacetId home, Circle
   state_.enter(p);
   state_.home[p] = home;
   state_.set_reach(p, cell_reach_);
-  state_.set_regular(p, true);
+  state_.set_shape(p, DualState::Shape::regular);
   for (const CircleId c : conflict_)
     for (const SiteId s : state_.circles[c].sites)  // who has lost all is hidden now
       if (s != p && state_.circles.of_site(s).empty() && state_.reach[s] > -infinity)
@@ -275,7 +302,11 @@ bool FastWay::find_conflict(CircleId first) {
 
 // --- regular sites -------------------------------------------------------------------------------
 
-bool FastWay::certify(SiteId p) {
+void FastWay::certify(SiteId p) {
+  state_.set_shape(p, is_regular(p) ? DualState::Shape::regular : DualState::Shape::irregular);
+}
+
+bool FastWay::is_regular(SiteId p) {
   known_radius_ = -1;
   if (state_.types == CornerTypes::all || !state_.home[p].valid() || !open_star(p)) return false;
   frame_.begin(state_.sites[p]);

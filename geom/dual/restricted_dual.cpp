@@ -35,7 +35,7 @@ const RestrictedDual::Change& RestrictedDual::build(std::span<const WeightedPoin
   }
   state_.choose_search();
   redivision_.build(threads, change_);
-  for (std::size_t i = 0; i < points.size(); ++i) state_.set_regular(SiteId(i), fast_.certify(SiteId(i)));
+  for (std::size_t i = 0; i < points.size(); ++i) fast_.certify(SiteId(i));
   return change_;
 }
 
@@ -57,8 +57,8 @@ void RestrictedDual::insert_anyhow(SiteId p, const WeightedPoint3& point, FacetI
   ++ways_.general_insertions;
   redivision_.insert(p, point, change_);
   state_.home[p] = home;
-  look_again();
-  state_.set_regular(p, fast_.certify(p));
+  forget_shapes();
+  state_.set_shape(p, DualState::Shape::unknown);
 }
 
 /// One of the circles around the nearest site that the point beats, probably; none if there is none.
@@ -90,21 +90,19 @@ const RestrictedDual::Change& RestrictedDual::remove(SiteId p) {
 void RestrictedDual::remove_generally(SiteId p) {
   ++ways_.general_removals;
   redivision_.remove(p, change_);
-  state_.set_regular(p, true);
-  look_again();
+  state_.set_shape(p, DualState::Shape::regular);
+  forget_shapes();
 }
 
-/// After a general update: which of the sites around are regular now?
-void RestrictedDual::look_again() {
+/// After a general update: the sites around may be regular or not.
+void RestrictedDual::forget_shapes() {
   std::vector<SiteId> around = change_.cells;
   for (const std::vector<CircleId>* list : {&change_.circles_erased, &change_.circles_created})
     for (const CircleId c : *list)
       for (const SiteId s : circle(c).sites)
         if (s.valid()) around.push_back(s);
-  std::ranges::sort(around);
-  around.erase(std::unique(around.begin(), around.end()), around.end());
   for (const SiteId s : around)
-    if (state_.tree.contains(s)) state_.set_regular(s, fast_.certify(s));
+    if (state_.tree.contains(s)) state_.set_shape(s, DualState::Shape::unknown);
 }
 
 std::optional<RestrictedDual::Plan> RestrictedDual::plan_removal(SiteId p) {

@@ -82,7 +82,7 @@ class RestrictedDual {
   };
   const Ways& ways() const { return ways_; }
   /// Sites whose cells are not known to be connected, with one border through all their circles (fast_way.h).
-  std::size_t num_irregular() const { return state_.num_irregular; }
+  std::size_t num_irregular() const { return state_.not_regular().size(); }
 
   /// Verifies lists and bounds; throws Bug. O(circles).
   void check() const;
@@ -91,7 +91,7 @@ class RestrictedDual {
   void begin();
   void insert_anyhow(SiteId p, const WeightedPoint3& point, FacetId home, CircleId at);
   void remove_generally(SiteId p);
-  void look_again();
+  void forget_shapes();
   CircleId beaten_circle(const WeightedPoint3& point) const;
   void take_net_change();
 

@@ -38,7 +38,8 @@ void DualState::admit(SiteId p, const WeightedPoint3& point) {
     sites.resize(p.index() + 1);
     reach.resize(p.index() + 1, -std::numeric_limits<double>::infinity());
     home.resize(p.index() + 1);
-    regular_.resize(p.index() + 1, true);
+    shape_.resize(p.index() + 1, Shape::regular);
+    place_of_.resize(p.index() + 1, 0);
   }
   sites[p] = point;
   heaviest_ = std::max(heaviest_, point.weight);
@@ -59,6 +60,21 @@ void DualState::leave(SiteId p) {
 void DualState::follow(SiteId p, const Vec3& from) {
   tree.move(p, sites[p]);
   if (grid.is_in_use()) grid.move(p, from, sites[p].position);
+}
+
+void DualState::set_shape(SiteId p, Shape shape) {
+  if ((shape_[p] == Shape::regular) != (shape == Shape::regular)) {
+    if (shape == Shape::regular) {
+      const SiteId last = not_regular_.back();
+      not_regular_[place_of_[p]] = last;
+      place_of_[last] = place_of_[p];
+      not_regular_.pop_back();
+    } else {
+      place_of_[p] = static_cast<std::uint32_t>(not_regular_.size());
+      not_regular_.push_back(p);
+    }
+  }
+  shape_[p] = shape;
 }
 
 void DualState::choose_search() {

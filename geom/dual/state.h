@@ -90,15 +90,18 @@ struct DualState {
   std::size_t num_sites = 0;             ///< that are in
   std::size_t num_irregular = 0;         ///< of these; see fast_way.h
 
-  bool is_regular(SiteId p) const { return regular_[p]; }
+  /// What is known of a site's cell (fast_way.h).
+  enum class Shape : char { regular, irregular, unknown };
+  Shape shape(SiteId p) const { return shape_[p]; }
   /// Of a site that is in; one that goes out is made regular first.
-  void set_regular(SiteId p, bool value) {
-    num_irregular += static_cast<std::size_t>(regular_[p]) - static_cast<std::size_t>(value);
-    regular_[p] = value;
-  }
+  void set_shape(SiteId p, Shape shape);
+  /// Those that are not regular.
+  std::span<const SiteId> not_regular() const { return not_regular_; }
 
  private:
-  Table<SiteId, char> regular_;
+  Table<SiteId, Shape> shape_;
+  std::vector<SiteId> not_regular_;
+  Table<SiteId, std::uint32_t> place_of_;  ///< there
   double heaviest_ = 0;
   double largest_reach_ = 0;
   mutable std::vector<SiteId> found_;  // workspace
