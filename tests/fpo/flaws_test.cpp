@@ -55,7 +55,7 @@ TEST_CASE("flaws: followed through removals, insertions and moves at once, they 
       const CircleId worst = flaws.take_worst(), expected = fresh.take_worst();
       REQUIRE(worst.valid() == expected.valid());
       if (worst.valid())
-        CHECK(domain.diagram().circle(worst).sites == domain.diagram().circle(expected).sites);
+        CHECK(domain.dual().circle(worst).sites == domain.dual().circle(expected).sites);
     }
   }
 }

@@ -5,6 +5,7 @@
 
 #include "doctest.h"
 #include "fpo/initial_samples.h"
+#include "geom/restricted_power.h"
 #include "geom/rng.h"
 #include "geom/scaling.h"
 #include "geom/site_tree.h"
@@ -48,11 +49,6 @@ bool same(const Found& a, const Found& b) {
   return std::ranges::equal(a, b, [&](const FacetPolygon& p, const FacetPolygon& q) {
     return p.facet == q.facet && p.owner == q.owner && std::ranges::equal(p.corners, q.corners, same_corner);
   });
-}
-
-double extent_of(const TriMesh& mesh) {
-  return std::max(mesh.box().min().lpNorm<Eigen::Infinity>(), mesh.box().max().lpNorm<Eigen::Infinity>()) *
-         (1 + 1e-9);
 }
 
 /// Against all sites clipping each other, facets in a random order.
