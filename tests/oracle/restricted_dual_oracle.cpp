@@ -29,7 +29,7 @@ int edge_back(const geom::TriMesh& mesh, FacetId before, int e, FacetId t) {
   const auto ends = [&](FacetId f, int i) {
     const VertexId a = mesh.facet(f)[static_cast<std::size_t>(i)],
                    b = mesh.facet(f)[static_cast<std::size_t>((i + 1) % 3)];
-    return std::minmax(a, b);
+    return std::pair(std::min(a, b), std::max(a, b));
   };
   for (int i = 0; i < 3; ++i)
     if (mesh.across(t, i) == before && ends(t, i) == ends(before, e)) return i;
