@@ -42,7 +42,7 @@ double distance2(const Vec3& x, const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-Sheets::Place& Sheets::at(const Vec3& p, double distance, double& level_radius) {
+Sheets::Sheet& Sheets::at(const Vec3& p, double distance, double& level_radius) {
   if (!(distance <= level_radius_ &&
         level_radius_ < 1.6 * distance)) {  // else the level of the last place will do
     int exponent = 0;
@@ -71,7 +71,7 @@ Sheets::Place& Sheets::at(const Vec3& p, double distance, double& level_radius) 
 
 bool Sheets::has_one_component(const Vec3& p, double distance, std::span<const Neighbour> link) {
   double level_radius = 0;
-  const Place& place = at(p, distance, level_radius);
+  const Sheet& place = at(p, distance, level_radius);
   if (place.width < 0 || !(distance * more + (p - place.center).norm() * more < place.width)) return false;
   const double factor = 4 * more * place.slope * distance;
   return std::ranges::all_of(link, [&](const Neighbour& q) {
@@ -82,7 +82,7 @@ bool Sheets::has_one_component(const Vec3& p, double distance, std::span<const N
 
 std::span<const FacetId> Sheets::facets_within(const Vec3& p, double distance) {
   double level_radius = 0;
-  Place& place = at(p, distance, level_radius);
+  Sheet& place = at(p, distance, level_radius);
   const double diagonal = std::numbers::sqrt3 * cell_size * level_radius;  // p and the center are in one cell
   if (place.first < 0) {
     near_.clear();
@@ -99,7 +99,7 @@ std::span<const FacetId> Sheets::facets_within(const Vec3& p, double distance) {
                                    static_cast<std::size_t>(place.last - place.first));
 }
 
-void Sheets::make(Place& place, double radius) {
+void Sheets::make(Sheet& place, double radius) {
   near_.clear();
   normals_.clear();
   facets_.near(place.center, radius * more, near_);

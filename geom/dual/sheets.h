@@ -43,6 +43,15 @@ namespace geom {
 /// Sheets, made where they are asked for and kept: one for each cell of a grid, whose size follows the radius.
 class Sheets {
  public:
+  /// The surface in the ball about a location on it.
+  struct Sheet {
+    Vec3 center{0, 0, 0};  ///< p0
+    Vec3 axis{0, 0, 1};
+    double slope = 0;
+    double width = -1;                   ///< R / sqrt(1 + s^2); negative: the surface is no sheet there
+    std::int32_t first = -1, last = -1;  ///< of its facets, if they were asked for
+  };
+
   /// Keeps references.
   Sheets(const TriMesh& mesh, const FacetTree& facets)
       : mesh_(mesh), facets_(facets), stamp_of_(mesh.num_facets(), 0) {}
@@ -54,6 +63,11 @@ class Sheets {
     double lead;
   };
   bool has_one_component(const Vec3& p, double distance, std::span<const Neighbour> link);
+  /// What is known where a ball of that radius about p is asked about.
+  const Sheet& around(const Vec3& p, double distance) {
+    double level_radius = 0;
+    return at(p, distance, level_radius);
+  }
   /// All facets that come within that distance of p, and more. Valid until the next call of any of these.
   std::span<const FacetId> facets_within(const Vec3& p, double distance);
 
@@ -73,23 +87,16 @@ class Sheets {
       return x;
     }
   };
-  struct Place {
-    Vec3 center{0, 0, 0};  ///< p0
-    Vec3 axis{0, 0, 1};
-    double slope = 0;
-    double width = -1;                   ///< R / sqrt(1 + s^2); negative: the surface is no sheet there
-    std::int32_t first = -1, last = -1;  ///< of its facets, if they were asked for
-  };
-  /// The place of p and a distance, and its level's radius, which is no less.
-  Place& at(const Vec3& p, double distance, double& level_radius);
-  void make(Place& place, double radius);
+  /// That of p and a distance, and its level's radius, which is no less.
+  Sheet& at(const Vec3& p, double distance, double& level_radius);
+  void make(Sheet& place, double radius);
   bool hangs_together(const Vec3& center, double radius);
 
   const TriMesh& mesh_;
   const FacetTree& facets_;
   int level_ = 0;
   double level_radius_ = 0;  ///< that serves the distances asked for last
-  std::unordered_map<Key, Place, Hash> places_;
+  std::unordered_map<Key, Sheet, Hash> places_;
   std::vector<FacetId> lists_;
   std::vector<FacetId> near_, stack_;  // workspaces
   std::vector<Vec3> normals_;

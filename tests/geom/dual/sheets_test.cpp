@@ -73,7 +73,7 @@ std::size_t check_graphs(Place& place, Rng& rng, int queries) {
     const double s = rng.uniform(), r = rng.uniform() * (1 - s);
     const Vec3 p = a + s * (b - a) + r * (c - a);
     const double radius = place.mesh.diagonal() * std::pow(10, rng.uniform(-2.5, -0.3));
-    const Sheet& sheet = place.sheets.around(p, radius);
+    const Sheets::Sheet& sheet = place.sheets.around(p, radius);
     if (sheet.width < 0) continue;
     ++graphs;
     CHECK(sheet.slope < 1);
@@ -342,7 +342,7 @@ TEST_CASE("sheets: places are shared") {
   CHECK(sphere.sheets.num_places() < 4000);
   const std::size_t before = sphere.sheets.num_places();
   const Vec3 p = Vec3(0.3, 0.5, 0.9).normalized();
-  const Sheet first = sphere.sheets.around(p, 0.2), second = sphere.sheets.around(p, 0.2);
+  const Sheets::Sheet first = sphere.sheets.around(p, 0.2), second = sphere.sheets.around(p, 0.2);
   CHECK(first.width == second.width);
   CHECK(first.center == second.center);
   CHECK(sphere.sheets.num_places() <= before + 1);
