@@ -30,7 +30,7 @@ std::array<double, 3> angles_of(const SurfaceDomain& domain, const EmptyCircle& 
 /// the other corners.
 bool mend(const SurfaceDomain& domain, LocalResampling& resampling, CircleId triangle,
           const AngleOptions& options) {
-  const EmptyCircle circle = domain.diagram().circle(triangle);
+  const EmptyCircle circle = domain.dual().circle(triangle);
   const std::array<double, 3> angles = angles_of(domain, circle);
   const auto worst = static_cast<std::size_t>(std::ranges::min_element(angles) - angles.begin());
   const std::array<SiteId, 3> corners{circle.sites[worst], circle.sites[(worst + 1) % 3],
@@ -70,7 +70,7 @@ AngleResult optimize_angles(SurfaceDomain& domain, const AngleOptions& options) 
     const std::size_t mended_before = result.mended;
     bad.try_all_again();
     for (CircleId c; !enough() && (c = bad.take_worst()).valid(); ++result.tried) {
-      const std::array<SiteId, 3> corners = domain.diagram().circle(c).sites;  // c may come back as another
+      const std::array<SiteId, 3> corners = domain.dual().circle(c).sites;  // c may come back as another
       const bool mended = mend(domain, resampling, c, options) || resampling.nudge(corners);
       result.mended += mended;
       futile = mended ? 0 : futile + 1;

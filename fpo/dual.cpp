@@ -23,30 +23,16 @@ std::vector<SurfaceSample> samples_of(const SurfaceDomain& domain) {
   return samples;
 }
 
-bool has_orphans(const SurfaceDomain& domain) {
-  for (std::size_t i = 0; i < domain.num_samples(); ++i)
-    if (cell_components(domain.diagram(), SiteId(i), domain.sample(SiteId(i)).facet).size() > 1) return true;
-  return false;
-}
-
-void finish(Dual& dual, const geom::RestrictedPower& diagram, bool keep_cells) {
-  dual.mesh = extract(diagram, dual.samples.size(), dual.localization.owners);
-  dual.defects = find_defects(dual.mesh);
-  if (keep_cells) dual.cells = cell_polygons(diagram);
-}
-
 }  // namespace
 
 Dual dual_of(const SurfaceDomain& domain, bool keep_cells) {
   Dual dual;
   dual.samples = samples_of(domain);
-  if (!has_orphans(domain)) {
-    finish(dual, domain.diagram(), keep_cells);
-    return dual;
-  }
-  SurfaceDomain copy = domain.rebuilt();
-  dual.localization = copy.localize();
-  finish(dual, copy.diagram(), keep_cells);
+  const std::unique_ptr<geom::RestrictedPower> diagram = domain.diagram();
+  dual.localization = localize(*diagram, dual.samples);
+  dual.mesh = extract(*diagram, dual.samples.size(), dual.localization.owners);
+  dual.defects = find_defects(dual.mesh);
+  if (keep_cells) dual.cells = cell_polygons(*diagram);
   return dual;
 }
 
@@ -99,23 +85,21 @@ namespace {
 
 /// The corner of the cell, of any type, that is farthest from its sample; on the border with the cell
 /// `towards` if there is such a border.
-SurfaceSample farthest_corner(const SurfaceDomain& domain, const Defect& defect) {
-  const geom::FragmentStore& fragments = domain.diagram().fragments();
+SurfaceSample farthest_corner(SurfaceDomain& domain, const Defect& defect) {
   const SurfaceSample& home = domain.sample(defect.at);
   const geom::EdgeLabel border = geom::EdgeLabel::bisector(defect.towards);
   SurfaceSample farthest = home;
   std::tuple<bool, double> most{false, 0};
-  std::array<geom::PolygonCorner, 3> buffer;
-  for (const FragmentId f : fragments.of_cell(defect.at)) {
-    const std::span<const geom::PolygonCorner> corners = fragments.corners(f, buffer);
+  for (const geom::FacetPolygon& fragment : domain.cell(defect.at)) {
+    const std::vector<geom::PolygonCorner>& corners = fragment.corners;
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const bool on_border =
           defect.towards.valid() &&
           (corners[k].edge == border || corners[k == 0 ? corners.size() - 1 : k - 1].edge == border);
       const std::tuple rank{on_border, (corners[k].point.position - home.position).squaredNorm()};
-      if (rank < most || (rank == most && !(fragments.facet(f) < farthest.facet))) continue;
+      if (rank < most || (rank == most && !(fragment.facet < farthest.facet))) continue;
       most = rank;
-      farthest = {corners[k].point.position, fragments.facet(f)};
+      farthest = {corners[k].point.position, fragment.facet};
     }
   }
   return farthest;
@@ -175,7 +159,7 @@ std::size_t refine_at(SurfaceDomain& domain, const std::vector<Defect>& defects)
     const SiteId donor = next->second;
     const SurfaceSample target = farthest_corner(domain, place);
     const double least = closest * domain.sizing().at(target);
-    const SiteId nearest = domain.source().nearest(target.position, SiteId(), place.at).site;
+    const SiteId nearest = domain.dual().nearest(target.position, SiteId()).site;
     if ((domain.sample(nearest).position - target.position).norm() < least) continue;
     domain.neighbours(donor, around);
     kept.merge(neighbourhood(domain, {donor}, 2));  // no second hole near this one

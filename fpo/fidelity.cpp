@@ -54,9 +54,8 @@ class Distances {
   double largest() const {
     double most = 0;
     for (std::size_t i = 0; i < domain_.num_samples(); ++i)
-      for (CircleId c = domain_.diagram().first_circle(SiteId(i)); c.valid();
-           c = domain_.diagram().next_circle(c, SiteId(i))) {
-        const EmptyCircle& circle = domain_.diagram().circle(c);
+      for (const CircleId c : domain_.dual().circles_of(SiteId(i))) {
+        const EmptyCircle& circle = domain_.dual().circle(c);
         if (circle.sites[0] == SiteId(i) && circle.sites[2].valid())
           most = std::max(most, beyond(circle, most));
       }
@@ -70,7 +69,7 @@ class Distances {
 
 bool mend(const SurfaceDomain& domain, LocalResampling& resampling, const Distances& distances,
           CircleId triangle) {
-  const EmptyCircle circle = domain.diagram().circle(triangle);
+  const EmptyCircle circle = domain.dual().circle(triangle);
   const SurfaceSample below = distances.farthest(circle).below;
   return in_growing_sets(domain, circle.sites, [&](std::span<const SiteId> samples) {
     if (resampling.attempt(samples, 1)) return true;

@@ -24,15 +24,15 @@ constexpr double least_nudge_gain = 1e-3;  // of the badness
 }  // namespace
 
 Flaws::Flaws(const SurfaceDomain& domain, FlawMeasure measure)
-    : domain_(domain), measure_(std::move(measure)), untried_(Order{&domain.diagram()}) {
+    : domain_(domain), measure_(std::move(measure)), untried_(Order{&domain.dual()}) {
   for (std::size_t i = 0; i < domain.num_samples(); ++i) {
     const SiteId x(i);
-    for (CircleId c = domain.diagram().first_circle(x); c.valid(); c = domain.diagram().next_circle(c, x))
-      if (domain.diagram().circle(c).sites[0] == x) add(c);
+    for (const CircleId c : domain.dual().circles_of(x))
+      if (domain.dual().circle(c).sites[0] == x) add(c);
   }
 }
 
-void Flaws::follow(const geom::RestrictedPower::Change& change) {
+void Flaws::follow(const geom::RestrictedDual::Change& change) {
   for (const CircleId c : change.circles_erased)
     if (std::erase(unmeasured_, c) == 0) forget(c);
   unmeasured_.insert(unmeasured_.end(), change.circles_created.begin(), change.circles_created.end());
@@ -53,7 +53,7 @@ CircleId Flaws::take_worst() {
   if (untried_.empty()) return CircleId();
   const CircleId c = untried_.top().slot;
   untried_.erase(c);
-  tried_.insert(domain_.diagram().circle(c).sites);
+  tried_.insert(domain_.dual().circle(c).sites);
   return c;
 }
 
@@ -66,7 +66,7 @@ void Flaws::try_all_again() {
 }
 
 void Flaws::add(CircleId c) {
-  const EmptyCircle& circle = domain_.diagram().circle(c);
+  const EmptyCircle& circle = domain_.dual().circle(c);
   if (!circle.sites[2].valid()) return;  // type A or B: no triangle
   const double bad = measure_(circle);
   if (!(bad > 0)) return;
@@ -107,7 +107,7 @@ void LocalResampling::move(const Backup& x) {
 bool LocalResampling::resample_directly(const Backup& x) {
   if (domain_.weight_share(x.id) != x.weight_share) return false;
   const std::optional<bool> moved = domain_.move_directly(x.id, Scope::two_ring);
-  if (moved == true) follow();
+  follow();  // who stays may have been out in between
   return moved.has_value();
 }
 
@@ -121,7 +121,7 @@ void LocalResampling::resample(const Backup& x) {
   domain_.remove(x.id);
   follow();
   const Circle c = domain_.largest_empty(Scope::two_ring);
-  if (c.radius2 > d) place = {domain_.diagram().circle(c.id).center, domain_.diagram().circle(c.id).facet};
+  if (c.radius2 > d) place = {domain_.dual().circle(c.id).center, domain_.dual().circle(c.id).facet};
   domain_.insert_at(x.id, place, x.weight_share);
   follow();
 }
@@ -225,7 +225,7 @@ bool in_growing_sets(const SurfaceDomain& domain, std::array<SiteId, 3> triangle
   std::vector<SiteId> samples(triangle.begin(), triangle.end()), link;
   if (attempt(samples)) return true;
   for (std::size_t i = 0; i < 3; ++i) {
-    domain.diagram().link(samples[i], link);
+    domain.dual().link(samples[i], link);
     for (const SiteId y : link)
       if (std::ranges::find(samples, y) == samples.end()) samples.push_back(y);
     if (samples.size() > crowd) return false;

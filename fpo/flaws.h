@@ -26,7 +26,7 @@ class Flaws {
 
   /// Takes in what a removal or insertion has changed. What is new is measured when next somebody asks, so what
   /// exists between a removal and an insertion only costs nothing.
-  void follow(const geom::RestrictedPower::Change& change);
+  void follow(const geom::RestrictedDual::Change& change);
 
   std::size_t number() { return catch_up(), number_; }
   double badness() { return catch_up(), badness_; }            ///< the sum of all measures
@@ -38,8 +38,8 @@ class Flaws {
 
  private:
   struct Order {
-    const geom::RestrictedPower* diagram;
-    bool operator()(CircleId a, CircleId b) const { return diagram->circle_before(a, b); }
+    const geom::RestrictedDual* dual;
+    bool operator()(CircleId a, CircleId b) const { return circle_before(dual->circle(a), dual->circle(b)); }
   };
 
   void catch_up();

@@ -28,7 +28,7 @@ bool give_away(geom::RestrictedPower& diagram, SiteId p, const Component& orphan
   for (const FragmentId f : orphan) out.merge(std::set<SiteId>(excluded[diagram.fragments().facet(f)]));
   for (const FragmentId f : orphan) excluded[diagram.fragments().facet(f)] = out;
   const std::vector<SiteId> others(out.begin(), out.end());
-  return !diagram.abandon(p, orphan, others, sites).cells.empty();
+  return diagram.abandon(p, orphan, others, sites);
 }
 
 }  // namespace

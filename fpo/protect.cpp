@@ -23,7 +23,7 @@ std::vector<Edge> missing_edges(const SurfaceDomain& domain, const FeatureSample
   std::vector<SiteId> link;
   for (const std::vector<SiteId>& chain : features.chains)
     for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-      domain.diagram().link(chain[i], link);
+      domain.dual().link(chain[i], link);
       if (std::ranges::find(link, chain[i + 1]) == link.end()) missing.emplace_back(chain[i], chain[i + 1]);
     }
   return missing;
@@ -39,8 +39,8 @@ bool raise_weight(SurfaceDomain& domain, SiteId x, double length2) {
   return true;
 }
 
-bool move_away_from(SurfaceDomain& domain, const Vec3& middle, SiteId hint) {
-  const SiteId x = domain.source().nearest(middle, SiteId(), hint).site;
+bool move_away_from(SurfaceDomain& domain, const Vec3& middle) {
+  const SiteId x = domain.dual().nearest(middle, SiteId()).site;
   if (domain.is_fixed(x)) return false;
   domain.remove(x);
   const Circle c = domain.largest_empty(Scope::global);
@@ -64,7 +64,7 @@ Protection protect_chains(SurfaceDomain& domain, const FeatureSamples& features)
           weighted.insert(x);
           raised = true;
         }
-      const bool moved = !raised && move_away_from(domain, (from + to) / 2, a);
+      const bool moved = !raised && move_away_from(domain, (from + to) / 2);
       result.moved += moved;
       changed |= raised || moved;
     }

@@ -6,10 +6,8 @@
 #include <vector>
 
 #include "geom/check.h"
-#include "geom/facet_cells.h"
 #include "geom/rng.h"
 #include "geom/scaling.h"
-#include "geom/site_tree.h"
 #include "geom/triangulation_source.h"
 
 namespace fpo {
@@ -19,19 +17,13 @@ constexpr double weight_unit = geom::coordinate_unit * geom::coordinate_unit;
 constexpr Circle no_circle{-std::numeric_limits<double>::infinity(), CircleId()};
 
 std::unique_ptr<geom::NeighbourSource> make_source(Engine engine, const geom::Box3& box) {
-  if (engine == Engine::search) return std::make_unique<geom::SiteTree>();
+  if (engine == Engine::search) return nullptr;
   return std::make_unique<geom::TriangulationSource>(box);
 }
 
 /// The heap's order.
 bool larger_circle(const geom::EmptyCircle& a, const geom::EmptyCircle& b) {
-  return a.radius2 > b.radius2 || (a.radius2 == b.radius2 && geom::RestrictedPower::circle_before(a, b));
-}
-
-bool has_degenerate_facet(const geom::TriMesh& mesh) {
-  for (std::size_t t = 0; t < mesh.num_facets(); ++t)
-    if (geom::is_degenerate(mesh, geom::FacetId(t))) return true;
-  return false;
+  return a.radius2 > b.radius2 || (a.radius2 == b.radius2 && circle_before(a, b));
 }
 
 }  // namespace
@@ -58,32 +50,27 @@ SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,
       samples_(samples.begin(), samples.end()),
       weight_share_(std::move(weight_shares)),
       unweighted_(equal_weights() && std::ranges::count(weight_share_, 1.0) == std::ssize(weight_share_)),
-      source_(make_source(options.engine, mesh.box())),
-      diagram_(std::make_unique<geom::RestrictedPower>(mesh, *source_, options.corners)),
-      circles_(CircleOrder{diagram_.get()}) {
+      paper_(make_source(options.engine, mesh.box())),
+      dual_(std::make_unique<geom::RestrictedDual>(mesh, options.corners, paper_.get())),
+      circles_(CircleOrder{dual_.get()}) {
   geom::require(!samples.empty(), "there must be at least one sample");
   std::vector<SiteId> order;
   for (std::size_t i = 0; i < samples.size(); ++i) order.emplace_back(i);
   geom::Rng(options.seed).shuffle(std::span(order));
-  if (has_degenerate_facet(mesh))
-    for (const SiteId x : order) insert(x, SiteId());
-  else
-    build(order);
-}
-
-/// All samples at once. `order`: in which they enter the source.
-void SurfaceDomain::build(std::span<const SiteId> order) {
   std::vector<geom::WeightedPoint3> points;
   points.reserve(samples_.size());
   for (std::size_t i = 0; i < samples_.size(); ++i)
     points.push_back({samples_[SiteId(i)].position, weight_at(SiteId(i))});
-  geom::SiteTree tree;
-  const bool has_tree = options_.engine == Engine::search;
-  for (const SiteId x : order) {
-    source_->insert(x, points[x.index()], SiteId());
-    if (!has_tree) tree.insert(x, points[x.index()]);
-  }
-  apply(diagram_->build(points, has_tree ? *source_ : tree, options_.threads));
+  std::vector<geom::FacetId> homes;
+  for (const SurfaceSample& x : samples_) homes.push_back(x.facet);
+  apply(dual_->build(points, homes, order, options_.threads));
+}
+
+std::unique_ptr<geom::RestrictedPower> SurfaceDomain::diagram() const {
+  std::vector<geom::WeightedPoint3> points;
+  points.reserve(samples_.size());
+  for (std::size_t i = 0; i < samples_.size(); ++i) points.push_back(dual_->site(SiteId(i)));
+  return std::make_unique<geom::RestrictedPower>(mesh_, points, dual_->tree(), options_.threads);
 }
 
 double SurfaceDomain::full_weight(SiteId x) const {
@@ -97,23 +84,16 @@ double SurfaceDomain::weight_at(SiteId x) const {
   return geom::snapped((weight_share_[x] - (equal_weights() ? 1 : 0)) * full_weight(x), weight_unit);
 }
 
-void SurfaceDomain::expect(SiteId x) {
-  diagram_->expect(x, 4);
-  for (int i = 0; i < 3; ++i)
-    if (const SiteId y = expected_[static_cast<std::size_t>(i)]; y.valid()) diagram_->expect(y, 3 - i);
-  expected_ = {x, expected_[0], expected_[1]};
-}
+void SurfaceDomain::expect(SiteId) {}
 
-double SurfaceDomain::separation(SiteId x) { return source_->nearest(samples_[x].position, x, x).radius2; }
+double SurfaceDomain::separation(SiteId x) { return dual_->nearest(samples_[x].position, x).radius2; }
 
 // One move, forward only: the neighbour source, then the diagram, then the heap.
 
 void SurfaceDomain::remove(SiteId x) {
   near_removed_ = SiteId();
-  if (diagram_->fragments().of_cell(x).empty())
-    near_removed_ = source_->nearest(samples_[x].position, x, x).site;
-  source_->remove(x);
-  apply(diagram_->after_remove(x));
+  if (!dual_->has_cell(x)) near_removed_ = dual_->nearest(samples_[x].position, x).site;
+  apply(dual_->remove(x));
 }
 
 Circle SurfaceDomain::largest_empty(Scope scope) {
@@ -126,16 +106,16 @@ Circle SurfaceDomain::largest_empty(Scope scope) {
 Circle SurfaceDomain::largest_in_two_ring() {
   CircleId best;
   const auto look_around = [&](SiteId y) {
-    for (CircleId c = diagram_->first_circle(y); c.valid(); c = diagram_->next_circle(c, y))
+    for (const CircleId c : dual_->circles_of(y))
       if (!best.valid() || larger(c, best)) best = c;
   };
   for (const SiteId y : last_change_->cells) look_around(y);
   if (last_change_->cells.empty() && near_removed_.valid()) look_around(near_removed_);
-  return best.valid() ? Circle{diagram_->circle(best).radius2, best} : no_circle;
+  return best.valid() ? Circle{dual_->circle(best).radius2, best} : no_circle;
 }
 
 bool SurfaceDomain::larger(CircleId a, CircleId b) const {
-  return larger_circle(diagram_->circle(a), diagram_->circle(b));
+  return larger_circle(dual_->circle(a), dual_->circle(b));
 }
 
 bool SurfaceDomain::is_farther(const Circle& c, SiteId x) {
@@ -146,80 +126,57 @@ bool SurfaceDomain::is_farther(const Circle& c, SiteId x) {
 bool SurfaceDomain::is_farther(double radius2, SiteId x, std::span<const SiteId> heirs) const {
   const geom::Vec3& place = samples_[x].position;
   for (const SiteId y : heirs)
-    if (radius2 > geom::power(place, diagram_->site(y))) return true;
-  return radius2 > source_->nearest(place, x, heirs.empty() ? near_removed_ : heirs.front()).radius2;
+    if (radius2 > geom::power(place, dual_->site(y))) return true;
+  return radius2 > dual_->nearest(place, x).radius2;
 }
 
 // --- a move at once ------------------------------------------------------------------------------
 
 std::optional<bool> SurfaceDomain::move_directly(SiteId x, Scope scope) {
-  std::optional<geom::RestrictedPower::Plan> plan = plan_removal(x, scope);
-  const geom::EmptyCircle* const best = plan ? largest_planned(x, *plan, scope) : nullptr;
-  const bool moves = best && is_farther(best->radius2, x, plan->heirs);
+  const std::optional<geom::RestrictedDual::Plan> plan = plan_removal(x);
+  if (!plan) return {};
+  const Planned best = largest_planned(x, *plan, scope);
+  const bool moves = best.circle && is_farther(best.circle->radius2, x, plan->heirs);
   if (moves)
-    move_planned(x, *best);
+    move_planned(x, best);
   else
     stay(x);
-  if (!best) return {};
+  if (!best.circle) return {};
   return moves;
 }
 
-std::optional<geom::RestrictedPower::Plan> SurfaceDomain::plan_removal(SiteId x, Scope scope) {
-  source_->remove(x);
-  std::optional<geom::RestrictedPower::Plan> plan = diagram_->plan_removal(x);
-  if (plan && scope == Scope::two_ring) plan = diagram_->complete_plan(x);  // with all heirs
-  return plan;
-}
-
-void SurfaceDomain::move_planned(SiteId x, const geom::EmptyCircle& circle) {
-  samples_[x] = {circle.center, circle.facet};
-  const geom::WeightedPoint3 point{samples_[x].position, weight_at(x)};
-  source_->insert(x, point, circle.sites[0]);
-  apply(diagram_->after_move(x, point));
-}
-
-void SurfaceDomain::stay(SiteId x) {
-  SiteId hint;
-  if (const CircleId c = diagram_->first_circle(x); c.valid())
-    for (const SiteId y : diagram_->circle(c).sites)
-      if (y != x) hint = y;
-  source_->insert(x, diagram_->site(x), hint);
-  diagram_->stay(x);
-}
-
-const geom::EmptyCircle* SurfaceDomain::largest_planned(SiteId x, geom::RestrictedPower::Plan& plan,
-                                                        Scope scope) {
-  const geom::EmptyCircle* best = nullptr;
-  const auto consider = [&](const geom::EmptyCircle& circle) {
-    if (!best || larger_circle(circle, *best)) best = &circle;
+SurfaceDomain::Planned SurfaceDomain::largest_planned(SiteId x, const geom::RestrictedDual::Plan& plan,
+                                                      Scope scope) const {
+  Planned best;
+  const auto consider = [&](const geom::EmptyCircle& circle, const geom::RestrictedDual::Target& target) {
+    if (!best.circle || larger_circle(circle, *best.circle)) best = {&circle, target};
   };
-  const auto touches_x = [&](const geom::EmptyCircle& circle) {
-    return std::ranges::find(circle.sites, x) != circle.sites.end();
-  };
-  for (const geom::EmptyCircle& circle : plan.circles)
-    if (scope == Scope::two_ring || is_offered(circle)) consider(circle);
+  for (std::size_t i = 0; i < plan.circles.size(); ++i)
+    if (scope == Scope::two_ring || is_offered(plan.circles[i])) consider(plan.circles[i], {i, CircleId()});
   if (scope == Scope::two_ring) {
     for (const SiteId y : plan.heirs)
-      for (CircleId c = diagram_->first_circle(y); c.valid(); c = diagram_->next_circle(c, y))
-        if (!touches_x(diagram_->circle(c))) consider(diagram_->circle(c));
+      for (const CircleId c : dual_->circles_of(y))
+        if (!dual_->circle(c).touches(x)) consider(dual_->circle(c), {0, c});
   } else if (!circles_.empty()) {
-    consider(diagram_->circle(circles_.top().slot));
+    consider(dual_->circle(circles_.top().slot), {0, circles_.top().slot});
   }
-  if (!plan.is_complete() && (!best || best->radius2 <= plan.complete_above)) {
-    plan = diagram_->complete_plan(x);
-    return largest_planned(x, plan, scope);
-  }
-  return best && !touches_x(*best) ? best : nullptr;
+  return best.circle && !best.circle->touches(x) ? best : Planned();
+}
+
+void SurfaceDomain::move_planned(SiteId x, const Planned& place) {
+  samples_[x] = {place.circle->center, place.circle->facet};
+  const geom::WeightedPoint3 point{samples_[x].position, weight_at(x)};
+  apply(dual_->move(x, point, samples_[x].facet, place.target));
 }
 
 bool SurfaceDomain::is_offered(const geom::EmptyCircle& circle) const {
-  return !options_.offers || options_.offers(circle, diagram_->site(circle.sites[0]));
+  return !options_.offers || options_.offers(circle, dual_->site(circle.sites[0]));
 }
 
 void SurfaceDomain::insert_at(SiteId x, const Circle& c) {
-  const geom::EmptyCircle& circle = diagram_->circle(c.id);
+  const geom::EmptyCircle circle = dual_->circle(c.id);
   samples_[x] = {circle.center, circle.facet};
-  insert(x, circle.sites[0]);
+  insert(x, c.id);
 }
 
 void SurfaceDomain::insert_at(SiteId x, const SurfaceSample& place, double weight_share) {
@@ -230,26 +187,22 @@ void SurfaceDomain::insert_at(SiteId x, const SurfaceSample& place, double weigh
   put_back(x);
 }
 
-void SurfaceDomain::put_back(SiteId x) {
-  const std::vector<SiteId>& heirs = last_change_->cells;
-  insert(x, heirs.empty() ? SiteId() : heirs.front());
-}
+void SurfaceDomain::put_back(SiteId x) { insert(x); }
 
-void SurfaceDomain::insert(SiteId x, SiteId hint) {
+void SurfaceDomain::insert(SiteId x, CircleId at) {
   const geom::WeightedPoint3 point{samples_[x].position, weight_at(x)};
-  source_->insert(x, point, hint);
-  apply(diagram_->after_insert(x, point));
+  apply(dual_->insert(x, point, samples_[x].facet, at));
 }
 
-void SurfaceDomain::apply(const geom::RestrictedPower::Change& change) {
+void SurfaceDomain::apply(const geom::RestrictedDual::Change& change) {
   for (const CircleId c : change.circles_erased)
     if (circles_.contains(c)) circles_.erase(c);
   for (const CircleId c : change.circles_created) {
-    const geom::EmptyCircle& circle = diagram_->circle(c);
+    const geom::EmptyCircle& circle = dual_->circle(c);
     if (is_offered(circle)) circles_.push(c, circle.radius2);
   }
   for (const CircleId c : change.circles_moved) {
-    const geom::EmptyCircle& circle = diagram_->circle(c);
+    const geom::EmptyCircle& circle = dual_->circle(c);
     const bool listed = circles_.contains(c), offered = is_offered(circle);
     if (listed && offered) circles_.update(c, circle.radius2);
     if (listed && !offered) circles_.erase(c);
@@ -260,7 +213,7 @@ void SurfaceDomain::apply(const geom::RestrictedPower::Change& change) {
 
 double SurfaceDomain::normalized_spacing(SiteId x) {
   const double h = sizing_.at(samples_[x]);
-  const geom::NeighbourSource::Nearest nearest = source_->nearest(samples_[x].position, x, x);
+  const geom::NeighbourSource::Nearest nearest = dual_->nearest(samples_[x].position, x);
   if (!nearest.site.valid()) return std::numeric_limits<double>::infinity();
   double least2 = (samples_[nearest.site].position - samples_[x].position).squaredNorm();
   if (unweighted_) return std::sqrt(least2) / h;
@@ -271,24 +224,20 @@ double SurfaceDomain::normalized_spacing(SiteId x) {
 }
 
 void SurfaceDomain::neighbours(SiteId x, std::vector<SiteId>& out) {
-  diagram_->link(x, out);
+  dual_->link(x, out);
   if (!out.empty() || num_samples() == 1) return;
-  const SiteId hider = source_->nearest(samples_[x].position, x, x).site;
+  const SiteId hider = dual_->nearest(samples_[x].position, x).site;
   if (hider.valid()) out.push_back(hider);
 }
 
 std::size_t SurfaceDomain::num_hidden() const {
   std::size_t hidden = 0;
-  for (std::size_t i = 0; i < num_samples(); ++i) hidden += diagram_->fragments().of_cell(SiteId(i)).empty();
+  for (std::size_t i = 0; i < num_samples(); ++i) hidden += !dual_->has_cell(SiteId(i));
   return hidden;
 }
 
-Localization SurfaceDomain::localize() {
-  return fpo::localize(*diagram_, std::span<const SurfaceSample>(samples_.data(), samples_.size()));
-}
-
 void SurfaceDomain::check() const {
-  diagram_->check();
+  dual_->check();
   circles_.check();
 }
 

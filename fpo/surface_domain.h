@@ -12,7 +12,7 @@
 
 #include "fpo/domain.h"
 #include "fpo/initial_samples.h"
-#include "fpo/localize.h"
+#include "geom/dual/restricted_dual.h"
 #include "geom/indexed_heap.h"
 #include "geom/restricted_power.h"
 
@@ -57,19 +57,25 @@ class SurfaceDomain final : public Domain {
   bool is_farther(const Circle& c, SiteId x) override;
   void insert_at(SiteId x, const Circle& c) override;
   void put_back(SiteId x) override;
-  /// By the steps below. None if they cannot tell, which is rare.
+  /// By planning the removal first. None if there is no plan, or the largest circle was one of x's own.
   std::optional<bool> move_directly(SiteId x, Scope scope) override;
 
   // A move whose removal is only planned. After plan_removal(x) follows move_planned(x) or stay(x).
-  /// None if there is no plan for x: then stay(x) follows.
-  std::optional<geom::RestrictedPower::Plan> plan_removal(SiteId x, Scope scope);
+  /// None if there is no plan for x: then nothing is done, and nothing follows.
+  std::optional<geom::RestrictedDual::Plan> plan_removal(SiteId x) { return dual_->plan_removal(x); }
   /// The largest empty circle once x is out; none if that cannot be told: the top of the heap may be at x and go
-  /// with it. Completes the plan if need be. Valid until the next step.
-  const geom::EmptyCircle* largest_planned(SiteId x, geom::RestrictedPower::Plan& plan, Scope scope);
+  /// with it. Valid until the next step.
+  struct Planned {
+    const geom::EmptyCircle* circle = nullptr;
+    geom::RestrictedDual::Target target;
+  };
+  Planned largest_planned(SiteId x, const geom::RestrictedDual::Plan& plan, Scope scope) const;
   /// is_farther() for such a circle.
   bool is_farther(double radius2, SiteId x, std::span<const SiteId> heirs) const;
-  void move_planned(SiteId x, const geom::EmptyCircle& circle);
-  void stay(SiteId x);
+  void move_planned(SiteId x, const Planned& place);
+  /// reach() of an heir as long as x is there.
+  double reach_beside(SiteId heir, SiteId x) { return dual_->reach_beside(heir, x); }
+  void stay(SiteId x) { apply(dual_->stay(x)); }
 
   /// Distance over h to the nearest sample in space; with weights to the nearest of those that are first in
   /// power or in neighbours(x).
@@ -89,47 +95,48 @@ class SurfaceDomain final : public Domain {
   std::size_t num_hidden() const;
 
   const SurfaceSample& sample(SiteId x) const { return samples_[x]; }
-  const geom::RestrictedPower& diagram() const { return *diagram_; }
+  const geom::RestrictedDual& dual() const { return *dual_; }
+  /// The diagram with all its fragments, as it is now. Cost: that of building it.
+  std::unique_ptr<geom::RestrictedPower> diagram() const;
+  /// The polygons of one cell, ascending by facet.
+  std::vector<geom::FacetPolygon> cell(SiteId x) { return dual_->cell(x); }
   /// Another domain with the same samples, weights and diagram.
   SurfaceDomain rebuilt() const;
-  /// Gives orphans away (localize.h) for the extraction. Ends the optimization: no move may follow.
-  Localization localize();
+  /// The least bound of the power in the cell of x.
+  double reach(SiteId x) { return dual_->reach(x); }
   const geom::TriMesh& mesh() const { return mesh_; }
   /// What the last removal or insertion changed.
-  const geom::RestrictedPower::Change& last_change() const { return *last_change_; }
-  const geom::NeighbourSource& source() const { return *source_; }
+  const geom::RestrictedDual::Change& last_change() const { return *last_change_; }
   const Sizing& sizing() const { return sizing_; }
 
  private:
   struct CircleOrder {
-    const geom::RestrictedPower* diagram;
-    bool operator()(CircleId a, CircleId b) const { return diagram->circle_before(a, b); }
+    const geom::RestrictedDual* dual;
+    bool operator()(CircleId a, CircleId b) const { return circle_before(dual->circle(a), dual->circle(b)); }
   };
 
   SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing, std::span<const SurfaceSample> samples,
                 geom::Table<SiteId, double> weight_shares, const SurfaceOptions& options);
-  void build(std::span<const SiteId> order);
-  void insert(SiteId x, SiteId hint);
+  void insert(SiteId x, CircleId at = CircleId());
   double weight_at(SiteId x) const;
   bool equal_weights() const { return sizing_.is_uniform() || !options_.weighted; }
   Circle largest_in_two_ring();
   bool larger(CircleId a, CircleId b) const;
   bool is_offered(const geom::EmptyCircle& circle) const;
-  void apply(const geom::RestrictedPower::Change& change);
+  void apply(const geom::RestrictedDual::Change& change);
 
   const geom::TriMesh& mesh_;
   Sizing sizing_;
   SurfaceOptions options_;
   geom::Table<SiteId, SurfaceSample> samples_;
   geom::Table<SiteId, double> weight_share_;
-  bool unweighted_;  ///< all weights are and have always been 0
-  std::unique_ptr<geom::NeighbourSource> source_;
-  std::unique_ptr<geom::RestrictedPower> diagram_;
+  bool unweighted_;                               ///< all weights are and have always been 0
+  std::unique_ptr<geom::NeighbourSource> paper_;  ///< Engine::triangulation
+  std::unique_ptr<geom::RestrictedDual> dual_;
   geom::IndexedHeap<CircleId, CircleOrder> circles_;
-  const geom::RestrictedPower::Change* last_change_ = nullptr;
-  std::array<SiteId, 3> expected_;  ///< the last samples announced by expect(), the latest first
-  SiteId near_removed_;             ///< a sample near the removed one if that had no cell
-  std::vector<SiteId> link_;        // workspace
+  const geom::RestrictedDual::Change* last_change_ = nullptr;
+  SiteId near_removed_;       ///< a sample near the removed one if that had no cell
+  std::vector<SiteId> link_;  // workspace
 };
 
 }  // namespace fpo

@@ -128,7 +128,7 @@ void TileDomain::build() {
 double TileDomain::largest_reach() const {
   double reach = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < sites_.size(); ++i)
-    reach = std::max(reach, domain_->diagram().reach(SiteId(i)));
+    reach = std::max(reach, domain_->dual().reach_bound(SiteId(i)));
   return reach;
 }
 
@@ -149,9 +149,15 @@ std::vector<SiteId> TileDomain::restless(std::span<const SiteId> of_whole, doubl
   return samples;
 }
 
-/// No location of the cell is farther from x.
-double TileDomain::cell_radius(SiteId x) const {
-  return root(domain_->diagram().reach(x) + domain_->diagram().site(x).weight);
+/// No location of a cell with that reach is farther from x.
+double TileDomain::radius(SiteId x, double reach) const {
+  return root(reach + domain_->dual().site(x).weight);
+}
+
+/// Is that held whose size follows from the reach of x? The least reach is asked for where a bound is too large.
+template <class Holds>
+bool TileDomain::holds_by_reach(SiteId x, Holds holds) {
+  return holds(domain_->dual().reach_bound(x)) || holds(domain_->reach(x));
 }
 
 bool TileDomain::holds_ball(const Vec3& center, double radius) const {
@@ -161,26 +167,28 @@ bool TileDomain::holds_ball(const Vec3& center, double radius) const {
 }
 
 /// Is x a T-site and its cell made of T-locations, given a bound of the power there?
-bool TileDomain::holds_cell(SiteId x, double power) const {
-  const geom::WeightedPoint3& site = domain_->diagram().site(x);
-  return holds_ball(site.position, std::max(cell_radius(x) + root(power), root(site.weight)));
+bool TileDomain::holds_cell(SiteId x, double reach, double power) const {
+  const geom::WeightedPoint3& site = domain_->dual().site(x);
+  return holds_ball(site.position, std::max(radius(x, reach) + root(power), root(site.weight)));
 }
 
 /// Is what x vacates held, and its place?
 bool TileDomain::holds_vacancy(SiteId x, const Vacancy& vacancy) const {
-  const geom::WeightedPoint3& site = domain_->diagram().site(x);
+  const geom::WeightedPoint3& site = domain_->dual().site(x);
   double at_x = std::numeric_limits<double>::infinity();
   for (const SiteId y : vacancy.around)
-    at_x = std::min(at_x, geom::power(site.position, domain_->diagram().site(y)));
+    at_x = std::min(at_x, geom::power(site.position, domain_->dual().site(y)));
   const double power = std::max(vacancy.power, at_x);
   return power <= most_power_ &&
          holds_ball(site.position, std::max(vacancy.cell + root(power), root(site.weight)));
 }
 
 /// Are the cells where Scope::two_ring looks held?
-bool TileDomain::holds_heirs(const Vacancy& vacancy) const {
+bool TileDomain::holds_heirs(const Vacancy& vacancy) {
   return std::ranges::all_of(vacancy.around, [&](SiteId y) {
-    return holds_cell(y, std::max(vacancy.power, domain_->diagram().reach(y)));
+    const auto holds = [&](double reach) { return holds_cell(y, reach, std::max(vacancy.power, reach)); };
+    return holds(domain_->dual().reach_bound(y)) ||
+           holds(vacancy.planned.valid() ? domain_->reach_beside(y, vacancy.planned) : domain_->reach(y));
   });
 }
 
@@ -192,45 +200,47 @@ bool TileDomain::offers(const geom::EmptyCircle& circle, const geom::WeightedPoi
 TileDomain::Outcome TileDomain::move(SiteId of_whole, Scope scope) {
   const SiteId x = here(of_whole);
   if (domain_->num_samples() == 1) return Outcome::out_of_reach;
-  const double cell = cell_radius(x);
-  if (!holds_ball(domain_->sample(x).position, likely_clearance * cell)) return Outcome::out_of_reach;
-
-  if (const std::optional<Outcome> outcome = move_directly(x, cell, scope)) return *outcome;
-  return move_step_by_step(x, cell, scope);
+  const bool is_clear_of_cuts = holds_by_reach(x, [&](double reach) {
+    return holds_ball(domain_->sample(x).position, likely_clearance * radius(x, reach));
+  });
+  if (!is_clear_of_cuts) return Outcome::out_of_reach;
+  if (const std::optional<Outcome> outcome = move_directly(x, scope)) return *outcome;
+  return move_step_by_step(x, scope);
 }
 
 /// As Domain::move_directly().
-std::optional<TileDomain::Outcome> TileDomain::move_directly(SiteId x, double cell, Scope scope) {
+std::optional<TileDomain::Outcome> TileDomain::move_directly(SiteId x, Scope scope) {
   const SurfaceSample old = domain_->sample(x);
-  std::optional<geom::RestrictedPower::Plan> plan = domain_->plan_removal(x, scope);
+  const std::optional<geom::RestrictedDual::Plan> plan = domain_->plan_removal(x);
+  if (!plan) return {};
   const auto stay = [&](std::optional<Outcome> outcome) {
     domain_->stay(x);
     return outcome;
   };
-  if (!plan) return stay({});
-  const Vacancy vacancy{cell, plan->max_radius2, plan->heirs};
+  const Vacancy vacancy{radius(x, plan->reach), plan->max_radius2, plan->heirs, x};
   if (!holds_vacancy(x, vacancy) || (scope == Scope::two_ring && !holds_heirs(vacancy)))
     return stay(Outcome::out_of_reach);
-  const geom::EmptyCircle* const best = domain_->largest_planned(x, *plan, scope);
-  if (!best) return stay({});
-  if (!domain_->is_farther(best->radius2, x, plan->heirs)) return stay(Outcome::stayed);
-  const geom::EmptyCircle circle = *best;
-  const geom::WeightedPoint3 touched = domain_->diagram().site(circle.sites[0]);
+  const SurfaceDomain::Planned best = domain_->largest_planned(x, *plan, scope);
+  if (!best.circle) return stay({});
+  if (!domain_->is_farther(best.circle->radius2, x, plan->heirs)) return stay(Outcome::stayed);
+  const geom::EmptyCircle circle = *best.circle;
+  const geom::WeightedPoint3 touched = domain_->dual().site(circle.sites[0]);
   if (!offers(circle, touched)) return stay(Outcome::out_of_reach);
-  domain_->move_planned(x, circle);
+  domain_->move_planned(x, best);
   if (holds_insertion(x, circle, touched.weight)) return Outcome::moved;
   domain_->remove(x);
   domain_->insert_at(x, old, 1);
   return Outcome::out_of_reach;
 }
 
-TileDomain::Outcome TileDomain::move_step_by_step(SiteId x, double cell, Scope scope) {
+TileDomain::Outcome TileDomain::move_step_by_step(SiteId x, Scope scope) {
   const SurfaceSample old = domain_->sample(x);
+  const double cell = radius(x, domain_->reach(x));
   domain_->remove(x);
   std::vector<SiteId> heirs = domain_->last_change().cells;
-  if (heirs.empty()) heirs.push_back(domain_->source().nearest(old.position, x, SiteId()).site);
-  Vacancy vacancy{cell, 0, heirs};
-  for (const SiteId heir : heirs) vacancy.power = std::max(vacancy.power, domain_->diagram().reach(heir));
+  if (heirs.empty()) heirs.push_back(domain_->dual().nearest(old.position, x).site);
+  Vacancy vacancy{cell, 0, heirs, SiteId()};
+  for (const SiteId heir : heirs) vacancy.power = std::max(vacancy.power, domain_->reach(heir));
   if (!holds_vacancy(x, vacancy) || (scope == Scope::two_ring && !holds_heirs(vacancy))) {
     domain_->put_back(x);
     return Outcome::out_of_reach;
@@ -240,8 +250,8 @@ TileDomain::Outcome TileDomain::move_step_by_step(SiteId x, double cell, Scope s
     domain_->put_back(x);
     return Outcome::stayed;
   }
-  const geom::EmptyCircle circle = domain_->diagram().circle(c.id);
-  const geom::WeightedPoint3 touched = domain_->diagram().site(circle.sites[0]);
+  const geom::EmptyCircle circle = domain_->dual().circle(c.id);
+  const geom::WeightedPoint3 touched = domain_->dual().site(circle.sites[0]);
   if (offers(circle, touched)) {
     domain_->insert_at(x, c);
     if (holds_insertion(x, circle, touched.weight)) return Outcome::moved;
@@ -255,7 +265,8 @@ TileDomain::Outcome TileDomain::move_step_by_step(SiteId x, double cell, Scope s
 /// Else the circle is not offered again.
 bool TileDomain::holds_insertion(SiteId x, const geom::EmptyCircle& circle, double weight) {
   const double distance = root(circle.radius2 + weight);
-  if (holds_cell(x, square(cell_radius(x) + distance) - weight)) return true;
+  const double reach = domain_->dual().reach_bound(x);  // the least, after an insertion
+  if (holds_cell(x, reach, square(radius(x, reach) + distance) - weight)) return true;
   barred_.push_back(circle.center);
   return false;
 }

@@ -96,18 +96,21 @@ class TileDomain {
   Sizing local_sizing(std::vector<SurfaceSample>& samples);
   SiteId here(SiteId of_whole) const;
   bool holds_ball(const geom::Vec3& center, double radius) const;
-  double cell_radius(SiteId x) const;
-  bool holds_cell(SiteId x, double power) const;
+  double radius(SiteId x, double reach) const;
+  template <class Holds>
+  bool holds_by_reach(SiteId x, Holds holds);
+  bool holds_cell(SiteId x, double reach, double power) const;
   /// Who has the place of x once it is out, and how much power there is then at most.
   struct Vacancy {
     double cell;  ///< radius of what x had
     double power;
     std::span<const SiteId> around;  ///< the heirs, or else the nearest site
+    SiteId planned;                  ///< x if its removal is only planned
   };
   bool holds_vacancy(SiteId x, const Vacancy& vacancy) const;
-  bool holds_heirs(const Vacancy& vacancy) const;
-  std::optional<Outcome> move_directly(SiteId x, double cell, Scope scope);
-  Outcome move_step_by_step(SiteId x, double cell, Scope scope);
+  bool holds_heirs(const Vacancy& vacancy);
+  std::optional<Outcome> move_directly(SiteId x, Scope scope);
+  Outcome move_step_by_step(SiteId x, Scope scope);
   bool offers(const geom::EmptyCircle& circle, const geom::WeightedPoint3& site) const;
   bool holds_insertion(SiteId x, const geom::EmptyCircle& circle, double weight);
 

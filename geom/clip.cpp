@@ -40,8 +40,7 @@ void Clipper::start(FacetPolygon& polygon, FacetId facet, SiteId owner) const {
   polygon.owner = owner;
   polygon.corners.resize(3);
   for (int i = 0; i < 3; ++i)
-    polygon.corners[static_cast<std::size_t>(i)] = {
-        {mesh_.corner(facet, i), 0}, EdgeLabel::facet_edge(i), CircleId()};
+    polygon.corners[static_cast<std::size_t>(i)] = {{mesh_.corner(facet, i), 0}, EdgeLabel::facet_edge(i)};
 }
 
 /// Power is convex, so its maximum is at a corner. With a the rounded distance of a corner and b = sqrt(3)
@@ -158,8 +157,8 @@ void Clipper::cut(std::span<const PolygonCorner> old, const CutPlace& place, Sit
     out.push_back(old[k]);
     if (k == place.last) break;
   }
-  out.push_back({leave_and_enter[0], EdgeLabel::bisector(j), CircleId()});
-  out.push_back({leave_and_enter[1], place.entering, CircleId()});
+  out.push_back({leave_and_enter[0], EdgeLabel::bisector(j)});
+  out.push_back({leave_and_enter[1], place.entering});
 }
 
 void Clipper::cut(FacetPolygon& polygon, SiteId j, const Bisector& b, const std::vector<char>& beaten) {

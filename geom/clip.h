@@ -44,7 +44,6 @@ class EdgeLabel {
 struct PolygonCorner {
   RoundedPoint point;
   EdgeLabel edge;
-  CircleId circle;  ///< the circle registered here, if any
 };
 
 /// The corners of a polygon of n corners are in a cycle.

@@ -63,8 +63,7 @@ std::span<const PolygonCorner> FragmentStore::corners(FragmentId f,
                                                       std::array<PolygonCorner, 3>& buffer) const {
   if (!whole(f)) return corners(f);
   for (int i = 0; i < 3; ++i)
-    buffer[static_cast<std::size_t>(i)] = {
-        {mesh_.corner(facet(f), i), 0}, EdgeLabel::facet_edge(i), CircleId()};
+    buffer[static_cast<std::size_t>(i)] = {{mesh_.corner(facet(f), i), 0}, EdgeLabel::facet_edge(i)};
   return buffer;
 }
 

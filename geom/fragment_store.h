@@ -42,35 +42,12 @@ class FragmentStore {
   std::span<const PolygonCorner> corners(FragmentId f) const;
   /// The corners in any case; those of a whole facet are written to `buffer`.
   std::span<const PolygonCorner> corners(FragmentId f, std::array<PolygonCorner, 3>& buffer) const;
-  /// The stored corners, to move them and to set their circles: their edges must stay.
-  std::span<PolygonCorner> corners_to_move(FragmentId f) {
-    if (whole(f)) return {};
-    return {corners_[fragments_[f].polygon], fragments_[f].size};
-  }
   /// Replaces the polygon; three facet edges mean whole.
   void set_corners(FragmentId f, std::span<const PolygonCorner> corners);
 
   /// A number kept with the fragment for its user: an upper bound of the power of its locations.
   double max_radius2(FragmentId f) const { return fragments_[f].max_radius2; }
   void set_max_radius2(FragmentId f, double value) { fragments_[f].max_radius2 = value; }
-
-  /// A mark, likewise; new fragments have none.
-  bool marked(FragmentId f) const { return fragments_[f].marked; }
-  void set_mark(FragmentId f, bool marked) { fragments_[f].marked = marked; }
-
-  // These ask the memory for what will be read soon, one step further each: the lists of a cell and of a facet,
-  // their members, the fragment, its corners. No effect but on speed.
-  void prefetch_cell(SiteId s) const { cells_.prefetch_list(s); }
-  void prefetch_facet(FacetId t) const { facets_.prefetch_list(t); }
-  void prefetch_members(SiteId s) const { cells_.prefetch_members(s); }
-  void prefetch_members(FacetId t) const { facets_.prefetch_members(t); }
-  void prefetch_fragment(FragmentId f) const { prefetch(fragments_.data() + f.index()); }
-  void prefetch_corners(FragmentId f) const {
-    const Fragment& fragment = fragments_[f];
-    if (fragment.size == 0) return;
-    const PolygonCorner* const corners = corners_[fragment.polygon];
-    for (int k = 0; k < fragment.size; ++k) prefetch(corners + k);
-  }
 
   /// Verifies both families of lists. Throws Bug. O(all).
   void check() const;
@@ -81,10 +58,9 @@ class FragmentStore {
     SiteId site;
     FacetId facet;
     std::uint32_t place_in_cell = 0, place_in_facet = 0;
-    std::uint32_t polygon = 0;        ///< its block
-    std::uint16_t size = 0;           ///< of that, in corners; 0: whole, without a block
-    std::uint16_t capacity : 15 = 0;  ///< likewise
-    std::uint16_t marked : 1 = 0;
+    std::uint32_t polygon = 0;   ///< its block
+    std::uint16_t size = 0;      ///< of that, in corners; 0: whole, without a block
+    std::uint16_t capacity = 0;  ///< likewise
   };
   void release_block(Fragment& f);
 

@@ -1,6 +1,10 @@
 // fpo-trace: one move of Algorithm 1 in slow motion.
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
+#include <memory>
+#include <tuple>
 
 #include "fpo/surface_domain.h"
 #include "geom/rng.h"
@@ -45,14 +49,35 @@ Arguments parse(tools::CommandLine& cli) {
   return a;
 }
 
-void print_pieces(const char* what, const std::vector<geom::RestrictedPower::Change::Piece>& pieces) {
+using Pieces = std::vector<geom::RestrictedPower::Canonical>;
+
+void print_pieces(const char* what, const Pieces& pieces) {
   std::printf("  fragments %s: %zu", what, pieces.size());
-  for (const auto& [site, facet] : pieces) std::printf("  (cell %d, facet %d)", site.value, facet.value);
+  for (const auto& piece : pieces) std::printf("  (cell %d, facet %d)", piece.site.value, piece.facet.value);
   std::printf("\n");
 }
 
-void print_circle(const geom::RestrictedPower& diagram, geom::CircleId id) {
-  const geom::EmptyCircle& c = diagram.circle(id);
+/// Which fragments of one diagram are not in the other, cut or not.
+Pieces pieces_without(const Pieces& all, const Pieces& without) {
+  const auto place = [](const geom::RestrictedPower::Canonical& piece) {
+    return std::tie(piece.facet, piece.site);
+  };
+  Pieces result;
+  std::ranges::set_difference(all, without, std::back_inserter(result), {}, place, place);
+  return result;
+}
+
+/// Those of the second that are in the first with other labels.
+Pieces pieces_cut(const Pieces& before, const Pieces& after) {
+  Pieces result;
+  std::ranges::set_difference(after, before, std::back_inserter(result));
+  const Pieces created = pieces_without(after, before);
+  std::erase_if(result, [&](const auto& piece) { return std::ranges::binary_search(created, piece); });
+  return result;
+}
+
+void print_circle(const geom::RestrictedDual& dual, geom::CircleId id) {
+  const geom::EmptyCircle& c = dual.circle(id);
   std::printf("    circle %d  type %c  radius2 %.9g  in facet %d  sites", id.value,
               c.place == 0  ? 'C'
               : c.place < 4 ? 'B'
@@ -63,18 +88,15 @@ void print_circle(const geom::RestrictedPower& diagram, geom::CircleId id) {
   std::printf("\n");
 }
 
-void print_change(const fpo::SurfaceDomain& domain) {
-  const geom::RestrictedPower::Change& change = domain.last_change();
-  std::printf("  cells touched: %zu ", change.cells.size());
-  for (const SiteId s : change.cells) std::printf(" %d", s.value);
-  std::printf("\n");
-  print_pieces("erased", change.erased);
-  print_pieces("cut or grown", change.cut);
-  print_pieces("created", change.created);
+void print_change(const fpo::SurfaceDomain& domain, const Pieces& before, const Pieces& after) {
+  const geom::RestrictedDual::Change& change = domain.last_change();
+  print_pieces("erased", pieces_without(before, after));
+  print_pieces("cut or grown", pieces_cut(before, after));
+  print_pieces("created", pieces_without(after, before));
   std::printf("  circles taken out of the heap: %zu ", change.circles_erased.size());
   for (const geom::CircleId c : change.circles_erased) std::printf(" %d", c.value);
   std::printf("\n  circles put into the heap: %zu\n", change.circles_created.size());
-  for (const geom::CircleId c : change.circles_created) print_circle(domain.diagram(), c);
+  for (const geom::CircleId c : change.circles_created) print_circle(domain.dual(), c);
 }
 
 /// The moves before the one of interest, as fpo-remesh makes them.
@@ -114,19 +136,22 @@ int trace(tools::CommandLine& cli) {
   tools::TracePicture picture(mesh, old, 3 * fpo::hexagonal_spacing(mesh.area(), a.n));
   std::printf("move %zu: sample %d at (%.9g, %.9g, %.9g) in facet %d\n", a.move, x.value, old.position.x(),
               old.position.y(), old.position.z(), old.facet.value);
-  const auto before = picture.draw(domain.diagram(), x, nullptr);
+  std::unique_ptr<geom::RestrictedPower> diagram = domain.diagram();
+  const auto before = picture.draw(*diagram, x, nullptr);
+  const Pieces with_x = diagram->canonical();
 
   domain.remove(x);
   std::printf("1 remove, 2 re-clip, 3 heap\n");
-  print_change(domain);
+  diagram = domain.diagram();
+  const Pieces without_x = diagram->canonical();
+  print_change(domain, with_x, without_x);
   const fpo::Circle c = domain.largest_empty(fpo::Scope::global);
   std::printf("4 pick\n");
-  if (c.id.valid()) print_circle(domain.diagram(), c.id);
+  if (c.id.valid()) print_circle(domain.dual(), c.id);
   const bool moves = c.radius2 > d;
   std::printf("  r^2 = %.9g %s d_x^2 = %.9g: the sample %s\n", c.radius2, moves ? ">" : "<=", d,
               moves ? "moves there" : "goes back");
-  const auto removed =
-      picture.draw(domain.diagram(), x, c.id.valid() ? &domain.diagram().circle(c.id) : nullptr);
+  const auto removed = picture.draw(*diagram, x, c.id.valid() ? &domain.dual().circle(c.id) : nullptr);
 
   if (moves)
     domain.insert_at(x, c);
@@ -134,9 +159,10 @@ int trace(tools::CommandLine& cli) {
     domain.put_back(x);
   const geom::Vec3& p = domain.sample(x).position;
   std::printf("5 insert at (%.9g, %.9g, %.9g)\n", p.x(), p.y(), p.z());
-  print_change(domain);
+  diagram = domain.diagram();
+  print_change(domain, without_x, diagram->canonical());
   const auto after = tools::TracePicture(mesh, domain.sample(x), 3 * fpo::hexagonal_spacing(mesh.area(), a.n))
-                         .draw(domain.diagram(), x, nullptr);
+                         .draw(*diagram, x, nullptr);
   before.save(a.folder / "before");
   removed.save(a.folder / "removed");
   after.save(a.folder / "after");

@@ -5,6 +5,7 @@
 
 #include "fpo/extract.h"
 #include "fpo/initial_samples.h"
+#include "geom/dual/empty_circles.h"
 #include "io/polygons.h"
 #include "io/svg.h"
 

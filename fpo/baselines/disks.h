@@ -29,7 +29,7 @@ class Disks {
   geom::WeightedPoint3 point(const SurfaceSample& x) const;
 
   const std::vector<SurfaceSample>& samples() const { return samples_; }
-  geom::SiteTree& tree() { return tree_; }
+  const geom::SiteTree& tree() const { return tree_; }
 
  private:
   const Sizing& sizing_;

@@ -30,29 +30,30 @@ struct GapTriangle {
 class DiskDiagram {
  public:
   DiskDiagram(const BaselineTask& task, double radius_factor)
-      : surface_(task.surface),
-        disks_(task.sizing, radius_factor),
-        diagram_(task.surface, disks_.tree(), geom::CornerTypes::c_only) {}
+      : surface_(task.surface), disks_(task.sizing, radius_factor) {}
 
   bool is_free(const Vec3& x) const { return disks_.is_free(x); }
-  void add(const SurfaceSample& x) { diagram_.after_insert(disks_.add(x), disks_.point(x)); }
+  void add(const SurfaceSample& x) { disks_.add(x); }
   const std::vector<SurfaceSample>& samples() const { return disks_.samples(); }
 
   /// Calls visit(corners, owner, facet) for each fragment with a corner that may be in no disk.
   template <class Visit>
   void for_each_gap(Visit visit) const {
-    const geom::FragmentStore& fragments = diagram_.fragments();
+    std::vector<geom::WeightedPoint3> points;
+    for (const SurfaceSample& x : disks_.samples()) points.push_back(disks_.point(x));
+    if (points.empty()) return;
+    const geom::RestrictedPower diagram(surface_, points, disks_.tree());
+    const geom::FragmentStore& fragments = diagram.fragments();
     std::array<geom::PolygonCorner, 3> buffer;
     for (FacetId t(0); t.index() < surface_.num_facets(); t = FacetId(t.value + 1))
       for (const FragmentId f : fragments.of_facet(t))
         if (fragments.max_radius2(f) > 0)
-          visit(fragments.corners(f, buffer), diagram_.site(fragments.site(f)), t);
+          visit(fragments.corners(f, buffer), diagram.site(fragments.site(f)), t);
   }
 
  private:
   const geom::TriMesh& surface_;
   Disks disks_;
-  geom::RestrictedPower diagram_;
 };
 
 /// Divides a triangle in four, `depth` times over, as long as the owner's disk covers it in part. What it covers

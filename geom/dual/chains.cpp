@@ -35,7 +35,7 @@ EdgeChains::End EdgeChains::end_at(FacetId t, SiteId a, SiteId b, EdgeLabel labe
   End end;
   if (label.is_site()) {
     for (const CircleId c : state_.circles.of_site(a)) {
-      const DualCircle& circle = state_.circles[c];
+      const EmptyCircle& circle = state_.circles[c];
       if (circle.facet != t || !circle.is_triangle() || !circle.touches(b) || !circle.touches(label.site()))
         continue;
       end.circle = c;

@@ -24,7 +24,7 @@ FastWay::FastWay(DualState& state)
 
 bool FastWay::plan(SiteId p) {
   known_radius_ = -1;
-  if (state_.types == DualCorners::all) return false;
+  if (state_.types == CornerTypes::all) return false;
   if (state_.shape(p) == DualState::Shape::unknown) certify(p);
   if (state_.shape(p) != DualState::Shape::regular || !open_star(p)) return false;
   frame_.begin(state_.sites[p]);
@@ -56,7 +56,7 @@ bool FastWay::open_star(SiteId p) {
   outer_.clear();
   CircleId c = own.front();
   for (std::size_t j = 0; j < own.size(); ++j) {
-    const DualCircle& circle = state_.circles[c];
+    const EmptyCircle& circle = state_.circles[c];
     const std::size_t i = circle.index_of(p);
     const SiteId first = circle.sites[circle.after(i)];
     if (j > 0 &&
@@ -325,9 +325,9 @@ bool FastWay::is_empty_of_strangers(const Vacancy& cell, std::span<const Rounded
   });
 }
 
-DualCircle FastWay::circle_of(const std::array<SiteId, 3>& counterclockwise, FacetId facet,
-                              const RoundedPoint& point) const {
-  DualCircle circle;
+EmptyCircle FastWay::circle_of(const std::array<SiteId, 3>& counterclockwise, FacetId facet,
+                               const RoundedPoint& point) const {
+  EmptyCircle circle;
   circle.facet = facet;
   circle.sites = counterclockwise;
   circle.sort_counterclockwise();
@@ -341,7 +341,7 @@ void FastWay::remove(DualChange& change) {
     change.circles_erased.push_back(c);
   }
   const std::size_t first = change.circles_created.size();
-  for (const DualCircle& circle : circles_) change.circles_created.push_back(state_.circles.create(circle));
+  for (const EmptyCircle& circle : circles_) change.circles_created.push_back(state_.circles.create(circle));
   const auto id = [&](int i) { return change.circles_created[first + at(i)]; };
   for (int i = 0; i < static_cast<int>(triangles_.size()); ++i)
     for (int e = 0; e < 3; ++e) {

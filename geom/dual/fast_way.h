@@ -49,7 +49,7 @@ class FastWay {
   bool plan(SiteId p);
   /// Of the plan: the circles that the hole would have, without `beyond`; the rim, whose sites all win something; bounds
   /// of the power in the cell of p, and in the hole without p.
-  std::span<const DualCircle> circles() const { return circles_; }
+  std::span<const EmptyCircle> circles() const { return circles_; }
   std::span<const SiteId> rim() const { return rim_; }
   double reach() const { return reach_; }
   double max_radius2() const { return max_radius2_; }
@@ -102,13 +102,13 @@ class FastWay {
   double power_of_rivals();
   bool is_regular(SiteId p);
   bool may_beat_unreached(std::span<const CircleId> reached);
-  Sure lead_at(const DualCircle& circle) const;
+  Sure lead_at(const EmptyCircle& circle) const;
   bool has_one_component(double distance);
   bool owns_nothing_of(FacetId t);
   bool keep_part(const Vec3& d, double c, double size);
   bool find_conflict(CircleId first);
-  DualCircle circle_of(const std::array<SiteId, 3>& counterclockwise, FacetId facet,
-                       const RoundedPoint& point) const;
+  EmptyCircle circle_of(const std::array<SiteId, 3>& counterclockwise, FacetId facet,
+                        const RoundedPoint& point) const;
   int next(int i) const { return i + 1 == size() ? 0 : i + 1; }
   int previous(int i) const { return i == 0 ? size() - 1 : i - 1; }
   int size() const { return static_cast<int>(rim_.size()); }
@@ -124,7 +124,7 @@ class FastWay {
   std::vector<CircleId> outer_;  ///< beyond them
   std::vector<double> x_, y_;    ///< the rim in its plane, from p
   std::vector<Triangle> triangles_;
-  std::vector<DualCircle> circles_;
+  std::vector<EmptyCircle> circles_;
   double reach_ = 0, max_radius2_ = 0;
   std::vector<StarCorner> corners_;  ///< of a new cell
   double cell_reach_ = 0;

@@ -46,7 +46,7 @@ bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, Dua
   state_.follow(p_, old.position);
   state_.home[p_] = home;
   for (int j = 0; j < size(); ++j) {
-    DualCircle moved = state_.circles[star_[at(j)]];
+    EmptyCircle moved = state_.circles[star_[at(j)]];
     moved.facet = corners_[at(j)].facet;
     state_.center_circle(moved, corners_[at(j)].point.position);
     state_.circles.move(star_[at(j)], moved.center, moved.radius2, moved.facet);
@@ -153,7 +153,7 @@ bool FastWay::may_beat_unreached(std::span<const CircleId> reached) {
 }
 
 /// The power of the center to p_, at its new place, less that to the sites of the circle.
-Sure FastWay::lead_at(const DualCircle& circle) const {
+Sure FastWay::lead_at(const EmptyCircle& circle) const {
   const WeightedPoint3& point = state_.sites[p_];
   const double there2 = (circle.center - point.position).squaredNorm();
   const double own2 = (circle.center - state_.sites[circle.sites[0]].position).squaredNorm();
@@ -217,7 +217,7 @@ bool FastWay::keep_part(const Vec3& d, double c, double size) {
 
 bool FastWay::insert(SiteId p, const WeightedPoint3& point, FacetId home, CircleId first,
                      DualChange& change) {
-  if (state_.types == DualCorners::all) return false;
+  if (state_.types == CornerTypes::all) return false;
   p_ = p;
   known_radius_ = -1;
   state_.admit(p, point);
@@ -232,7 +232,7 @@ bool FastWay::insert(SiteId p, const WeightedPoint3& point, FacetId home, Circle
         circle_of({p, rim_[at(j)], rim_[at(next(j))]}, corners_[at(j)].facet, corners_[at(j)].point)));
   const auto id = [&](int j) { return change.circles_created[created + at(j)]; };
   for (int j = 0; j < size(); ++j) {
-    const DualCircle& circle = state_.circles[id(j)];
+    const EmptyCircle& circle = state_.circles[id(j)];
     const SiteId a = rim_[at(j)], b = rim_[at(next(j))];
     state_.circles.set_beyond(id(j), circle.index_of(p), outer_[at(j)]);
     state_.circles.set_beyond(id(j), circle.index_of(a), id(next(j)));
@@ -263,7 +263,7 @@ bool FastWay::find_conflict(CircleId first) {
   conflict_.assign(1, first);
   if (!lead_at(state_.circles[first]).negative()) return false;
   for (std::size_t n = 0; n < conflict_.size(); ++n) {
-    const DualCircle circle = state_.circles[conflict_[n]];
+    const EmptyCircle circle = state_.circles[conflict_[n]];
     for (std::size_t i = 0; i < 3; ++i) {
       const CircleId other = circle.beyond[i];
       if (!other.valid()) return false;
@@ -308,7 +308,7 @@ void FastWay::certify(SiteId p) {
 
 bool FastWay::is_regular(SiteId p) {
   known_radius_ = -1;
-  if (state_.types == DualCorners::all || !state_.home[p].valid() || !open_star(p)) return false;
+  if (state_.types == CornerTypes::all || !state_.home[p].valid() || !open_star(p)) return false;
   frame_.begin(state_.sites[p]);
   for (const SiteId r : rim_) frame_.add(state_.sites[r]);
   corners_.clear();

@@ -98,7 +98,7 @@ void Redivision::divide_vacancy(SiteId p, FacetId t, std::span<const SiteId> aro
         owners.push_back(part[k].edge.site());
       if (outcome == Clip::cut && !beaten_[k]) continue;
       last_power_ = std::max(last_power_, state_.clipper.bound_power(t, s, part.subspan(k, 1)));
-      DualCircle circle;
+      EmptyCircle circle;
       if (state_.corner_circle({t, s, part}, k, circle)) found_.push_back(circle);
     }
   }
@@ -126,7 +126,7 @@ void Redivision::insert(SiteId p, const WeightedPoint3& point, DualChange& chang
   for (const FacetId t : facets_) {
     const std::span<const PolygonCorner> part = clipped_.part(p, t);
     for (std::size_t k = 0; k < part.size(); ++k) {
-      DualCircle circle;
+      EmptyCircle circle;
       if (state_.corner_circle_of_any({t, p, part}, k, circle)) found_.push_back(circle);
     }
   }
@@ -143,7 +143,7 @@ void Redivision::erase_beaten(SiteId p, std::span<const SiteId> rivals, DualChan
   for (const SiteId j : rivals) {
     const Bisector b = state_.clipper.bisector_of(j, p);
     for (const CircleId c : state_.circles.of_site(j)) {
-      const DualCircle& circle = state_.circles[c];
+      const EmptyCircle& circle = state_.circles[c];
       if (circle.sites[0] != j) continue;
       if (state_.clipper.beats_at(state_.corner_of(circle, tolerance), p, b)) beaten.push_back(c);
     }
@@ -172,7 +172,7 @@ void Redivision::create_found(DualChange& change) {
   const std::vector<CircleId> erased = change.circles_erased;
   std::erase_if(open_, [&](const Side& s) { return std::ranges::find(erased, s.circle) != erased.end(); });
   std::ranges::sort(found_, circle_before);
-  for (const DualCircle& circle : found_) {
+  for (const EmptyCircle& circle : found_) {
     const CircleId c = state_.circles.create(circle);
     change.circles_created.push_back(c);
     for (std::size_t side = 0; side < 3 && circle.is_triangle(); ++side) open_.push_back({c, side});
@@ -187,7 +187,7 @@ void Redivision::build(int threads, DualChange& change) {
   EdgeChains chains(state_);
   const DividedSurface surface{state_.mesh, state_.sites, state_.clipper, state_.tree};
   surface.for_each(order, threads, [&](FacetId t, std::span<const FacetPiece> pieces) {
-    DualCircle circle;
+    EmptyCircle circle;
     for (const auto& [owner, corners] : pieces) {
       for (std::size_t k = 0; k < corners.size(); ++k)
         if (state_.corner_circle({t, owner, corners}, k, circle))
@@ -262,7 +262,7 @@ void Redivision::connect(Side from) {
 //       / |  \   b        facet's edge it goes on across.
 //      /  |   \ .
 Redivision::Side Redivision::other_end(Side from) {
-  const DualCircle& circle = state_.circles[from.circle];
+  const EmptyCircle& circle = state_.circles[from.circle];
   const SiteId a = circle.sites[from.side == 0 ? 1 : 0], b = circle.sites[from.side == 2 ? 1 : 2];
   const EdgeLabel along = EdgeLabel::bisector(b);
   FacetId t = circle.facet;
@@ -292,7 +292,7 @@ Redivision::Side Redivision::other_end(Side from) {
 
 CircleId Redivision::circle_at(FacetId t, SiteId a, SiteId b, SiteId c) const {
   for (const CircleId circle : state_.circles.of_site(a)) {
-    const DualCircle& found = state_.circles[circle];
+    const EmptyCircle& found = state_.circles[circle];
     if (found.facet == t && found.is_triangle() && found.touches(b) && found.touches(c)) return circle;
   }
   return CircleId();

@@ -94,7 +94,7 @@ class Redivision {
   std::vector<FacetId> near_, facets_;
   std::vector<SiteId> around_, rivals_;
   std::vector<std::uint32_t> around_up_to_;  ///< of each facet
-  std::vector<DualCircle> found_;
+  std::vector<EmptyCircle> found_;
   std::vector<Side> open_;  ///< whose other end is not known
   std::vector<char> beaten_;
   FacetPolygon polygon_;

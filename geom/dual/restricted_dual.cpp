@@ -7,7 +7,7 @@
 
 namespace geom {
 
-RestrictedDual::RestrictedDual(const TriMesh& mesh, DualCorners types, NeighbourSource* paper)
+RestrictedDual::RestrictedDual(const TriMesh& mesh, CornerTypes types, NeighbourSource* paper)
     : state_(mesh, types, paper), fast_(state_), redivision_(state_) {}
 
 void RestrictedDual::begin() {
@@ -109,7 +109,7 @@ std::optional<RestrictedDual::Plan> RestrictedDual::plan_removal(SiteId p) {
   begin();
   is_carried_out_ = false;
   if (fast_.plan(p)) return Plan{fast_.rim(), fast_.circles(), fast_.reach(), fast_.max_radius2()};
-  if (state_.types == DualCorners::all || !has_cell(p) || !redivision_.has_neighbours(p)) return {};
+  if (state_.types == CornerTypes::all || !has_cell(p) || !redivision_.has_neighbours(p)) return {};
   is_carried_out_ = true;
   remove_generally(p);
   heirs_ = change_.cells;

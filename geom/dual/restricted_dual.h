@@ -20,7 +20,7 @@ class RestrictedDual {
 
   /// Empty. Keeps references. `paper`: if given, it is filled with the same sites and names those that can matter to
   /// each other (the paper's regular triangulation); else a search does. Throws InputError if the mesh has no facet.
-  RestrictedDual(const TriMesh& mesh, DualCorners types, NeighbourSource* paper = nullptr);
+  RestrictedDual(const TriMesh& mesh, CornerTypes types, NeighbourSource* paper = nullptr);
 
   /// Sites 0, 1, ... at once, there being none. `order`: in which they enter the search; it and the number of threads do
   /// not matter to the result. Cost: the facets and the fragments, times the logarithm of the number of sites.
@@ -35,12 +35,12 @@ class RestrictedDual {
   // A removal and an insertion in one, for a site that mostly comes back nearby. First the removal is only planned;
   // then stay() or move() follows.
   struct Plan {
-    std::span<const SiteId> heirs;        ///< that win something
-    std::span<const DualCircle> circles;  ///< that the hole would have
-    double reach;                         ///< the least bound of the power in p's cell
-    double max_radius2;                   ///< an upper bound of the power that p's cell would have
+    std::span<const SiteId> heirs;         ///< that win something
+    std::span<const EmptyCircle> circles;  ///< that the hole would have
+    double reach;                          ///< the least bound of the power in p's cell
+    double max_radius2;                    ///< an upper bound of the power that p's cell would have
   };
-  /// None if p has no cell, or all of its surface alone, or with DualCorners::all: then remove() is the way.
+  /// None if p has no cell, or all of its surface alone, or with CornerTypes::all: then remove() is the way.
   std::optional<Plan> plan_removal(SiteId p);
   const Change& stay(SiteId p);
   /// To the center of a circle: a planned one by its place among Plan::circles, or any other that does not touch p.
@@ -53,7 +53,7 @@ class RestrictedDual {
   const TriMesh& mesh() const { return state_.mesh; }
   std::size_t num_sites() const { return state_.num_sites; }
   const WeightedPoint3& site(SiteId p) const { return state_.sites[p]; }
-  const DualCircle& circle(CircleId c) const { return state_.circles[c]; }
+  const EmptyCircle& circle(CircleId c) const { return state_.circles[c]; }
   /// The circles that touch p: the corners of its cell. Valid until the next update.
   std::span<const CircleId> circles_of(SiteId p) const { return state_.circles.of_site(p); }
   /// The sites that share a circle with p, ascending: with type C corners the link of p in the dual, the
@@ -102,7 +102,7 @@ class RestrictedDual {
   Ways ways_;
   bool is_carried_out_ = false;     ///< the planned removal, as there was no plan without
   std::vector<CircleId> unlisted_;  ///< created and erased in the same change
-  std::vector<DualCircle> planned_;
+  std::vector<EmptyCircle> planned_;
   std::vector<SiteId> heirs_;
 };
 

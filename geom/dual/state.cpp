@@ -7,6 +7,7 @@
 
 #include "geom/check.h"
 #include "geom/facet_cells.h"
+#include "geom/restricted_power.h"
 #include "geom/scaling.h"
 
 namespace geom {
@@ -16,20 +17,14 @@ constexpr double cell_of_grid = 2.4;  // in square roots of the area of a cell
 
 }  // namespace
 
-double extent_of(const TriMesh& mesh) {
-  require(mesh.num_facets() > 0, "the surface has no facet");
-  return std::max(mesh.box().min().lpNorm<Eigen::Infinity>(), mesh.box().max().lpNorm<Eigen::Infinity>()) *
-         (1 + 1e-9);
-}
-
-DualState::DualState(const TriMesh& surface, DualCorners corners, NeighbourSource* source)
+DualState::DualState(const TriMesh& surface, CornerTypes corners, NeighbourSource* source)
     : mesh(surface),
       types(corners),
       extent(extent_of(surface)),
       paper(source),
       clipper(surface, sites, extent),
       facets(surface, facets_along_curve(surface)) {
-  if (types == DualCorners::c_only) return;
+  if (types == CornerTypes::c_only) return;
   first_facet.resize(mesh.num_vertices());
   for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
     for (const VertexId v : mesh.facet(t))
@@ -155,7 +150,7 @@ double DualState::distance_at(double power, SiteId p) const {
   return distance2 > 0 ? std::sqrt(distance2) * (1 + 1e-9) : 0;
 }
 
-bool DualState::corner_circle(const Polygon& polygon, std::size_t corner, DualCircle& out) const {
+bool DualState::corner_circle(const Polygon& polygon, std::size_t corner, EmptyCircle& out) const {
   const EdgeLabel before = polygon.corners[previous_corner(corner, polygon.corners.size())].edge,
                   after = polygon.corners[corner].edge;
   if ((before.is_site() && before.site() < polygon.owner) ||
@@ -164,16 +159,16 @@ bool DualState::corner_circle(const Polygon& polygon, std::size_t corner, DualCi
   return corner_circle_of_any(polygon, corner, out);
 }
 
-bool DualState::corner_circle_of_any(const Polygon& polygon, std::size_t corner, DualCircle& out) const {
+bool DualState::corner_circle_of_any(const Polygon& polygon, std::size_t corner, EmptyCircle& out) const {
   const EdgeLabel before = polygon.corners[previous_corner(corner, polygon.corners.size())].edge,
                   after = polygon.corners[corner].edge;
-  out = DualCircle();
+  out = EmptyCircle();
   out.facet = polygon.facet;
   out.sites[0] = polygon.owner;
   if (before.is_site() && after.is_site()) {
     out.sites = {polygon.owner, before.site(), after.site()};
     out.sort_counterclockwise();
-  } else if (types == DualCorners::c_only) {
+  } else if (types == CornerTypes::c_only) {
     return false;
   } else if (before.is_site() || after.is_site()) {
     const EdgeLabel edge = before.is_site() ? after : before, site = before.is_site() ? before : after;
@@ -190,7 +185,7 @@ bool DualState::corner_circle_of_any(const Polygon& polygon, std::size_t corner,
   return true;
 }
 
-CellCorner DualState::corner_of(const DualCircle& circle, double tolerance) const {
+CellCorner DualState::corner_of(const EmptyCircle& circle, double tolerance) const {
   const auto edge = [](int e) { return EdgeLabel::facet_edge(e); };
   CellCorner corner{circle.facet, circle.sites[0], EdgeLabel(), EdgeLabel(), {circle.center, tolerance}};
   if (circle.is_triangle()) {
@@ -206,7 +201,7 @@ CellCorner DualState::corner_of(const DualCircle& circle, double tolerance) cons
   return corner;
 }
 
-void DualState::center_circle(DualCircle& circle, const Vec3& corner) const {
+void DualState::center_circle(EmptyCircle& circle, const Vec3& corner) const {
   const Vec3 &q0 = mesh.corner(circle.facet, 0), &q1 = mesh.corner(circle.facet, 1),
              &q2 = mesh.corner(circle.facet, 2);
   circle.center =

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geom/clip.h"
-#include "geom/dual/dual_circles.h"
+#include "geom/dual/empty_circles.h"
 #include "geom/facet_tree.h"
 #include "geom/site_grid.h"
 #include "geom/site_tree.h"
@@ -16,7 +16,7 @@ namespace geom {
 /// Which corners of the diagram are registered as empty circles. Type C are the candidates for the farthest point in
 /// the paper (section 4.1); power being convex on a fragment, the farthest point of the whole surface can also be of
 /// type B (border, crease) or A (tip).
-enum class DualCorners { c_only, all };
+enum class CornerTypes { c_only, all };
 
 /// What one update did. Valid until the next one. An id may be erased and created in the same change: erase first.
 struct DualChange {
@@ -25,14 +25,10 @@ struct DualChange {
   std::vector<SiteId> cells;            ///< after a removal: those that won something
 };
 
-/// A bound of the magnitude of all coordinates of the surface and of locations rounded from it, which may leave its box
-/// by a little. Throws InputError if it has no facet.
-double extent_of(const TriMesh& mesh);
-
 struct DualState {
   /// Without sites. Keeps a reference to the mesh. Throws InputError if it has no facet. `paper`: if given, it holds the
   /// same sites and names those that can matter to each other; else the tree does.
-  DualState(const TriMesh& mesh, DualCorners types, NeighbourSource* paper);
+  DualState(const TriMesh& mesh, CornerTypes types, NeighbourSource* paper);
   DualState(const DualState&) = delete;
 
   /// Sets the point of a site that is not in.
@@ -58,14 +54,14 @@ struct DualState {
     SiteId owner;
     std::span<const PolygonCorner> corners;
   };
-  bool corner_circle(const Polygon& polygon, std::size_t corner, DualCircle& out) const;
+  bool corner_circle(const Polygon& polygon, std::size_t corner, EmptyCircle& out) const;
   /// The same whichever of its cells registers it; a B corner still in the smaller facet only.
-  bool corner_circle_of_any(const Polygon& polygon, std::size_t corner, DualCircle& out) const;
+  bool corner_circle_of_any(const Polygon& polygon, std::size_t corner, EmptyCircle& out) const;
   /// A circle as a corner of the cell of its first site. `tolerance`: of its center.
-  CellCorner corner_of(const DualCircle& circle, double tolerance) const;
+  CellCorner corner_of(const EmptyCircle& circle, double tolerance) const;
   /// Sets center and radius2 of a circle whose facet and sites are known. The corner is rounded; a site may come to the
   /// center: not outside of the facet's box, hence the mesh's.
-  void center_circle(DualCircle& circle, const Vec3& corner) const;
+  void center_circle(EmptyCircle& circle, const Vec3& corner) const;
   /// An upper bound of the distance from the site, of that power.
   double distance_at(double power, SiteId p) const;
   /// The same from any site that has been in.
@@ -79,17 +75,17 @@ struct DualState {
   double largest_reach();
 
   const TriMesh& mesh;
-  const DualCorners types;
+  const CornerTypes types;
   const double extent;  ///< bounds all coordinates
   NeighbourSource* const paper;
   Clipper::Sites sites;
   SiteTree tree;
   SiteGrid grid;  ///< the same sites, where their density is even
-  DualCircles circles;
+  EmptyCircles circles;
   Clipper clipper;
   FacetTree facets;
   Table<SiteId, double> reach;  ///< an upper bound of the power in the cell; -infinity: the cell is empty
-  Table<VertexId, FacetId> first_facet;  ///< DualCorners::all only: where a vertex's circle is registered
+  Table<VertexId, FacetId> first_facet;  ///< CornerTypes::all only: where a vertex's circle is registered
   Table<SiteId, FacetId> home;           ///< a facet with the location of the site, or none
   std::size_t num_sites = 0;             ///< that are in
   std::size_t num_irregular = 0;         ///< of these; see fast_way.h

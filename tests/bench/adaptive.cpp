@@ -35,7 +35,7 @@ struct Job {
 };
 
 void row(const Job& job, fpo::SurfaceDomain& domain, const char* mark, int iteration, double seconds) {
-  const geom::TriMesh remesh = fpo::extract(domain.diagram(), job.n);
+  const geom::TriMesh remesh = fpo::extract(*domain.diagram(), job.n);
   const fpo::Quality q = fpo::quality(remesh, job.mesh.area());
   const fpo::IterationReport r = fpo::measure(domain);
   geom::Table<geom::VertexId, double> h;

@@ -70,7 +70,7 @@ std::vector<RestrictedPower::Canonical> by_rationals(const fpo::SurfaceDomain& d
   for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
     std::vector<Triple> power;
     for (std::size_t i = 0; i < domain.num_samples(); ++i)
-      power.push_back(powers(mesh, t, domain.diagram().site(SiteId(i)), epsilons[i]));
+      power.push_back(powers(mesh, t, domain.dual().site(SiteId(i)), epsilons[i]));
     for (std::size_t i = 0; i < power.size(); ++i) {
       std::vector<Corner> polygon = {{{1, 0, 0}, EdgeLabel::facet_edge(0)},
                                      {{0, 1, 0}, EdgeLabel::facet_edge(1)},
@@ -111,7 +111,7 @@ void check(const TriMesh& mesh, const fpo::Sizing& sizing, fpo::Engine engine) {
   fpo::OptimizeOptions options;
   options.max_iterations = 5;
   fpo::optimize(domain, options);
-  CHECK(domain.diagram().canonical() == by_rationals(domain));
+  CHECK(domain.diagram()->canonical() == by_rationals(domain));
   geom::Rng rng(7);
   for (int move = 0; move < 300; ++move) {
     const SiteId x(static_cast<std::size_t>(rng.below(40)));
@@ -122,7 +122,7 @@ void check(const TriMesh& mesh, const fpo::Sizing& sizing, fpo::Engine engine) {
     domain.remove(x);
     domain.insert_at(x, {place, t}, 1);
   }
-  CHECK(domain.diagram().canonical() == by_rationals(domain));
+  CHECK(domain.diagram()->canonical() == by_rationals(domain));
 }
 
 }  // namespace

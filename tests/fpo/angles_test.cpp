@@ -25,7 +25,7 @@ SurfaceDomain rough_samples(const TriMesh& mesh, const Sizing& sizing, std::size
 }
 
 std::size_t count_bad(const SurfaceDomain& domain, const AngleOptions& bounds) {
-  const TriMesh mesh = extract(domain.diagram(), domain.num_samples());
+  const TriMesh mesh = extract(*domain.diagram(), domain.num_samples());
   std::size_t bad = 0;
   for (std::size_t t = 0; t < mesh.num_facets(); ++t) {
     double least = 180, most = 0;
@@ -85,7 +85,7 @@ TEST_CASE("angles: what cannot be mended is put back") {
   hard.largest = 75;
   hard.max_moves = 0;  // twenty for every sample are left
   const auto badness = [&] {
-    const TriMesh remesh = extract(domain.diagram(), 300);
+    const TriMesh remesh = extract(*domain.diagram(), 300);
     double sum = 0;
     for (std::size_t t = 0; t < remesh.num_facets(); ++t) {
       double least = 180, most = 0;
@@ -114,12 +114,12 @@ TEST_CASE("angles: interrupted before the start, nothing changes") {
   const TriMesh mesh = fixtures::blob(5);
   const Sizing sizing = Sizing::uniform(hexagonal_spacing(mesh.area(), 200));
   SurfaceDomain domain = rough_samples(mesh, sizing, 200);
-  const auto before = domain.diagram().canonical();
+  const auto before = domain.diagram()->canonical();
   std::atomic<bool> stop{true};
   AngleOptions options;
   options.interrupted = &stop;
   CHECK(optimize_angles(domain, options).tried == 0);
-  CHECK(domain.diagram().canonical() == before);
+  CHECK(domain.diagram()->canonical() == before);
 }
 
 TEST_CASE("angles: small steps mend what resampling does not, and never lower delta") {

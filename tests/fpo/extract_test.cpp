@@ -5,6 +5,7 @@
 
 #include "doctest.h"
 #include "fpo/surface_domain.h"
+#include "geom/aabb_tree.h"
 #include "geom/check.h"
 #include "geom/shapes.h"
 #include "tests/fixtures/surfaces.h"
@@ -32,8 +33,9 @@ std::set<Triangle> triangles_of(const TriMesh& mesh) {
 }
 
 SurfaceDomain domain_at(const TriMesh& mesh, const std::vector<Vec3>& positions) {
+  const geom::AabbTree tree(mesh);
   std::vector<SurfaceSample> samples;
-  for (const Vec3& p : positions) samples.push_back({p, FacetId(0)});
+  for (const Vec3& p : positions) samples.push_back({p, tree.closest(p).facet});
   return {mesh, samples};
 }
 
@@ -77,7 +79,7 @@ TEST_CASE("extract: six samples on a sphere give an octahedron that looks outwar
   const TriMesh sphere = geom::make_shape("sphere", 4);
   const SurfaceDomain domain =
       domain_at(sphere, both_ways(Vec3(.99, .01, .03), Vec3(.02, .98, .01), Vec3(.03, .02, .97)));
-  const TriMesh mesh = extract(domain.diagram(), 6);
+  const TriMesh mesh = extract(*domain.diagram(), 6);
   CHECK(mesh.num_facets() == 8);
   CHECK(mesh.num_vertices() == 6);
   for (FacetId t(0); t.index() < 8; t = FacetId(t.value + 1)) {
@@ -95,7 +97,7 @@ TEST_CASE("extract: of a cube's eight corners, each face is cut one way or the o
   const TriMesh cube = fixtures::box(Vec3(1, 1, 1), 3);
   std::vector<Vec3> corners;
   for (int i = 0; i < 8; ++i) corners.emplace_back(i & 1, i >> 1 & 1, i >> 2);
-  const TriMesh mesh = extract(domain_at(cube, corners).diagram(), 8);
+  const TriMesh mesh = extract(*domain_at(cube, corners).diagram(), 8);
   CHECK(mesh.num_facets() == 12);
   CHECK(mesh.area() == doctest::Approx(6));
   const geom::Topology topology = geom::topology(mesh);
@@ -111,7 +113,7 @@ TEST_CASE("extract: the triangles are those of brute force, oriented like the su
     std::vector<Vec3> positions;
     for (const SurfaceSample& x : random_samples(mesh, 22, 15)) positions.push_back(x.position);
     const SurfaceDomain domain = domain_at(mesh, positions);
-    const TriMesh remesh = extract(domain.diagram(), positions.size());
+    const TriMesh remesh = extract(*domain.diagram(), positions.size());
     CHECK(triangles_of(remesh) == triangles_by_brute_force(mesh, positions));
     CHECK(triangles_of(remesh).size() == remesh.num_facets());
     for (std::size_t i = 0; i < positions.size(); ++i)
@@ -122,7 +124,7 @@ TEST_CASE("extract: the triangles are those of brute force, oriented like the su
 TEST_CASE("extract: too few samples have no triangle, and that is said") {
   const TriMesh sphere = geom::make_shape("sphere", 2);
   const SurfaceDomain domain = domain_at(sphere, {Vec3(1, 0, 0), Vec3(-1, 0, 0)});
-  CHECK_THROWS_WITH_AS(extract(domain.diagram(), 2), "2 samples are too few: their diagram has no triangle",
+  CHECK_THROWS_WITH_AS(extract(*domain.diagram(), 2), "2 samples are too few: their diagram has no triangle",
                        geom::InputError);
 }
 
@@ -135,8 +137,8 @@ TEST_CASE("extract: the cells' polygons are sorted, cover the surface and forget
       moved.remove(SiteId(i));
       moved.put_back(SiteId(i));
     }
-    const std::vector<CellPolygon> cells = cell_polygons(direct.diagram()),
-                                   again = cell_polygons(moved.diagram());
+    const std::vector<CellPolygon> cells = cell_polygons(*direct.diagram()),
+                                   again = cell_polygons(*moved.diagram());
     REQUIRE(cells.size() == again.size());
     double area = 0;
     bool same = true, sorted = true;

@@ -39,19 +39,27 @@ double area_of_fragments(const geom::RestrictedPower& diagram) {
   return area;
 }
 
-std::size_t orphans(const SurfaceDomain& domain) {
+/// A diagram to be localized, and the samples that it is of.
+struct Cells {
+  Cells(const TriMesh& mesh, std::size_t n, std::uint64_t seed)
+      : samples(random_samples(mesh, n, seed)), diagram(SurfaceDomain(mesh, samples).diagram()) {}
+  std::vector<SurfaceSample> samples;
+  std::unique_ptr<geom::RestrictedPower> diagram;
+};
+
+std::size_t orphans(const Cells& cells) {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < domain.num_samples(); ++i) {
-    const auto components = cell_components(domain.diagram(), SiteId(i), domain.sample(SiteId(i)).facet);
+  for (std::size_t i = 0; i < cells.samples.size(); ++i) {
+    const auto components = cell_components(*cells.diagram, geom::SiteId(i), cells.samples[i].facet);
     if (!components.empty()) count += components.size() - 1;
   }
   return count;
 }
 
-std::size_t triangles_between_sheets(const SurfaceDomain& domain, const TriMesh& remesh) {
+std::size_t triangles_between_sheets(const Cells& cells, const TriMesh& remesh) {
   return static_cast<std::size_t>(std::ranges::count_if(remesh.facets(), [&](const TriMesh::Facet& f) {
     std::set<bool> sides;
-    for (const geom::VertexId v : f) sides.insert(is_upper(domain.sample(SiteId(v.value)).facet));
+    for (const geom::VertexId v : f) sides.insert(is_upper(cells.samples[v.index()].facet));
     return sides.size() == 2;
   }));
 }
@@ -61,16 +69,16 @@ std::size_t triangles_between_sheets(const SurfaceDomain& domain, const TriMesh&
 TEST_CASE("localize: the components of a cell are its fragments, connected, the sample's own first") {
   for (const auto& [name, mesh] : fixtures::surfaces()) {
     CAPTURE(name);
-    const SurfaceDomain domain(mesh, random_samples(mesh, 25, 12));
-    const geom::FragmentStore& fragments = domain.diagram().fragments();
+    const Cells cells(mesh, 25, 12);
+    const geom::FragmentStore& fragments = cells.diagram->fragments();
     for (std::size_t i = 0; i < 25; ++i) {
-      const FacetId home = domain.sample(SiteId(i)).facet;
-      const auto components = cell_components(domain.diagram(), SiteId(i), home);
+      const FacetId home = cells.samples[i].facet;
+      const auto components = cell_components(*cells.diagram, geom::SiteId(i), home);
       std::set<FragmentId> seen;
       for (const auto& component : components) seen.insert(component.begin(), component.end());
       std::size_t total = 0, in_cell = 0;
       for (const auto& component : components) total += component.size();
-      for (const FragmentId f : fragments.of_cell(SiteId(i))) in_cell += seen.contains(f);
+      for (const FragmentId f : fragments.of_cell(geom::SiteId(i))) in_cell += seen.contains(f);
       CHECK(total == seen.size());
       CHECK(in_cell == seen.size());
       REQUIRE(!components.empty());
@@ -83,16 +91,16 @@ TEST_CASE("localize: sheets closer than the samples come apart") {
   for (const double gap : {1e-6, 0.002, 0.05}) {
     CAPTURE(gap);
     const TriMesh mesh = two_sheets(gap);
-    SurfaceDomain domain(mesh, random_samples(mesh, 60, 21));
-    REQUIRE(orphans(domain) > 10);
-    REQUIRE(triangles_between_sheets(domain, extract(domain.diagram(), 60)) > 10);
-    const Localization localization = domain.localize();
+    Cells cells(mesh, 60, 21);
+    REQUIRE(orphans(cells) > 10);
+    REQUIRE(triangles_between_sheets(cells, extract(*cells.diagram, 60)) > 10);
+    const Localization localization = localize(*cells.diagram, cells.samples);
     CHECK(localization.orphans > 10);
     CHECK(localization.remaining == 0);
-    CHECK(orphans(domain) == localization.merged);
-    CHECK(area_of_fragments(domain.diagram()) == doctest::Approx(mesh.area()).epsilon(1e-9));
-    const TriMesh remesh = extract(domain.diagram(), 60, localization.owners);
-    CHECK(triangles_between_sheets(domain, remesh) == 0);
+    CHECK(orphans(cells) == localization.merged);
+    CHECK(area_of_fragments(*cells.diagram) == doctest::Approx(mesh.area()).epsilon(1e-9));
+    const TriMesh remesh = extract(*cells.diagram, 60, localization.owners);
+    CHECK(triangles_between_sheets(cells, remesh) == 0);
     for (FacetId t(0); t.index() < remesh.num_facets(); t = FacetId(t.value + 1))  // no fold
       CHECK(remesh.normal(t).dot(mesh.normal(FacetId(0))) > 0);
   }
@@ -100,13 +108,13 @@ TEST_CASE("localize: sheets closer than the samples come apart") {
 
 TEST_CASE("localize: a plate thinner than the spacing is closed again, with all of its samples") {
   const TriMesh plate = fixtures::box(Vec3(1, 0.8, 0.002), 3);
-  SurfaceDomain domain(plate, random_samples(plate, 120, 5));
-  REQUIRE(orphans(domain) > 20);
-  const Localization localization = domain.localize();
+  Cells cells(plate, 120, 5);
+  REQUIRE(orphans(cells) > 20);
+  const Localization localization = localize(*cells.diagram, cells.samples);
   CHECK(localization.remaining == 0);
-  CHECK(orphans(domain) == localization.merged);
-  CHECK(area_of_fragments(domain.diagram()) == doctest::Approx(plate.area()).epsilon(1e-9));
-  const TriMesh remesh = extract(domain.diagram(), 120, localization.owners);
+  CHECK(orphans(cells) == localization.merged);
+  CHECK(area_of_fragments(*cells.diagram) == doctest::Approx(plate.area()).epsilon(1e-9));
+  const TriMesh remesh = extract(*cells.diagram, 120, localization.owners);
   const geom::Topology topology = geom::topology(remesh);
   CHECK(topology.unreferenced_vertices == 0);
   // All but a strip of half a spacing along the rim, on both sides.
@@ -116,10 +124,10 @@ TEST_CASE("localize: a plate thinner than the spacing is closed again, with all 
 
 TEST_CASE("localize: where no cell has an orphan nothing happens") {
   const TriMesh blob = fixtures::blob(6);
-  SurfaceDomain domain(blob, random_samples(blob, 300, 2));
-  REQUIRE(orphans(domain) == 0);
-  const auto before = domain.diagram().canonical();
-  const Localization localization = domain.localize();
+  Cells cells(blob, 300, 2);
+  REQUIRE(orphans(cells) == 0);
+  const auto before = cells.diagram->canonical();
+  const Localization localization = localize(*cells.diagram, cells.samples);
   CHECK(localization.orphans + localization.merged + localization.remaining == 0);
-  CHECK(domain.diagram().canonical() == before);
+  CHECK(cells.diagram->canonical() == before);
 }

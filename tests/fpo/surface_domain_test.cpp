@@ -29,7 +29,7 @@ std::vector<SiteId> all_but(std::size_t n, SiteId out) {
 /// The sites as the diagram knows them, weights included.
 geom::Clipper::Sites sites_of(const SurfaceDomain& domain) {
   geom::Clipper::Sites sites;
-  for (std::size_t i = 0; i < domain.num_samples(); ++i) sites.push_back(domain.diagram().site(SiteId(i)));
+  for (std::size_t i = 0; i < domain.num_samples(); ++i) sites.push_back(domain.dual().site(SiteId(i)));
   return sites;
 }
 
@@ -76,7 +76,7 @@ TEST_CASE("surface domain: the largest empty circle is that of brute force, and 
           CHECK(c.radius2 == doctest::Approx(largest).epsilon(1e-9).scale(scale));
           CHECK(domain.largest_empty(Scope::two_ring).radius2 <= c.radius2);
           if (c.id.valid() && i % 2 == 0) {
-            const Vec3 center = domain.diagram().circle(c.id).center;
+            const Vec3 center = domain.dual().circle(c.id).center;
             domain.insert_at(x, c);
             CHECK(domain.sample(x).position == center);
           } else {
@@ -193,7 +193,7 @@ TEST_CASE("surface domain: both engines go the same way, move by move") {
       }
       REQUIRE(a.sample(x).position == b.sample(x).position);
     }
-    CHECK(a.diagram().canonical() == b.diagram().canonical());
+    CHECK(a.diagram()->canonical() == b.diagram()->canonical());
   }
 }
 
@@ -235,7 +235,7 @@ TEST_CASE("surface domain: a move at once ends where the steps of Algorithm 1 do
             REQUIRE(at_once.sample(x).position == in_steps.sample(x).position);
             REQUIRE(at_once.sample(x).facet == in_steps.sample(x).facet);
           }
-          CHECK(at_once.diagram().canonical() == in_steps.diagram().canonical());
+          CHECK(at_once.diagram()->canonical() == in_steps.diagram()->canonical());
           CHECK(direct > static_cast<int>(2 * n));
         }
 }

@@ -30,7 +30,7 @@ std::vector<Move> moves_in(const TiledSurface& whole, std::size_t tile, Scope sc
       const SurfaceSample old = domain.sample(x);
       SiteId here(0);
       while (domain.whole_id(here) != x) here = SiteId(here.value + 1);
-      const double separation = domain.domain().source().nearest(old.position, here, here).radius2;
+      const double separation = domain.domain().dual().nearest(old.position, here).radius2;
       const TileDomain::Outcome outcome = domain.move(x, scope);
       const SurfaceSample now = domain.sample(x);
       const bool moved = outcome == TileDomain::Outcome::moved;
@@ -45,10 +45,8 @@ std::vector<Move> moves_in(const TiledSurface& whole, std::size_t tile, Scope sc
 /// The circle of the whole diagram at that place.
 CircleId circle_at(const SurfaceDomain& domain, const SurfaceSample& place) {
   for (std::size_t i = 0; i < domain.num_samples(); ++i)
-    for (CircleId c = domain.diagram().first_circle(SiteId(i)); c.valid();
-         c = domain.diagram().next_circle(c, SiteId(i)))
-      if (domain.diagram().circle(c).center == place.position &&
-          domain.diagram().circle(c).facet == place.facet)
+    for (const CircleId c : domain.dual().circles_of(SiteId(i)))
+      if (domain.dual().circle(c).center == place.position && domain.dual().circle(c).facet == place.facet)
         return c;
   return {};
 }
@@ -60,13 +58,13 @@ void replay(SurfaceDomain& whole, const Move& move, Scope scope) {
   Circle c = whole.largest_empty(scope);
   if (scope == Scope::two_ring) {
     REQUIRE((c.radius2 > move.separation) == move.moved);
-    if (move.moved) REQUIRE(whole.diagram().circle(c.id).center == move.place.position);
-    if (move.moved) REQUIRE(whole.diagram().circle(c.id).facet == move.place.facet);
+    if (move.moved) REQUIRE(whole.dual().circle(c.id).center == move.place.position);
+    if (move.moved) REQUIRE(whole.dual().circle(c.id).facet == move.place.facet);
   } else if (move.moved) {
     const double largest = c.radius2;
     c.id = circle_at(whole, move.place);
     REQUIRE(c.id.valid());
-    c.radius2 = whole.diagram().circle(c.id).radius2;
+    c.radius2 = whole.dual().circle(c.id).radius2;
     REQUIRE(c.radius2 <= largest);
     REQUIRE(c.radius2 > move.separation);
   }
@@ -133,12 +131,12 @@ TEST_CASE("tile domain: its diagram is that of the whole on its facets") {
   const auto samples = random_samples(mesh, sizing, 500, 6);
   const SurfaceOptions options;
   const SurfaceDomain domain(mesh, sizing, samples, options);
-  const auto expected = domain.diagram().canonical();
+  const auto expected = domain.diagram()->canonical();
   const TiledSurface whole(mesh, sizing, samples, options, make_tiles(mesh, samples, {120, 1}));
   for (std::size_t t = 0; t < whole.tiles().size(); ++t) {
     const TileDomain tile(whole, t);
     CHECK(tile.domain().num_samples() < samples.size());
-    std::vector<geom::RestrictedPower::Canonical> inside, found = tile.domain().diagram().canonical();
+    std::vector<geom::RestrictedPower::Canonical> inside, found = tile.domain().diagram()->canonical();
     for (const auto& fragment : expected)
       if (std::ranges::binary_search(whole.tiles()[t].facets, fragment.facet)) inside.push_back(fragment);
     for (auto& fragment : found) {

@@ -1,17 +1,18 @@
-// The two ways to divide a cell against each other, on cells of all shapes.
+// The division of cells of all shapes against its definition.
 
 #include "geom/cell_division.h"
 
 #include <algorithm>
 
 #include "doctest.h"
-#include "fpo/initial_samples.h"
 #include "geom/restricted_power.h"
 #include "geom/rng.h"
 #include "geom/site_tree.h"
+#include "tests/fixtures/placed_samples.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace geom;
+using fixtures::Weights;
 
 namespace {
 
@@ -21,15 +22,38 @@ struct KnownShare {
   auto operator<=>(const KnownShare&) const = default;
 };
 
+RestrictedPower::Canonical canonical(const FacetPolygon& polygon) {
+  RestrictedPower::Canonical result{polygon.facet, polygon.owner, {}};
+  for (const PolygonCorner& corner : polygon.corners) result.labels.push_back(corner.edge);
+  std::rotate(result.labels.begin(), std::ranges::min_element(result.labels), result.labels.end());
+  return result;
+}
+
 std::vector<KnownShare> shares_of(CellDivision& division) {
   std::vector<KnownShare> result;
-  for (const CellDivision::Share& share : division.shares()) {
-    KnownShare known{{share.polygon.facet, share.polygon.owner, {}}, share.joins};
-    for (const PolygonCorner& corner : share.polygon.corners) known.polygon.labels.push_back(corner.edge);
-    std::rotate(known.polygon.labels.begin(), std::ranges::min_element(known.polygon.labels),
-                known.polygon.labels.end());
-    result.push_back(std::move(known));
-  }
+  for (const CellDivision::Share& share : division.shares())
+    result.push_back({canonical(share.polygon), share.joins});
+  std::ranges::sort(result);
+  return result;
+}
+
+/// { x in t : p beats k at x, and k beats every other heir at x }, and what it continues across p's border.
+std::vector<KnownShare> shares_by_definition(Clipper& clipper, const FragmentStore& fragments, SiteId p,
+                                             std::span<const FragmentId> cell,
+                                             std::span<const SiteId> heirs) {
+  std::vector<KnownShare> result;
+  FacetPolygon polygon;
+  for (const FragmentId f : cell)
+    for (const SiteId k : heirs) {
+      clipper.start(polygon, fragments.facet(f), k);
+      clipper.clip_beyond(polygon, p, clipper.bisector_of(k, p));
+      for (const SiteId h : heirs)
+        if (h != k && !polygon.corners.empty()) clipper.clip(polygon, h);
+      if (polygon.corners.empty()) continue;
+      const bool borders =
+          std::ranges::count(polygon.corners, EdgeLabel::bisector(p), &PolygonCorner::edge) > 0;
+      result.push_back({canonical(polygon), borders ? fragments.find(k, fragments.facet(f)) : FragmentId()});
+    }
   std::ranges::sort(result);
   return result;
 }
@@ -38,21 +62,14 @@ struct Count {
   int cells = 0, shares = 0, strangers = 0;
 };
 
-/// A diagram of n sites with weights up to `heaviest` times the area of a cell; each cell is divided among the
-/// heirs that its labels name, and among all sites.
-void divide_all_cells(const TriMesh& mesh, std::size_t n, double heaviest, std::uint64_t seed, Count& count) {
+/// A diagram of n sites; each cell is divided among the heirs that its labels name, and among all sites.
+void divide_all_cells(const TriMesh& mesh, std::size_t n, Weights kind, std::uint64_t seed, Count& count) {
+  const std::vector<WeightedPoint3> points = points_of(fixtures::placed_samples(mesh, n, n, kind, seed));
+  const Clipper::Sites sites(points.begin(), points.end());
   SiteTree tree;
-  RestrictedPower power(mesh, tree, CornerTypes::c_only);
-  Clipper::Sites sites;
-  Rng rng(seed);
-  for (const fpo::SurfaceSample& s : fpo::random_samples(mesh, n, seed)) {
-    sites.push_back({s.position, heaviest * mesh.area() / static_cast<double>(n) * rng.uniform()});
-    const SiteId id(sites.size() - 1);
-    tree.insert(id, sites[id]);
-    power.after_insert(id, sites[id]);
-  }
-  const double extent = 2 * (mesh.box().min().cwiseAbs().cwiseMax(mesh.box().max().cwiseAbs()).maxCoeff());
-  Clipper clipper(mesh, sites, extent);
+  for (std::size_t i = 0; i < n; ++i) tree.insert(SiteId(i), points[i]);
+  const RestrictedPower power(mesh, points, tree);
+  Clipper clipper(mesh, sites, extent_of(mesh));
   CellDivision division(mesh, sites, clipper, power.fragments());
   for (SiteId p(0); p.index() < n; p = SiteId(p.value + 1)) {
     const std::span<const FragmentId> fragments = power.fragments().of_cell(p);
@@ -62,28 +79,27 @@ void divide_all_cells(const TriMesh& mesh, std::size_t n, double heaviest, std::
       for (SiteId j(0); j.index() < n; j = SiteId(j.value + 1))
         if (division.is_stranger(j) && (all || (division.heirs().empty() && j != p))) division.add_heir(j);
       division.divide();
-      const std::vector<KnownShare> by_boundary = shares_of(division);
-      for (SiteId j(0); j.index() < n && all; j = SiteId(j.value + 1))
-        if (j != p) CHECK(!division.is_missing(j));
-      for (SiteId j(0); j.index() < n && !all; j = SiteId(j.value + 1))
-        count.strangers += division.is_stranger(j) && division.is_missing(j);
-      division.divide_by_clipping();
-      CHECK(by_boundary == shares_of(division));
       CHECK(!division.misfit());
+      const std::vector<KnownShare> shares = shares_of(division);
+      CHECK(shares == shares_by_definition(clipper, power.fragments(), p, cell, division.heirs()));
+      for (SiteId j(0); j.index() < n; j = SiteId(j.value + 1)) {
+        if (all && j != p) CHECK(!division.is_missing(j));
+        count.strangers += !all && division.is_stranger(j) && division.is_missing(j);
+      }
       count.cells += !cell.empty();
-      count.shares += static_cast<int>(by_boundary.size());
+      count.shares += static_cast<int>(shares.size());
     }
   }
 }
 
 }  // namespace
 
-TEST_CASE("cell division: by the boundary is by clipping") {
+TEST_CASE("cell division: each heir's share is what it has if the site is left out") {
   Count count;
   for (const fixtures::NamedSurface& surface : fixtures::surfaces()) {
     CAPTURE(surface.name);
-    for (const double heaviest : {0.0, 0.3, 8.0})
-      for (const std::size_t n : {5u, 30u, 120u}) divide_all_cells(surface.mesh, n, heaviest, n + 3, count);
+    for (const Weights kind : fixtures::all_weights)
+      for (const std::size_t n : {5u, 30u, 120u}) divide_all_cells(surface.mesh, n, kind, n + 3, count);
   }
   CHECK(count.cells > 1000);
   CHECK(count.shares > 4 * count.cells);
@@ -99,6 +115,39 @@ TEST_CASE("cell division: the corners of large facets, where an heir meets the b
        {VertexId(2), VertexId(3), VertexId(4)},
        {VertexId(3), VertexId(0), VertexId(4)}});
   for (std::uint64_t seed = 1; seed <= 20; ++seed)
-    for (const double heaviest : {0.0, 1.0}) divide_all_cells(needles, 24, heaviest, seed, count);
+    for (const Weights kind : {Weights::none, Weights::gentle})
+      divide_all_cells(needles, 24, kind, seed, count);
   CHECK(count.shares > 2 * count.cells);
+}
+
+// What the localization does (fpo/localize.h): a part of a cell, among some.
+TEST_CASE("cell division: a part of a cell, and a site that is excluded") {
+  const TriMesh blob = fixtures::blob(6);
+  const std::vector<WeightedPoint3> points =
+      points_of(fixtures::placed_samples(blob, 40, 40, Weights::gentle, 8));
+  const Clipper::Sites sites(points.begin(), points.end());
+  SiteTree tree;
+  for (std::size_t i = 0; i < points.size(); ++i) tree.insert(SiteId(i), points[i]);
+  const RestrictedPower power(blob, points, tree);
+  Clipper clipper(blob, sites, extent_of(blob));
+  CellDivision division(blob, sites, clipper, power.fragments());
+  std::size_t shares = 0;
+  for (SiteId p(0); p.index() < points.size(); p = SiteId(p.value + 1)) {
+    const std::span<const FragmentId> cell = power.fragments().of_cell(p);
+    const std::vector<FragmentId> part(cell.begin(),
+                                       cell.begin() + static_cast<std::ptrdiff_t>(cell.size() / 2));
+    if (part.empty()) continue;
+    division.begin(p, part);
+    if (division.heirs().size() < 2) continue;
+    const SiteId excluded = division.heirs().front();
+    division.divide();
+    CHECK(shares_of(division) == shares_by_definition(clipper, power.fragments(), p, part, division.heirs()));
+    division.begin(p, part, std::array{excluded});
+    CHECK(std::ranges::find(division.heirs(), excluded) == division.heirs().end());
+    CHECK(!division.is_stranger(excluded));
+    division.divide();
+    for (const CellDivision::Share& share : division.shares()) CHECK(share.polygon.owner != excluded);
+    shares += division.shares().size();
+  }
+  CHECK(shares > 50);
 }

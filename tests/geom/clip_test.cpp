@@ -234,3 +234,31 @@ TEST_CASE("clip: some site owns each facet, and clip_beyond leaves what clip tak
     CHECK(kept.corners.size() + taken.corners.size() == corners + (outcome == Clip::cut ? 4 : 0));
   });
 }
+
+TEST_CASE("clip: the corner of three cells is the same to the bit from each of them, and by itself") {
+  std::size_t met = 0;
+  for_each_scene(5, [&](const Scene& s, Rng&) {
+    Clipper clipper(s.mesh, s.sites, s.extent);
+    std::map<std::array<SiteId, 3>, std::size_t> seen;
+    for (int i = 0; i < num_sites; ++i) {
+      FacetPolygon polygon;
+      clipper.start(polygon, facet, SiteId(i));
+      for (int j = 0; j < num_sites && !polygon.corners.empty(); ++j)
+        if (j != i) clipper.clip(polygon, SiteId(j));
+      for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
+        const EdgeLabel before = polygon.edge_before(k), after = polygon.corners[k].edge;
+        if (!before.is_site() || !after.is_site()) continue;
+        std::array<SiteId, 3> sites{SiteId(i), before.site(), after.site()};
+        std::ranges::sort(sites);
+        const geom::RoundedPoint alone = clipper.meeting(facet, sites);
+        CHECK(alone.position == polygon.corners[k].point.position);
+        CHECK(alone.tolerance == polygon.corners[k].point.tolerance);
+        CHECK(alone.tolerance <= clipper.most_tolerance());
+        ++seen[sites];
+      }
+    }
+    for (const auto& [sites, times] : seen) CHECK(times == 3);
+    met += seen.size();
+  });
+  CHECK(met > draws);
+}

@@ -22,7 +22,7 @@ Labels whole_facet() {
 std::vector<PolygonCorner> polygon(const Labels& labels) {
   std::vector<PolygonCorner> corners;
   for (const EdgeLabel label : labels)
-    corners.push_back({{Vec3(static_cast<double>(corners.size()), 0, 0), 0}, label, CircleId()});
+    corners.push_back({{Vec3(static_cast<double>(corners.size()), 0, 0), 0}, label});
   return corners;
 }
 

@@ -9,7 +9,6 @@
 #include "geom/restricted_power.h"
 #include "geom/rng.h"
 #include "geom/site_tree.h"
-#include "geom/triangulation_source.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace geom;
@@ -66,15 +65,10 @@ std::vector<Canonical> in_old_names(std::vector<Canonical> diagram, const Rename
   return diagram;
 }
 
-/// Those of all sites, put in one after the other.
-template <class Source>
-std::vector<Canonical> diagram_of(const TriMesh& mesh, const std::vector<WeightedPoint3>& sites,
-                                  Source source) {
-  RestrictedPower power(mesh, source, CornerTypes::c_only);
-  for (std::size_t i = 0; i < sites.size(); ++i) {
-    source.insert(SiteId(i), sites[i], i == 0 ? SiteId() : SiteId(0));
-    power.after_insert(SiteId(i), sites[i]);
-  }
+std::vector<Canonical> diagram_of(const TriMesh& mesh, const std::vector<WeightedPoint3>& sites) {
+  SiteTree tree;
+  for (std::size_t i = 0; i < sites.size(); ++i) tree.insert(SiteId(i), sites[i]);
+  const RestrictedPower power(mesh, sites, tree);
   power.check();
   return power.canonical();
 }
@@ -103,13 +97,11 @@ TEST_CASE("restricted power diagram: the same with facets, vertices and corners 
     CAPTURE(surface.name);
     for (const auto& sites : {weighted_samples(surface.mesh, 40), weighted_samples(surface.mesh, 150),
                               symmetric_sites(surface.mesh)}) {
-      const std::vector<Canonical> expected = diagram_of(surface.mesh, sites, SiteTree());
+      const std::vector<Canonical> expected = diagram_of(surface.mesh, sites);
       for (const std::uint64_t seed : {1, 2, 3}) {
         CAPTURE(seed);
         const Renamed other = renamed(surface.mesh, seed);
-        CHECK(in_old_names(diagram_of(other.mesh, sites, SiteTree()), other) == expected);
-        CHECK(in_old_names(diagram_of(other.mesh, sites, TriangulationSource(other.mesh.box())), other) ==
-              expected);
+        CHECK(in_old_names(diagram_of(other.mesh, sites), other) == expected);
       }
     }
   }

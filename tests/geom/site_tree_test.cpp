@@ -62,6 +62,31 @@ TEST_CASE("site tree: rivals, heirs and nearest against brute force while sites 
     }
     CHECK(rivals.size() <= expected + 5);
 
+    // Of one that is not in: the same and, if it is where another one is, that too. And the farthest reach of them.
+    std::vector<SiteId> of_point;
+    tree.rivals(own.point, of_point);
+    std::erase(of_point, q);
+    CHECK(of_point == rivals);
+    WeightedPoint3 stranger = random_site(rng).point;
+    of_point.clear();
+    tree.rivals(stranger, of_point);
+    double farthest = -1;
+    for (const auto& [s, site] : present) {
+      if (site.reach + stranger.weight < 0) continue;
+      const double limit =
+          std::sqrt(site.reach + stranger.weight) + std::sqrt(std::max(0.0, site.reach + site.point.weight));
+      if ((site.point.position - stranger.position).norm() >= limit) continue;
+      CHECK(found(of_point, s));
+      farthest = std::max(farthest, site.reach);
+    }
+    double most = -1;
+    for (const SiteId s : of_point) most = std::max(most, present.at(s).reach);
+    for (const double floor : {-1.0, 0.002, farthest, most, 1.0}) {
+      const double largest = tree.largest_rival_reach(stranger, floor);
+      CHECK(largest >= std::max(farthest, floor));
+      CHECK(largest <= std::max(most, floor) + 1e-6 * std::abs(most) + 1e-12);
+    }
+
     const Vacancy vacancy{SiteId(), own.point.position, 0.05 * rng.uniform(), 0.01 * rng.uniform()};
     std::vector<SiteId> heirs;
     tree.heirs(vacancy, heirs);
@@ -76,4 +101,42 @@ TEST_CASE("site tree: rivals, heirs and nearest against brute force while sites 
       if (s != q) best = std::min(best, power(x, site.point));
     CHECK(tree.nearest(x, q).radius2 == best);
   }
+}
+
+TEST_CASE("site tree: who moves is where it went, and has no reach until it is told") {
+  Rng rng(7);
+  SiteTree tree;
+  std::map<SiteId, Site> present;
+  for (std::size_t i = 0; i < 300; ++i) {
+    present[SiteId(i)] = random_site(rng);
+    tree.insert(SiteId(i), present[SiteId(i)].point);
+    tree.set_reach(SiteId(i), present[SiteId(i)].reach);
+  }
+  CHECK(!tree.contains(SiteId(300)));
+  CHECK(!tree.contains(SiteId(5000)));
+  for (int step = 0; step < 600; ++step) {
+    const SiteId p(static_cast<std::size_t>(rng.below(300)));
+    CHECK(tree.contains(p));
+    present[p] = random_site(rng);
+    tree.move(p, present[p].point);
+    CHECK(tree.contains(p));
+    std::vector<SiteId> rivals;
+    const SiteId other(p.value == 0 ? 1 : 0);
+    if (step % 50 == 0) {
+      tree.rivals(present[p].point, rivals);
+      CHECK(!found(rivals, p));  // it has nothing to lose
+    }
+    tree.set_reach(p, present[p].reach);
+    if (step % 50 != 0) continue;
+    tree.check();
+    CHECK(tree.nearest(present[p].point.position, other).radius2 <=
+          power(present[p].point.position, present[p].point));
+    double best = std::numeric_limits<double>::infinity();
+    const Vec3 x(rng.uniform(), rng.uniform(), rng.uniform());
+    for (const auto& [s, site] : present)
+      if (s != other) best = std::min(best, power(x, site.point));
+    CHECK(tree.nearest(x, other).radius2 == best);
+  }
+  tree.remove(SiteId(5));
+  CHECK(!tree.contains(SiteId(5)));
 }

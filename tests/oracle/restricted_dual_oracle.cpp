@@ -10,9 +10,9 @@
 namespace oracle {
 
 using geom::CircleId;
-using geom::DualCircle;
-using geom::DualCorners;
+using geom::CornerTypes;
 using geom::EdgeLabel;
+using geom::EmptyCircle;
 using geom::FacetId;
 using geom::FacetPolygon;
 using geom::PolygonCorner;
@@ -85,11 +85,11 @@ const FacetPolygon* BruteDiagram::find(FacetId t, SiteId owner) const {
 }
 
 /// C: once for its three sites. B: by the smaller site, in the smaller facet. A: in the first facet of the vertex.
-bool BruteDiagram::is_registered(const FacetPolygon& polygon, std::size_t k, DualCorners types) const {
+bool BruteDiagram::is_registered(const FacetPolygon& polygon, std::size_t k, CornerTypes types) const {
   const EdgeLabel before = polygon.edge_before(k), after = polygon.corners[k].edge;
   if (before.is_site() && after.is_site())
     return polygon.owner < before.site() && polygon.owner < after.site();
-  if (types == DualCorners::c_only) return false;
+  if (types == CornerTypes::c_only) return false;
   if (before.is_site() != after.is_site()) {
     const SiteId other = before.is_site() ? before.site() : after.site();
     const FacetId across = mesh_.across(polygon.facet, before.is_site() ? after.edge() : before.edge());
@@ -145,7 +145,7 @@ CircleName BruteDiagram::other_end(FacetId t, SiteId a, SiteId b, SiteId c) cons
   return no_circle;
 }
 
-std::vector<KnownCircle> BruteDiagram::circles_on(FacetId t, DualCorners types) const {
+std::vector<KnownCircle> BruteDiagram::circles_on(FacetId t, CornerTypes types) const {
   std::vector<KnownCircle> result;
   for (auto at = polygons_.lower_bound({t, SiteId(0)}); at != polygons_.end() && at->first.first == t; ++at)
     for (std::size_t k = 0; k < at->second.corners.size(); ++k)
@@ -154,7 +154,7 @@ std::vector<KnownCircle> BruteDiagram::circles_on(FacetId t, DualCorners types) 
   return result;
 }
 
-KnownDual BruteDiagram::dual(DualCorners types) const {
+KnownDual BruteDiagram::dual(CornerTypes types) const {
   KnownDual result;
   result.reach.resize(sites_.size(), -infinity);
   for (const auto& [key, polygon] : polygons_) {
@@ -245,7 +245,7 @@ bool BruteDiagram::is_simple(SiteId p) const {
 std::vector<KnownCircle> circles_of(const geom::RestrictedDual& dual, std::span<const SiteId> present) {
   const auto name_of = [&](CircleId id) {
     if (!id.valid()) return no_circle;
-    const DualCircle& c = dual.circle(id);
+    const EmptyCircle& c = dual.circle(id);
     for (const SiteId s : c.sites)
       geom::ensure(!s.valid() || std::ranges::count(dual.circles_of(s), id) == 1,
                    "a circle is not listed at each of its sites");
@@ -254,7 +254,7 @@ std::vector<KnownCircle> circles_of(const geom::RestrictedDual& dual, std::span<
   std::vector<KnownCircle> result;
   for (const SiteId s : present)
     for (const CircleId id : dual.circles_of(s)) {
-      const DualCircle& c = dual.circle(id);
+      const EmptyCircle& c = dual.circle(id);
       geom::ensure(c.touches(s), "a circle is listed at a site that it does not touch");
       if (c.sites[0] != s) continue;
       KnownCircle known{name_of(id), c.clockwise, {c.center.x(), c.center.y(), c.center.z()}, c.radius2, {}};

@@ -49,9 +49,9 @@ class BruteDiagram {
   BruteDiagram(const geom::TriMesh& mesh, const geom::Clipper::Sites& sites,
                std::span<const geom::SiteId> present, std::span<const geom::FacetId> facets);
 
-  KnownDual dual(geom::DualCorners types) const;
+  KnownDual dual(geom::CornerTypes types) const;
   /// The circles of one facet, ascending, without those beyond.
-  std::vector<KnownCircle> circles_on(geom::FacetId t, geom::DualCorners types) const;
+  std::vector<KnownCircle> circles_on(geom::FacetId t, geom::CornerTypes types) const;
   /// -infinity: no cell.
   double reach(geom::SiteId p) const;
   /// Is the cell connected across edges of the surface, clear of the surface's borders, its own border one closed curve
@@ -66,7 +66,7 @@ class BruteDiagram {
 
  private:
   KnownCircle known(const geom::FacetPolygon& polygon, std::size_t corner) const;
-  bool is_registered(const geom::FacetPolygon& polygon, std::size_t corner, geom::DualCorners types) const;
+  bool is_registered(const geom::FacetPolygon& polygon, std::size_t corner, geom::CornerTypes types) const;
   const geom::FacetPolygon* find(geom::FacetId t, geom::SiteId owner) const;
 
   const geom::TriMesh& mesh_;

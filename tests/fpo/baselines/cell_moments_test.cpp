@@ -29,15 +29,15 @@ CellMoments of_triangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3&
   return {area, area * (centroid - p), inertia + area * (centroid - p).squaredNorm()};
 }
 
-/// From the diagram made by insertions one by one.
-geom::Table<SiteId, CellMoments> by_insertion(const TriMesh& mesh,
-                                              const std::vector<SurfaceSample>& samples) {
+/// From the polygons of the diagram.
+geom::Table<SiteId, CellMoments> by_polygons(const TriMesh& mesh, const std::vector<SurfaceSample>& samples) {
   geom::SiteTree tree;
-  geom::RestrictedPower diagram(mesh, tree, geom::CornerTypes::c_only);
+  std::vector<geom::WeightedPoint3> points;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    tree.insert(SiteId(i), {samples[i].position, 0});
-    diagram.after_insert(SiteId(i), {samples[i].position, 0});
+    points.push_back({samples[i].position, 0});
+    tree.insert(SiteId(i), points.back());
   }
+  const geom::RestrictedPower diagram(mesh, points, tree);
   geom::Table<SiteId, CellMoments> result(samples.size());
   for (const CellPolygon& cell : cell_polygons(diagram))
     for (std::size_t k = 1; k + 1 < cell.corners.size(); ++k)
@@ -54,7 +54,7 @@ double energy(VoronoiMoments& moments, const std::vector<SurfaceSample>& samples
 
 }  // namespace
 
-TEST_CASE("cell moments: those of the diagram made by insertions, few samples or many, twins too") {
+TEST_CASE("cell moments: those of the diagram, few samples or many, twins too") {
   for (const auto& [name, mesh] : fixtures::surfaces())
     for (const std::size_t n : {1, 2, 30, 400}) {
       CAPTURE(name);
@@ -63,7 +63,7 @@ TEST_CASE("cell moments: those of the diagram made by insertions, few samples or
       if (n == 30) samples[7] = samples[3];
       const Sizing sizing = Sizing::uniform(hexagonal_spacing(mesh.area(), n));
       VoronoiMoments moments(mesh, sizing, 1, 2);
-      const auto expected = by_insertion(mesh, samples);
+      const auto expected = by_polygons(mesh, samples);
       const auto& found = moments.of(samples);
       REQUIRE(found.size() == n);
       for (std::size_t i = 0; i < n; ++i) {

@@ -20,7 +20,7 @@ VertexId v(int i) { return VertexId(i); }
 
 /// A state with its circles, which chains have joined in a certain order of facets.
 struct Joined {
-  Joined(const TriMesh& mesh, const std::vector<fixtures::Placed>& samples, DualCorners types,
+  Joined(const TriMesh& mesh, const std::vector<fixtures::Placed>& samples, CornerTypes types,
          std::span<const FacetId> order)
       : state(mesh, types, nullptr), chains(state) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -30,7 +30,7 @@ struct Joined {
     }
     const DividedSurface surface{mesh, state.sites, state.clipper, state.tree};
     surface.for_each(order, 1, [&](FacetId t, std::span<const FacetPiece> pieces) {
-      DualCircle circle;
+      EmptyCircle circle;
       for (const auto& [owner, corners] : pieces)
         for (std::size_t k = 0; k < corners.size(); ++k)
           if (state.corner_circle({t, owner, corners}, k, circle)) state.circles.create(circle);
@@ -45,7 +45,7 @@ struct Joined {
     };
     for (const SiteId s : present)
       for (const CircleId id : state.circles.of_site(s)) {
-        const DualCircle& c = state.circles[id];
+        const EmptyCircle& c = state.circles[id];
         if (c.sites[0] != s) continue;
         oracle::KnownCircle known{
             name_of(id), c.clockwise, {c.center.x(), c.center.y(), c.center.z()}, c.radius2, {}};
@@ -111,7 +111,7 @@ TEST_CASE("edge chains: the circles beyond are those at the other ends of edges,
         CAPTURE(n);
         const std::vector<fixtures::Placed> samples = fixtures::placed_samples(mesh, n, n, weights, 14);
         std::vector<FacetId> order = facets_along_curve(mesh);
-        const DualCorners types = n == 4 ? DualCorners::c_only : DualCorners::all;
+        const CornerTypes types = n == 4 ? CornerTypes::c_only : CornerTypes::all;
         const Joined along(mesh, samples, types, order);
         Rng(n).shuffle(std::span(order));
         const Joined shuffled(mesh, samples, types, order);

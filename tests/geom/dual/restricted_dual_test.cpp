@@ -8,7 +8,6 @@
 #include "doctest.h"
 #include "geom/aabb_tree.h"
 #include "geom/check.h"
-#include "geom/restricted_power.h"
 #include "geom/shapes.h"
 #include "geom/site_tree.h"
 #include "tests/fixtures/hard_surfaces.h"
@@ -65,10 +64,10 @@ TEST_CASE("restricted dual: equals brute force after every insertion, removal an
   for (const fixtures::NamedSurface& surface : fixtures::surfaces())
     for (const Weights weights : fixtures::all_weights)
       for (const bool search : {true, false})
-        for (const auto& [types, homes] : {std::pair(DualCorners::c_only, 1.0),
-                                           {DualCorners::c_only, 0.0},
-                                           {DualCorners::c_only, 0.9},
-                                           {DualCorners::all, 1.0}}) {
+        for (const auto& [types, homes] : {std::pair(CornerTypes::c_only, 1.0),
+                                           {CornerTypes::c_only, 0.0},
+                                           {CornerTypes::c_only, 0.9},
+                                           {CornerTypes::all, 1.0}}) {
           CAPTURE(surface.name);
           CAPTURE(static_cast<int>(weights));
           CAPTURE(search);
@@ -111,7 +110,7 @@ TEST_CASE(
     "restricted dual: built at once, it is the one that insertions lead to, with any number of threads") {
   for (const fixtures::NamedSurface& surface : fixtures::surfaces())
     for (const Weights weights : fixtures::all_weights)
-      for (const DualCorners types : {DualCorners::c_only, DualCorners::all})
+      for (const CornerTypes types : {CornerTypes::c_only, CornerTypes::all})
         for (const std::size_t n : {1u, 3u, 60u, 300u}) {
           CAPTURE(surface.name);
           CAPTURE(static_cast<int>(weights));
@@ -127,14 +126,14 @@ TEST_CASE(
 TEST_CASE("restricted dual: built by any number of threads, it has the same ids") {
   const TriMesh blob = fixtures::blob(20);
   const std::vector<Placed> samples = fixtures::placed_samples(blob, 3000, 3000, Weights::gentle, 4);
-  MirroredDual by_one(blob, true, DualCorners::all);
+  MirroredDual by_one(blob, true, CornerTypes::all);
   by_one.build(samples, 1);
   for (const int threads : {2, 8}) {
-    MirroredDual by_many(blob, true, DualCorners::all);
+    MirroredDual by_many(blob, true, CornerTypes::all);
     by_many.build(samples, threads);
     REQUIRE(by_many.circles() == by_one.circles());
     for (const CircleId c : by_one.circles()) {
-      const DualCircle &a = by_one.dual().circle(c), &b = by_many.dual().circle(c);
+      const EmptyCircle &a = by_one.dual().circle(c), &b = by_many.dual().circle(c);
       REQUIRE(std::tie(a.center, a.radius2, a.facet, a.sites, a.beyond, a.place, a.clockwise) ==
               std::tie(b.center, b.radius2, b.facet, b.sites, b.beyond, b.place, b.clockwise));
     }
@@ -147,7 +146,7 @@ TEST_CASE("restricted dual: built by any number of threads, it has the same ids"
 TEST_CASE("restricted dual: sites on a lattice, on edges, on vertices and twice at one place") {
   const TriMesh cube = fixtures::box(Vec3(1, 1, 1), 2), plate = fixtures::box(Vec3(1, 1, 0.125), 2);
   for (const TriMesh* const mesh : {&cube, &plate})
-    for (const DualCorners types : {DualCorners::c_only, DualCorners::all})
+    for (const CornerTypes types : {CornerTypes::c_only, CornerTypes::all})
       for (const bool search : {true, false}) {
         CAPTURE(search);
         DualWalk walk(*mesh, {.num_sites = 16, .search = search, .types = types, .seed = 5},
@@ -166,7 +165,7 @@ TEST_CASE("restricted dual: remove and put back is the identity") {
       for (const bool search : {true, false}) {
         CAPTURE(surface.name);
         CAPTURE(search);
-        MirroredDual d(surface.mesh, search, DualCorners::c_only);
+        MirroredDual d(surface.mesh, search, CornerTypes::c_only);
         const std::vector<Placed> samples = fixtures::placed_samples(surface.mesh, 120, 120, weights, 11);
         d.build(samples);
         const std::vector<KnownCircle> before = d.known_circles();
@@ -211,8 +210,8 @@ TEST_CASE("restricted dual: a move at once is a removal and an insertion") {
         CAPTURE(search);
         const std::size_t n = search ? 60 : 6;
         const std::vector<Placed> samples = fixtures::placed_samples(surface.mesh, n, n, weights, 31);
-        MirroredDual once(surface.mesh, search, DualCorners::c_only),
-            steps(surface.mesh, search, DualCorners::c_only);
+        MirroredDual once(surface.mesh, search, CornerTypes::c_only),
+            steps(surface.mesh, search, CornerTypes::c_only);
         once.build(samples);
         steps.build(samples);
         Rng rng(3);
@@ -226,7 +225,7 @@ TEST_CASE("restricted dual: a move at once is a removal and an insertion") {
           }
           ++at_once;
           RestrictedDual::Target target{rng.below(plan->circles.size()), CircleId()};
-          DualCircle circle = plan->circles[target.planned];
+          EmptyCircle circle = plan->circles[target.planned];
           if (rng.below(3) == 0)  // somewhere else
             for (const CircleId c : once.circles())
               if (!once.dual().circle(c).touches(p) && rng.below(20) == 0)
@@ -258,9 +257,7 @@ struct Whole {
       tree.insert(SiteId(points.size()), d.sites()[p]);
       points.push_back(d.sites()[p]);
     }
-    if (ids.empty()) return;
-    power = std::make_unique<RestrictedPower>(d.dual().mesh(), tree, geom::CornerTypes::c_only);
-    power->build(points, tree, 1);
+    if (!ids.empty()) power = std::make_unique<RestrictedPower>(d.dual().mesh(), points, tree);
   }
   /// The labels of each cell, in the dual's ids.
   std::map<SiteId, std::vector<RestrictedPower::Canonical>> cells() const {
@@ -279,12 +276,12 @@ struct Whole {
 };
 
 using Told = std::tuple<FacetId, std::array<SiteId, 3>, bool, double, double, double, double>;
-Told told(const DualCircle& c) {
+Told told(const EmptyCircle& c) {
   return {c.facet, c.sites, c.clockwise, c.center.x(), c.center.y(), c.center.z(), c.radius2};
 }
-std::vector<Told> told(std::span<const DualCircle> circles) {
+std::vector<Told> told(std::span<const EmptyCircle> circles) {
   std::vector<Told> result;
-  for (const DualCircle& c : circles) result.push_back(told(c));
+  for (const EmptyCircle& c : circles) result.push_back(told(c));
   std::ranges::sort(result);
   return result;
 }
@@ -310,8 +307,8 @@ TEST_CASE(
         CAPTURE(search);
         const std::size_t n = weights == Weights::hiding ? 9 : 60;
         const std::vector<Placed> samples = fixtures::placed_samples(surface.mesh, n, n, weights, 37);
-        MirroredDual planned(surface.mesh, search, DualCorners::c_only),
-            removed(surface.mesh, search, DualCorners::c_only);
+        MirroredDual planned(surface.mesh, search, CornerTypes::c_only),
+            removed(surface.mesh, search, CornerTypes::c_only);
         planned.build(samples);
         removed.build(samples);
         for (std::size_t i = 0; i < n; ++i) {
@@ -339,7 +336,7 @@ TEST_CASE(
             for (const SiteId heir : heirs) {
               const std::vector<Told> all = circles_of(removed.dual(), heir, p);
               std::vector<Told> known = circles_of(planned.dual(), heir, p);
-              for (const DualCircle& c : plan->circles)
+              for (const EmptyCircle& c : plan->circles)
                 if (c.touches(heir) && !std::ranges::binary_search(known, told(c))) known.push_back(told(c));
               std::ranges::sort(known);
               CHECK(known == all);
@@ -411,7 +408,7 @@ TEST_CASE("restricted dual: the reach of a cell, and of an heir's beside one who
 TEST_CASE("restricted dual: a cell has the polygons that it has in the whole diagram") {
   for (const fixtures::NamedSurface& surface : fixtures::surfaces())
     for (const Weights weights : fixtures::all_weights)
-      for (const DualCorners types : {DualCorners::c_only, DualCorners::all}) {
+      for (const CornerTypes types : {CornerTypes::c_only, CornerTypes::all}) {
         CAPTURE(surface.name);
         DualWalk walk(surface.mesh, {.num_sites = 40, .weights = weights, .types = types});
         walk.build();
@@ -435,7 +432,7 @@ TEST_CASE("restricted dual: a cell has the polygons that it has in the whole dia
 TEST_CASE("restricted dual: links, the nearest site, and who is in") {
   for (const fixtures::NamedSurface& surface : fixtures::surfaces()) {
     CAPTURE(surface.name);
-    DualWalk walk(surface.mesh, {.num_sites = 40, .weights = Weights::gentle, .types = DualCorners::all});
+    DualWalk walk(surface.mesh, {.num_sites = 40, .weights = Weights::gentle, .types = CornerTypes::all});
     Rng rng(5);
     std::vector<SiteId> link;
     for (int step = 0; step < 200; ++step) {
@@ -464,14 +461,14 @@ TEST_CASE("restricted dual: links, the nearest site, and who is in") {
 TEST_CASE("restricted dual: no site, one site, two sites, twins") {
   const TriMesh sphere = make_shape("sphere", 2);
   for (const bool search : {true, false})
-    for (const DualCorners types : {DualCorners::c_only, DualCorners::all}) {
+    for (const CornerTypes types : {CornerTypes::c_only, CornerTypes::all}) {
       MirroredDual d(sphere, search, types);
       const std::vector<Placed> samples = fixtures::placed_samples(sphere, 6, 6, Weights::none, 2);
       CHECK(d.known_circles().empty());
       CHECK(!d.dual().nearest(Vec3(0, 0, 1), SiteId()).site.valid());
       d.insert(SiteId(4), samples[0]);
       check_by_brute_force(d);
-      CHECK(d.known_circles().size() == (types == DualCorners::all ? sphere.num_vertices() : 0));
+      CHECK(d.known_circles().size() == (types == CornerTypes::all ? sphere.num_vertices() : 0));
       CHECK(!d.dual().plan_removal(SiteId(4)));
       d.remove(SiteId(4));
       CHECK(d.circles().empty());
@@ -496,11 +493,11 @@ TEST_CASE("restricted dual: no site, one site, two sites, twins") {
 TEST_CASE(
     "restricted dual: a mesh without facets is bad input, a site outside of the box or a second build a "
     "bug") {
-  CHECK_THROWS_AS(RestrictedDual(TriMesh(), DualCorners::c_only), InputError);
+  CHECK_THROWS_AS(RestrictedDual(TriMesh(), CornerTypes::c_only), InputError);
   const TriMesh sphere = make_shape("sphere", 2);
-  RestrictedDual dual(sphere, DualCorners::c_only);
+  RestrictedDual dual(sphere, CornerTypes::c_only);
   CHECK_THROWS_AS(dual.insert(SiteId(0), {Vec3(3, 0, 0), 0}, FacetId()), Bug);
-  MirroredDual d(sphere, true, DualCorners::c_only);
+  MirroredDual d(sphere, true, CornerTypes::c_only);
   const std::vector<Placed> samples = fixtures::placed_samples(sphere, 6, 6, Weights::none, 2);
   d.build(samples);
   CHECK_THROWS_AS(d.build(samples), Bug);
@@ -542,7 +539,7 @@ TEST_CASE("restricted dual: on smooth surfaces the fast way is the rule, and it 
 
 TEST_CASE("restricted dual: without homes, and with all corners, no fast way is taken") {
   const TriMesh sphere = make_shape("sphere", 4);
-  for (const auto& [types, homes] : {std::pair(DualCorners::c_only, 0.0), {DualCorners::all, 1.0}}) {
+  for (const auto& [types, homes] : {std::pair(CornerTypes::c_only, 0.0), {CornerTypes::all, 1.0}}) {
     DualWalk walk(sphere, {.num_sites = 60, .types = types, .share_of_homes = homes, .keeps_number = true});
     walk.build();
     CHECK(walk.d.dual().num_irregular() == 60);

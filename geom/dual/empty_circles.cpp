@@ -1,4 +1,4 @@
-#include "geom/dual/dual_circles.h"
+#include "geom/dual/empty_circles.h"
 
 #include <algorithm>
 #include <tuple>
@@ -7,17 +7,17 @@
 
 namespace geom {
 
-bool circle_before(const DualCircle& a, const DualCircle& b) {
+bool circle_before(const EmptyCircle& a, const EmptyCircle& b) {
   return std::tie(a.facet, a.place, a.sites) < std::tie(b.facet, b.place, b.sites);
 }
 
-void DualCircle::sort_counterclockwise() {
+void EmptyCircle::sort_counterclockwise() {
   std::ranges::rotate(sites, std::ranges::min_element(sites));
   clockwise = sites[2] < sites[1];
   if (clockwise) std::swap(sites[1], sites[2]);
 }
 
-CircleId DualCircles::create(const DualCircle& circle) {
+CircleId EmptyCircles::create(const EmptyCircle& circle) {
   CircleId c;
   if (free_.empty()) {
     c = circles_.next_id();
@@ -33,7 +33,7 @@ CircleId DualCircles::create(const DualCircle& circle) {
   return c;
 }
 
-void DualCircles::erase(CircleId c) {
+void EmptyCircles::erase(CircleId c) {
   for (const SiteId s : circles_[c].sites) {
     if (!s.valid()) break;
     const std::span<const CircleId> list = of_site_[s];
@@ -42,27 +42,27 @@ void DualCircles::erase(CircleId c) {
   --live_;
 }
 
-void DualCircles::reserve(std::size_t num_sites) { circles_.reserve(2 * num_sites + num_sites / 8 + 64); }
+void EmptyCircles::reserve(std::size_t num_sites) { circles_.reserve(2 * num_sites + num_sites / 8 + 64); }
 
-void DualCircles::check() const {
+void EmptyCircles::check() const {
   std::size_t listed = 0;
   for (SiteId s(0); s.index() < of_site_.num_keys(); s = SiteId(s.value + 1))
     for (const CircleId c : of_site_[s]) {
-      const DualCircle& circle = circles_[c];
-      ensure(circle.touches(s), "dual circles: one is listed at a site that it does not touch");
+      const EmptyCircle& circle = circles_[c];
+      ensure(circle.touches(s), "empty circles: one is listed at a site that it does not touch");
       listed += circle.sites[0] == s;
       if (!circle.is_triangle()) continue;
       for (std::size_t i = 0; i < 3; ++i) {
         if (!circle.beyond[i].valid()) continue;
         const SiteId a = circle.sites[(i + 1) % 3], b = circle.sites[(i + 2) % 3];
-        const DualCircle& other = circles_[circle.beyond[i]];
-        ensure(other.touches(a) && other.touches(b), "dual circles: two beyond each other share no edge");
-        ensure(std::ranges::count(other.beyond, c) > 0, "dual circles: one beyond another does not know it");
+        const EmptyCircle& other = circles_[circle.beyond[i]];
+        ensure(other.touches(a) && other.touches(b), "empty circles: two beyond each other share no edge");
+        ensure(std::ranges::count(other.beyond, c) > 0, "empty circles: one beyond another does not know it");
         ensure(std::ranges::count(of_site_[a], circle.beyond[i]) == 1,
-               "dual circles: an erased one is beyond");
+               "empty circles: an erased one is beyond");
       }
     }
-  ensure(listed == live_, "dual circles: listed and present differ in number");
+  ensure(listed == live_, "empty circles: listed and present differ in number");
 }
 
 }  // namespace geom

@@ -21,7 +21,7 @@ namespace geom {
 
 /// A corner of the diagram. All fields but `beyond` are functions of the mesh and of the sites that meet there, not
 /// of history. One line of the cache.
-struct DualCircle {
+struct EmptyCircle {
   Vec3 center{0, 0, 0};
   double radius2 = 0;
   FacetId facet;                ///< it lies in; the smallest for a B or A corner
@@ -49,16 +49,16 @@ struct DualCircle {
 };
 
 /// The order of circles of equal radius2: by facet, place and sites.
-bool circle_before(const DualCircle& a, const DualCircle& b);
+bool circle_before(const EmptyCircle& a, const EmptyCircle& b);
 
 /// The circles and, of each site, those that touch it. Ids never move. O(circles of a site) all, but check().
-class DualCircles {
+class EmptyCircles {
  public:
   std::size_t num_ids() const { return circles_.size(); }  ///< erased ones included
   std::size_t size() const { return live_; }
-  const DualCircle& operator[](CircleId c) const { return circles_[c]; }
+  const EmptyCircle& operator[](CircleId c) const { return circles_[c]; }
 
-  CircleId create(const DualCircle& circle);
+  CircleId create(const EmptyCircle& circle);
   /// Takes the circle off the lists. It can still be read: its id is used again only when it is recycled.
   void erase(CircleId c);
   void recycle(std::span<const CircleId> erased) { free_.insert(free_.end(), erased.begin(), erased.end()); }
@@ -83,7 +83,7 @@ class DualCircles {
   void check() const;
 
  private:
-  Table<CircleId, DualCircle> circles_;
+  Table<CircleId, EmptyCircle> circles_;
   ShortLists<SiteId, CircleId> of_site_;
   std::vector<CircleId> free_;
   std::size_t live_ = 0;

@@ -1,4 +1,4 @@
-#include "geom/dual/dual_circles.h"
+#include "geom/dual/empty_circles.h"
 
 #include <algorithm>
 #include <map>
@@ -13,8 +13,8 @@ using namespace geom;
 namespace {
 
 /// With one to three sites, ascending.
-DualCircle draw_circle(Rng& rng, std::size_t num_sites) {
-  DualCircle circle;
+EmptyCircle draw_circle(Rng& rng, std::size_t num_sites) {
+  EmptyCircle circle;
   circle.radius2 = rng.uniform();
   circle.center = Vec3::Constant(-circle.radius2);
   circle.facet = FacetId(static_cast<std::size_t>(rng.below(100)));
@@ -28,8 +28,8 @@ DualCircle draw_circle(Rng& rng, std::size_t num_sites) {
   return circle;
 }
 
-DualCircle triangle(int a, int b, int c, bool clockwise = false) {
-  DualCircle circle;
+EmptyCircle triangle(int a, int b, int c, bool clockwise = false) {
+  EmptyCircle circle;
   circle.facet = FacetId(0);
   circle.sites = {SiteId(a), SiteId(b), SiteId(c)};
   circle.clockwise = clockwise;
@@ -38,11 +38,11 @@ DualCircle triangle(int a, int b, int c, bool clockwise = false) {
 
 }  // namespace
 
-TEST_CASE("dual circles: against a map while circles come, move and go") {
+TEST_CASE("empty circles: against a map while circles come, move and go") {
   constexpr std::size_t num_sites = 30;
   Rng rng(8);
-  DualCircles circles;
-  std::map<CircleId, DualCircle> expected;
+  EmptyCircles circles;
+  std::map<CircleId, EmptyCircle> expected;
   std::vector<CircleId> erased;
   std::size_t most = 0;
   for (int step = 0; step < 20000; ++step) {
@@ -54,7 +54,7 @@ TEST_CASE("dual circles: against a map while circles come, move and go") {
       circles.recycle(erased);
       erased.clear();
     } else if (kind < 11 || expected.empty()) {
-      const DualCircle circle = draw_circle(rng, num_sites);
+      const EmptyCircle circle = draw_circle(rng, num_sites);
       const CircleId c = circles.create(circle);
       CHECK(std::ranges::find(erased, c) == erased.end());  // not used again before it is recycled
       CHECK(expected.emplace(c, circle).second);
@@ -91,9 +91,9 @@ TEST_CASE("dual circles: against a map while circles come, move and go") {
   }
 }
 
-TEST_CASE("dual circles: places around a circle, whichever way its sites run") {
+TEST_CASE("empty circles: places around a circle, whichever way its sites run") {
   for (const bool clockwise : {false, true}) {
-    const DualCircle circle = triangle(3, 5, 8, clockwise);
+    const EmptyCircle circle = triangle(3, 5, 8, clockwise);
     CHECK(circle.is_triangle());
     for (std::size_t i = 0; i < 3; ++i) {
       CHECK(circle.index_of(circle.sites[i]) == i);
@@ -107,8 +107,8 @@ TEST_CASE("dual circles: places around a circle, whichever way its sites run") {
   }
 }
 
-TEST_CASE("dual circles: the order is by facet, place and sites, not by what follows from them") {
-  DualCircle a = triangle(1, 2, 3), b = a;
+TEST_CASE("empty circles: the order is by facet, place and sites, not by what follows from them") {
+  EmptyCircle a = triangle(1, 2, 3), b = a;
   b.radius2 = 7;
   b.clockwise = true;
   CHECK(!circle_before(a, b));
@@ -121,8 +121,8 @@ TEST_CASE("dual circles: the order is by facet, place and sites, not by what fol
   CHECK(circle_before(a, b));
 }
 
-TEST_CASE("dual circles: a circle beyond that does not agree is found") {
-  DualCircles circles;
+TEST_CASE("empty circles: a circle beyond that does not agree is found") {
+  EmptyCircles circles;
   const CircleId c = circles.create(triangle(0, 1, 2)), d = circles.create(triangle(1, 2, 3)),
                  far = circles.create(triangle(4, 5, 6));
   CHECK_NOTHROW(circles.check());

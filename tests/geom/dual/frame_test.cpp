@@ -1,0 +1,267 @@
+// The bounds of frame.h against exact numbers.
+
+#include "geom/dual/frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "doctest.h"
+#include "geom/check.h"
+#include "geom/rng.h"
+#include "tests/fixtures/weighted_points.h"
+#include "tests/oracle/rational.h"
+
+using namespace geom;
+using oracle::Rational;
+
+namespace {
+
+constexpr int none = Frame::none;
+
+Rational exact_power(const Vec3& z, const WeightedPoint3& p) {
+  Rational sum = Rational(0.0) - Rational(p.weight);
+  for (int k = 0; k < 3; ++k) {
+    const Rational d = Rational(z[k]) - Rational(p.position[k]);
+    sum = sum + d * d;
+  }
+  return sum;
+}
+
+/// The values of the frame at some location, exactly.
+struct Exact {
+  Exact(const Vec3& z, const WeightedPoint3& origin, const std::vector<WeightedPoint3>& sites) {
+    const Rational own = exact_power(z, origin);
+    for (const WeightedPoint3& s : sites) g.push_back(exact_power(z, s) - own);
+  }
+  Rational operator()(int i) const { return i == none ? Rational(0.0) : g[static_cast<std::size_t>(i)]; }
+  std::vector<Rational> g;
+};
+
+bool within(double found, const Rational& exact, double bound) {
+  if (bound == std::numeric_limits<double>::infinity()) return true;
+  const Rational off = Rational(found) - exact, limit(bound);
+  return (limit - off).sign() >= 0 && (limit + off).sign() >= 0;
+}
+bool within(const Sure& found, const Rational& exact) { return within(found.value, exact, found.bound); }
+/// What is said to be certain is so.
+bool agrees(const Sure& found, const Rational& exact) {
+  return (!found.negative() || exact.sign() < 0) && (!found.positive() || exact.sign() > 0) &&
+         found.certain() == (found.negative() || found.positive());
+}
+
+/// A mesh that has these points as vertices, and whatever facets.
+TriMesh mesh_of(const std::vector<Vec3>& points) {
+  Table<VertexId, Vec3> vertices(points.begin(), points.end());
+  Table<FacetId, TriMesh::Facet> facets;
+  for (std::size_t i = 0; i + 2 < points.size(); i += 3)
+    facets.push_back({VertexId(i), VertexId(i + 1), VertexId(i + 2)});
+  return TriMesh(std::move(vertices), std::move(facets));
+}
+
+struct Count {
+  std::size_t values = 0, unsure = 0, determinants = 0,
+              unsure_determinants = 0;  // determinants: but those that vanish
+};
+
+/// Everything a frame tells of these sites, the first the origin, at these vertices.
+void check_frame(const std::vector<WeightedPoint3>& points, const std::vector<Vec3>& places, Rng& rng,
+                 Count& count) {
+  const TriMesh mesh = mesh_of(places);
+  Frame frame(mesh);
+  const std::vector<WeightedPoint3> sites(points.begin() + 1, points.end());
+  frame.begin(points[0]);
+  for (const WeightedPoint3& s : sites) frame.add(s);
+  const int n = frame.size();
+  REQUIRE(n == static_cast<int>(sites.size()));
+  std::vector<Exact> exact;
+  std::vector<Frame::Slot> slots;
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    slots.push_back(frame.at(VertexId(v)));
+    exact.emplace_back(places[v], points[0], sites);
+  }
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    CHECK(frame.at(VertexId(v)) == slots[v]);
+    const Frame::Vertex& at = frame.vertex(slots[v]);
+    CHECK(at.id == VertexId(v));
+    std::uint32_t beaten_by = 0;
+    int nearest = 0;
+    for (int i = 0; i < n; ++i) {
+      CHECK(within(at.g[i], exact[v](i), at.error));
+      beaten_by |= static_cast<std::uint32_t>(exact[v](i).sign() < 0) << i;
+      if ((exact[v](i) - exact[v](nearest)).sign() < 0) nearest = i;
+      for (int j = none; j < n; ++j) {
+        const Rational difference = exact[v](i) - exact[v](j);
+        CHECK(within(Frame::difference(at, i, j), difference));
+        CHECK(agrees(Frame::difference(at, i, j), difference));
+      }
+    }
+    ++count.values;
+    count.unsure += !at.sure;
+    if (at.sure) CHECK(at.beaten_by == beaten_by);
+    if (at.sure) CHECK(at.owned == (beaten_by == 0));
+    CHECK(at.owned == (at.beaten_by == 0));
+    if (at.sure_nearest)
+      for (int i = 0; i < n; ++i) CHECK((i == at.nearest || (exact[v](i) - exact[v](at.nearest)).sign() > 0));
+    const auto u = static_cast<std::size_t>(rng.below(places.size()));
+    const Frame::Vertex& other = frame.vertex(slots[u]);
+    for (int trial = 0; trial < 12; ++trial) {
+      const auto any = [&] { return static_cast<int>(rng.below(static_cast<std::uint64_t>(n) + 1)) - 1; };
+      const int i = any(), j = any(), k = any();
+      const Rational m = (exact[u](i) - exact[u](k)) * (exact[v](j) - exact[v](k)) -
+                         (exact[v](i) - exact[v](k)) * (exact[u](j) - exact[u](k));
+      const Sure found = Frame::determinant(other, at, i, j, k);
+      CHECK(within(found, m));
+      CHECK(agrees(found, m));
+      count.determinants += m.sign() != 0;
+      count.unsure_determinants += m.sign() != 0 && !found.certain();
+    }
+  }
+}
+
+/// A location, and another one that is not more than that away.
+void check_lead(const std::vector<WeightedPoint3>& points, const Vec3& z, Rng& rng) {
+  const TriMesh mesh = mesh_of({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)});
+  Frame frame(mesh);
+  const std::vector<WeightedPoint3> sites(points.begin() + 1, points.end() - 1);
+  const WeightedPoint3& stranger = points.back();
+  frame.begin(points[0]);
+  for (const WeightedPoint3& s : sites) frame.add(s);
+  const double size = std::max({z.norm(), points[0].position.norm(), 1e-300});
+  const double tolerance = rng.below(3) == 0 ? 0 : size * std::pow(10, rng.uniform(-16, -3));
+  const Vec3 direction = fixtures::random_vector(rng).normalized();
+  const Vec3 off =
+      z + 0.999 * tolerance * direction;  // the true location; z, rounded, is what is known of it
+  const Vec3 y = z - points[0].position;
+  // The difference, too, is rounded: what counts is off from origin + y.
+  const double known_within = tolerance == 0 ? 0 : tolerance + 4e-16 * (y.norm() + z.norm());
+  const Vec3& truth = tolerance == 0 ? z : off;
+  const Exact exact(truth, points[0], sites);
+  const Rational of_stranger = exact_power(truth, stranger) - exact_power(truth, points[0]);
+  for (int i = none; i < frame.size(); ++i) {
+    const Vec3 d = Frame::offset(stranger, points[0]);
+    const double c = Frame::constant(stranger, points[0]);
+    CHECK(within(frame.lead(y, known_within, d, c, i), of_stranger - exact(i)));
+    for (int j = none; j < frame.size(); ++j)
+      CHECK(within(frame.lead(y, known_within, j, i), exact(j) - exact(i)));
+  }
+}
+
+}  // namespace
+
+TEST_CASE(
+    "frame: values, differences and determinants are within their bounds, and signs said to be sure are "
+    "right") {
+  Rng rng(4);
+  for (const fixtures::Hardship hardship : fixtures::all_hardships) {
+    CAPTURE(fixtures::name_of(hardship));
+    Count count;
+    for (int draw = 0; draw < 60; ++draw) {
+      const int sites = 1 + static_cast<int>(rng.below(Frame::most));
+      const std::vector<WeightedPoint3> points = fixtures::draw(hardship, sites + 7, rng.below(4) == 0, rng);
+      std::vector<Vec3> places;
+      for (std::size_t i = static_cast<std::size_t>(sites) + 1; i < points.size(); ++i)
+        places.push_back(points[i].position);
+      const Vec3 middle = (points[0].position + points[1].position) / 2;  // as near to both, almost
+      places.push_back(middle);
+      places.push_back(points[0].position);
+      check_frame({points.begin(), points.begin() + sites + 1}, places, rng, count);
+    }
+    CHECK(count.values > 300);
+    if (hardship == fixtures::Hardship::none) CHECK(20 * count.unsure < count.values);
+    if (hardship == fixtures::Hardship::none) CHECK(20 * count.unsure_determinants < count.determinants);
+  }
+}
+
+// Where rounding is worst: places and sites close together far from the origin of coordinates, and as near to one site
+// as to another one.
+TEST_CASE("frame: bounds where everything nearly ties, and far away") {
+  Rng rng(9);
+  Count count;
+  for (int draw = 0; draw < 400; ++draw) {
+    const double size = std::pow(10, rng.uniform(-9, 0));
+    const Vec3 base(rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1));
+    const int n = 2 + static_cast<int>(rng.below(Frame::most - 1));
+    std::vector<WeightedPoint3> points;
+    std::vector<Vec3> places;
+    const Vec3 center = base + size * fixtures::random_vector(rng);
+    const double radius = size * rng.uniform(0.1, 1);
+    for (int i = 0; i <= n; ++i) {  // all on one sphere about a place, up to rounding
+      const double more = rng.below(2) == 0 ? 0 : size * size * rng.uniform();
+      const double distance = std::sqrt(radius * radius + more);
+      points.push_back({center + distance * fixtures::random_vector(rng).normalized(), more});
+    }
+    places.push_back(center);
+    for (int i = 0; i < 5; ++i) {
+      Vec3 place = center;
+      for (double& c : place) c = fixtures::one_ulp_off(c, rng);
+      places.push_back(rng.below(2) == 0 ? place : base + size * fixtures::random_vector(rng));
+    }
+    check_frame(points, places, rng, count);
+  }
+  CHECK(count.unsure > 100);
+  CHECK(count.unsure < count.values);
+}
+
+TEST_CASE("frame: the lead at a location known within a tolerance, of sites in the frame and of strangers") {
+  Rng rng(12);
+  for (const fixtures::Hardship hardship : fixtures::all_hardships) {
+    CAPTURE(fixtures::name_of(hardship));
+    for (int draw = 0; draw < 150; ++draw) {
+      const int n = 3 + static_cast<int>(rng.below(8));
+      const std::vector<WeightedPoint3> points = fixtures::draw(hardship, n + 1, rng.below(4) == 0, rng);
+      check_lead({points.begin(), points.begin() + n}, points.back().position, rng);
+    }
+  }
+}
+
+TEST_CASE("frame: the power of a location is that to the site, up to rounding") {
+  Rng rng(2);
+  const TriMesh mesh = mesh_of({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)});
+  Frame frame(mesh);
+  for (int draw = 0; draw < 100; ++draw) {
+    const std::vector<WeightedPoint3> points = fixtures::draw(fixtures::Hardship::none, 9, false, rng);
+    frame.begin(points[0]);
+    for (int i = 1; i < 8; ++i) frame.add(points[static_cast<std::size_t>(i)]);
+    const Vec3 z = points[8].position, y = z - points[0].position;
+    CHECK(frame.power(y, none) == doctest::Approx(power(z, points[0])).epsilon(1e-12).scale(1));
+    for (int i = 0; i < 7; ++i) {
+      const WeightedPoint3& site = points[static_cast<std::size_t>(i) + 1];
+      CHECK(frame.power(y, i) == doctest::Approx(power(z, site)).epsilon(1e-12).scale(1));
+      CHECK(frame.offset(i) == Frame::offset(site, points[0]));
+      CHECK(frame.constant(i) == Frame::constant(site, points[0]));
+    }
+  }
+}
+
+TEST_CASE("frame: begun anew it knows nothing of before; too many sites are a bug") {
+  Rng rng(3);
+  const std::vector<WeightedPoint3> points = fixtures::draw(fixtures::Hardship::none, 40, false, rng);
+  std::vector<Vec3> places;
+  for (int i = 0; i < 6; ++i) places.push_back(fixtures::random_vector(rng));
+  const TriMesh mesh = mesh_of(places);
+  Frame frame(mesh);
+  for (int round = 0; round < 20; ++round) {
+    const std::size_t first = rng.below(20);
+    const int n = 1 + static_cast<int>(rng.below(Frame::most));
+    Frame fresh(mesh);
+    frame.begin(points[first]);
+    fresh.begin(points[first]);
+    for (int i = 0; i < n; ++i) {
+      frame.add(points[first + 1 + static_cast<std::size_t>(i)]);
+      fresh.add(points[first + 1 + static_cast<std::size_t>(i)]);
+    }
+    for (std::size_t v = places.size(); v-- > 0;) {
+      const Frame::Vertex &a = frame.vertex(frame.at(VertexId(v))), &b = fresh.vertex(fresh.at(VertexId(v)));
+      CHECK(a.error == b.error);
+      CHECK(a.beaten_by == b.beaten_by);
+      CHECK(a.nearest == b.nearest);
+      for (int i = 0; i < n; ++i) CHECK(a.g[i] == b.g[i]);
+    }
+    CHECK(frame.vertices().size() == places.size());
+  }
+  frame.begin(points[0]);
+  for (int i = 0; i < Frame::most; ++i) frame.add(points[1]);
+  CHECK_THROWS_AS(frame.add(points[1]), Bug);
+}

@@ -1,0 +1,85 @@
+#include "geom/dual/state.h"
+
+#include <cmath>
+#include <limits>
+
+#include "doctest.h"
+#include "geom/check.h"
+#include "geom/rng.h"
+#include "geom/scaling.h"
+#include "tests/fixtures/hard_surfaces.h"
+#include "tests/fixtures/weighted_points.h"
+
+using namespace geom;
+
+TEST_CASE("dual state: a distance for a power is never too short, and hardly too long") {
+  const TriMesh cube = fixtures::box(Vec3(1, 1, 1), 1);
+  DualState state(cube, CornerTypes::c_only, nullptr);
+  Rng rng(1);
+  for (int draw = 0; draw < 2000; ++draw) {
+    const double weight = draw % 3 == 0 ? 0 : rng.uniform(-1, 1) * std::pow(10, rng.uniform(-12, 2));
+    state.admit(SiteId(0), {Vec3(0.5, 0.5, 0), weight});
+    const double distance = std::pow(10, rng.uniform(-8, 1));
+    const double power = distance * distance - weight;
+    const double bound = state.distance_at(power, SiteId(0));
+    CHECK(bound >= distance);
+    CHECK(bound * bound <= distance * distance * (1 + 1e-6) + 1e-8 * (std::abs(power) + std::abs(weight)));
+  }
+  state.admit(SiteId(0), {Vec3(0.5, 0.5, 0), 0.25});
+  CHECK(state.distance_at(-1, SiteId(0)) == 0);
+  CHECK(state.distance_at(-std::numeric_limits<double>::infinity(), SiteId(0)) == 0);
+  CHECK(state.distance_at(std::numeric_limits<double>::infinity(), SiteId(0)) ==
+        std::numeric_limits<double>::infinity());
+}
+
+// So that a site can come to it.
+TEST_CASE("dual state: a circle's center is in the box of its facet, and snapped") {
+  Rng rng(2);
+  for (const auto& [name, mesh] : fixtures::hard_surfaces()) {
+    CAPTURE(name);
+    DualState state(mesh, CornerTypes::c_only, nullptr);
+    state.admit(SiteId(0), {mesh.corner(FacetId(0), 0), 0.01});
+    for (int draw = 0; draw < 100; ++draw) {
+      EmptyCircle circle;
+      circle.facet = FacetId(static_cast<std::size_t>(rng.below(mesh.num_facets())));
+      circle.sites[0] = SiteId(0);
+      const Vec3 corner =
+          mesh.corner(circle.facet, static_cast<int>(rng.below(3))) + 1e-9 * fixtures::random_vector(rng);
+      state.center_circle(circle, corner);
+      Box3 box;
+      for (int i = 0; i < 3; ++i) box.extend(mesh.corner(circle.facet, i));
+      CHECK(box.contains(circle.center));
+      CHECK((circle.center - corner).norm() <= 2e-9);
+      CHECK(snapped(circle.center) == circle.center);
+      CHECK(circle.radius2 == power(circle.center, state.sites[SiteId(0)]));
+    }
+  }
+}
+
+TEST_CASE("dual state: irregular sites are counted; a site outside of the mesh's box is a bug") {
+  const TriMesh cube = fixtures::box(Vec3(1, 1, 1), 1);
+  DualState state(cube, CornerTypes::c_only, nullptr);
+  for (std::size_t i = 0; i < 5; ++i) state.admit(SiteId(i), {Vec3(0.1, 0.2, 0), 0});
+  for (std::size_t i = 0; i < 5; ++i) CHECK(state.is_regular(SiteId(i)));
+  CHECK(state.num_irregular == 0);
+  state.set_regular(SiteId(2), false);
+  state.set_regular(SiteId(2), false);
+  state.set_regular(SiteId(4), false);
+  CHECK(state.num_irregular == 2);
+  state.set_regular(SiteId(2), true);
+  state.set_regular(SiteId(3), true);
+  CHECK(state.num_irregular == 1);
+  CHECK_THROWS_AS(state.admit(SiteId(0), {Vec3(0.5, 1.1, 0.5), 0}), Bug);
+  state.tree.insert(SiteId(0), state.sites[SiteId(0)]);
+  state.set_reach(SiteId(0), 2);
+  state.raise_reach(SiteId(0), 1);
+  CHECK(state.reach[SiteId(0)] == 2);
+  state.raise_reach(SiteId(0), 3);
+  CHECK(state.reach[SiteId(0)] == 3);
+}
+
+TEST_CASE("dual state: a mesh without facets is bad input") {
+  const TriMesh nothing;
+  CHECK_THROWS_AS(DualState(nothing, CornerTypes::c_only, nullptr), InputError);
+  CHECK_THROWS_AS(DualState(nothing, CornerTypes::all, nullptr), InputError);
+}
