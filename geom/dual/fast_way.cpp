@@ -28,6 +28,7 @@ bool FastWay::plan(SiteId p) {
   if (state_.shape(p) == DualState::Shape::unknown) certify(p);
   if (state_.shape(p) != DualState::Shape::regular || !open_star(p)) return false;
   frame_.begin(state_.sites[p]);
+  self_ = Frame::none;
   for (const SiteId r : rim_) frame_.add(state_.sites[r]);
   if (!guess_triangles()) return false;
   for (Triangle& triangle : triangles_) {
@@ -218,6 +219,66 @@ void FastWay::flip(int i, int e, int j, int f) {
 
 /// Sets reach_ and max_radius2_ but for the circles.
 bool FastWay::prove_hole() {
+  if (state_.paper) state_.paper->remove(p_);
+  flood_.clear();
+  on_sheet_ = divide_on_sheet();
+  if (on_sheet_ && no_stranger_in_hole()) return true;
+  on_sheet_ = false;
+  if (trace_hole() && no_stranger_in_hole()) return true;
+  cancel();
+  return false;
+}
+
+/// A bound of the squared distance where circles may be off.
+double FastWay::with_tolerance(double distance2) const {
+  const double off = 2 * state_.clipper.most_tolerance();
+  return distance2 * (1 + 1e-6) + 1.1e6 * off * off;  // (a + b)^2 <= a^2 (1 + e) + b^2 (1 + 1 / e)
+}
+
+/// Puts the rim and p_ into a chart of the sheet.
+bool FastWay::chart_sites(const Sheet& sheet) {
+  sheet_ = sheet;
+  chart_.begin(sheet);
+  for (int j = 0; j < size(); ++j) chart_.add(frame_.offset(j), frame_.constant(j));
+  chart_.add(frame_.offset(self_), frame_.constant(self_));
+  return true;
+}
+
+bool FastWay::divide_on_sheet() {
+  const WeightedPoint3& site = state_.sites[p_];
+  const double most_reach = state_.reach[p_], known = state_.distance_at(most_reach, p_);
+  double range = most_reach;  // that the new cell will do with, too
+  for (const SiteId r : rim_) range = std::max(range, state_.reach[r]);
+  const Sheet* sheet = sheets_.around(p_, site.position, state_.distance_at(range, p_));
+  if (!sheet) return false;
+  chart_sites(*sheet);
+  for (int k = 1; k < chart_.size(); ++k)
+    if (!chart_.is_simple_with(k, known)) return false;
+  const auto corner = [&](int j) -> Vec3 { return state_.circles[star_[at(j)]].center - site.position; };
+  double own2 = 0;
+  for (int j = 0; j < size(); ++j)
+    own2 = std::max(own2, chart_.farthest2(size(), j, corner(previous(j)), corner(j)));
+  own2 = with_tolerance(own2);
+  if (!sheet_.covers(site.position, std::sqrt(own2))) return false;
+  reach_ = std::min(own2 - site.weight, most_reach);
+  max_radius2_ = reach_;
+  for (int i = 0; i < static_cast<int>(triangles_.size()); ++i) {
+    const Triangle& triangle = triangles_[at(i)];
+    if (!(triangle.values.y.squaredNorm() <= own2)) return false;
+    for (int e = 0; e < 3; ++e) {
+      const int beyond = triangle.beyond[at(e)], a = triangle.corners[at(e == 2 ? 0 : e + 1)],
+                b = triangle.corners[at(e == 0 ? 2 : e - 1)];
+      if (beyond > i) continue;
+      const Vec3 &d = frame_.offset(a), from = triangle.values.y - d,
+                 to = (beyond >= 0 ? triangles_[at(beyond)].values.y : corner(-1 - beyond)) - d;
+      const double far2 = with_tolerance(chart_.farthest2(a, b, from, to));
+      max_radius2_ = std::max(max_radius2_, far2 - state_.sites[rim_[at(a)]].weight);
+    }
+  }
+  return true;
+}
+
+bool FastWay::trace_hole() {
   facets_.clear();
   for (const CircleId c : star_) facets_.push_back(state_.circles[c].facet);
   if (!flood_.trace(facets_, true)) return false;
@@ -242,26 +303,27 @@ bool FastWay::prove_hole() {
         std::sqrt(std::max(0.0, frame_.power(corner.y, corner.site) + weight)) + corner.tolerance;
     max_radius2_ = std::max(max_radius2_, far * far * more - weight);
   }
+  return true;
+}
+
+bool FastWay::no_stranger_in_hole() {
+  const WeightedPoint3& site = state_.sites[p_];
   double most_power = max_radius2_;
   points_.clear();
   nearest_.clear();
   for (const Triangle& triangle : triangles_) {
     points_.push_back(triangle.point);
     nearest_.push_back(triangle.corners[0]);
-    const Vec3 y = triangle.point.position - site.position;
-    most_power = std::max(most_power, frame_.power(y, triangle.corners[0]));
+    most_power = std::max(most_power, frame_.power(triangle.values.y, triangle.corners[0]));
   }
-  const Vacancy hole{p_, site.position, std::sqrt(radius2 * more), most_power + 1e-9 * std::abs(most_power)};
+  const Vacancy hole{p_, site.position, state_.distance_at(reach_, p_),
+                     most_power + 1e-9 * std::abs(most_power)};
   candidates_.clear();
-  if (!state_.paper) {
+  if (state_.paper)
+    state_.paper->heirs(hole, candidates_);
+  else
     look_around(hole);
-    return is_empty_of_strangers(hole, points_, nearest_);
-  }
-  state_.paper->remove(p_);
-  state_.paper->heirs(hole, candidates_);
-  if (is_empty_of_strangers(hole, points_, nearest_)) return true;
-  cancel();
-  return false;
+  return is_empty_of_strangers(hole, points_, nearest_);
 }
 
 void FastWay::cancel() {
@@ -285,31 +347,51 @@ bool FastWay::knows(const Vec3& x, double distance) const {
   return ((x - known_center_).norm() + distance) * more < known_radius_;
 }
 
-/// A bound of the reach of those who may lose something to p_: mostly that of all is small enough.
+/// A bound of the reach of those who may lose something to p_. At a location z that s loses, |z - s| is at most the
+/// distance of s at its reach, and |z - p_| that of p_ at the same power.
 double FastWay::power_of_rivals() {
   const WeightedPoint3& point = state_.sites[p_];
+  const double unseen = known_radius_ - (point.position - known_center_).norm() * more;
   const double largest = state_.largest_reach();
-  const auto times = [&](double factor) { return factor * (cell_reach_ + point.weight) - point.weight; };
-  return largest <= times(2.2) ? largest : state_.tree.largest_rival_reach(point, times(1.45));
+  if (known_radius_ < 0 || 2 * state_.distance_at(largest) > unseen) {
+    const double least = state_.distance_at(state_.reach[rim_.front()]);
+    return state_.tree.largest_rival_reach(point, least * least - point.weight);
+  }
+  double most_reach = -infinity;
+  for (const SiteId s : candidates_) {
+    const double reach = state_.reach[s];
+    if (!(reach > most_reach) || s == p_) continue;
+    const double far = state_.distance_at(reach, s) + state_.distance_at(reach, p_);
+    if ((state_.sites[s].position - point.position).squaredNorm() <= far * far * more) most_reach = reach;
+  }
+  return most_reach;
 }
 
-/// Is no candidate but the rim's nearer than the sites that are said to be nearest, at all corners of the flood and at
-/// these circles? Most are nowhere in the ball nearer than some site of the rim, or than the origin.
+/// Is no candidate but the rim's nearer than the sites that are said to be nearest, at these circles, on the edges between
+/// them and at all corners of the flood? Most are nowhere in the ball nearer than some site of the rim, or than p_.
 bool FastWay::is_empty_of_strangers(const Vacancy& cell, std::span<const RoundedPoint> circles,
                                     std::span<const int> nearest_of_circles) {
   const bool is_hole = !nearest_of_circles.empty();
   const double limit2 = 4 * cell.radius * cell.radius * (1 + 1e-6);
+  const Vec3 middle = cell.center - frame_.origin().position;
   return std::ranges::all_of(candidates_, [&](SiteId s) {
     if (s == p_ || std::ranges::find(rim_, s) != rim_.end()) return true;
     const Vec3 d = Frame::offset(state_.sites[s], frame_.origin());
     const double c = Frame::constant(state_.sites[s], frame_.origin()), d2 = d.squaredNorm();
-    const auto is_behind = [&](const Vec3& from, double constant) {
-      const double lead = c - constant;
-      return lead > 1e-9 * d2 && lead * lead > limit2 * (d - from).squaredNorm();
+    const auto is_behind = [&](int i) {
+      const Vec3 apart = d - frame_.offset(i);
+      const double lead = c - frame_.constant(i) - 2 * apart.dot(middle);
+      return lead > 1e-9 * d2 && lead * lead > limit2 * apart.squaredNorm();
     };
-    if (!is_hole && is_behind(Vec3(0, 0, 0), 0)) return true;
+    if (!is_hole && is_behind(self_)) return true;
     for (int j = 0; is_hole && j < size(); ++j)
-      if (is_behind(frame_.offset(j), frame_.constant(j))) return true;
+      if (is_behind(j)) return true;
+    if (on_sheet_) {
+      chart_.add(d, c);
+      const bool is_simple = chart_.is_simple_with(size() + 1, cell.radius + middle.norm());
+      chart_.take_back();
+      if (!is_simple) return false;
+    }
     Frame::Values values;
     const auto is_farther = [&](const Vec3& y, double off, int nearest) {
       frame_.evaluate(y, off, values);
@@ -319,7 +401,7 @@ bool FastWay::is_empty_of_strangers(const Vacancy& cell, std::span<const Rounded
       if (!is_farther(corner.y, corner.tolerance, corner.site)) return false;
     for (std::size_t i = 0; i < circles.size(); ++i)
       if (!is_farther(circles[i].position - frame_.origin().position, circles[i].tolerance,
-                      is_hole ? nearest_of_circles[i] : Frame::none))
+                      is_hole ? nearest_of_circles[i] : self_))
         return false;
     return true;
   });

@@ -9,9 +9,9 @@
 //        \/____\/___/
 //        r0      r1
 //
-// The guess is proven by tracing (flood.h) the hole, and then the new cell, over the facets that they meet; sites beyond
-// the rim are tested at all corners found there; a second component is excluded by the shape of the surface
-// (sheets.h). The cells of the others are then right, too: they change in the hole and in the new cell only.
+// The guess is proven for the hole, and then for the new cell: where the surface is a sheet of small slope by looking at
+// the sites alone (chart.h), else by tracing the cells over the facets that they meet (flood.h), where sites beyond the
+// rim are tested at all corners found. A second component is excluded by the shape of the surface (sheets.h). The cells of the others are then right, too: they change in the hole and in the new cell only.
 //
 // What no tracing from circles would see are cells that no circle leads to, or that have several borders. A site is
 // called regular if its cell is known to be connected, with one border, a closed curve through all of its circles.
@@ -35,6 +35,7 @@
 #include <span>
 #include <vector>
 
+#include "geom/dual/chart.h"
 #include "geom/dual/flood.h"
 #include "geom/dual/sheets.h"
 #include "geom/dual/state.h"
@@ -92,14 +93,23 @@ class FastWay {
   void flip(int i, int e, int j, int f);
   FacetId walk(int a, int b, int c, FacetId start);
   bool prove_hole();
+  bool divide_on_sheet();
+  bool trace_hole();
+  bool no_stranger_in_hole();
+  bool chart_sites(const Sheet& sheet);
   bool is_empty_of_strangers(const Vacancy& cell, std::span<const RoundedPoint> circles,
                              std::span<const int> nearest_of_circles);
   bool prove_new_cell(FacetId home, double least_distance, std::span<const CircleId> reached);
   bool find_star_corners();
+  double power_bound_at_corners() const;
+  double power_gained(const WeightedPoint3& old, double reach_before) const;
+  bool enclose_on_sheet(FacetId home, double distance, double elsewhere);
   bool trace_cell(FacetId home);
+  bool no_stranger_in_cell(double radius);
   void look_around(const Vacancy& vacancy);
   bool knows(const Vec3& x, double distance) const;
   double power_of_rivals();
+  double with_tolerance(double distance2) const;
   bool is_regular(SiteId p);
   bool may_beat_unreached(std::span<const CircleId> reached);
   Sure lead_at(const EmptyCircle& circle) const;
@@ -115,10 +125,15 @@ class FastWay {
 
   DualState& state_;
   Frame frame_;
+  Chart chart_;
   Flood flood_;
   Sheets sheets_;
+  Sheet sheet_;            ///< of the chart
+  bool on_sheet_ = false;  ///< the chart is simple, and what is proven is proven there
+  bool was_on_sheet_ = false;  ///< the hole, while the new cell is proven
 
   SiteId p_;
+  int self_ = Frame::none;       ///< the number of p_ in the frame; in the chart it comes after the rim
   std::vector<SiteId> rim_;      ///< counterclockwise
   std::vector<CircleId> star_;   ///< of p and places j, j + 1 of the rim
   std::vector<CircleId> outer_;  ///< beyond them

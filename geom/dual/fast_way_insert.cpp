@@ -20,31 +20,34 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, DualChange& change) {
   const WeightedPoint3 old = state_.sites[p_];
-  const Vec3 d = Frame::offset(point, old);
-  const double c = Frame::constant(point, old);
+  const double reach_before = reach_;
+  frame_.add_late(point);
+  self_ = size();
+  const Vec3 d = frame_.offset(self_);
+  const double c = frame_.constant(self_);
   for (const Triangle& triangle : triangles_)
     if (!frame_.difference(triangle.values, d, c, triangle.corners[0]).negative()) return false;
-  const double tolerance = 2 * state_.clipper.most_tolerance();
-  Frame::Values values;
-  for (int j = 0; j < size(); ++j) {
-    frame_.evaluate(state_.circles[outer_[at(j)]].center - old.position, tolerance, values);
-    if (!frame_.difference(values, d, c, j).positive()) return false;
-  }
-
-  const double least_distance = (state_.distance_at(reach_, p_) + d.norm()) * more;  // H is in this ball
-  hole_corners_.clear();
-  for (const Flood::Corner& corner : flood_.corners())
-    hole_corners_.push_back({corner.y + old.position, frame_.power(corner.y, corner.site), corner.tolerance});
   state_.sites[p_] = point;
-  starts_.clear();
-  for (const CircleId s : star_) starts_.push_back(state_.circles[s].facet);
   const FacetId home = triangles_[circle].facet;
-  if (!prove_new_cell(home, least_distance, star_)) {
+  const auto is_proven = [&] {
+    for (const CircleId o : outer_)
+      if (!lead_at(state_.circles[o]).positive()) return false;
+    hole_corners_.clear();
+    for (const Flood::Corner& corner : flood_.corners())
+      hole_corners_.push_back(
+          {corner.y + old.position, frame_.power(corner.y, corner.site), corner.tolerance});
+    starts_.clear();
+    for (const CircleId s : star_) starts_.push_back(state_.circles[s].facet);
+    const double least_distance = (state_.distance_at(reach_before, p_) + d.norm()) * more;  // H is in this ball
+    return prove_new_cell(home, least_distance, star_);
+  };
+  if (!is_proven()) {
     state_.sites[p_] = old;
     return false;
   }
   state_.follow(p_, old.position);
   state_.home[p_] = home;
+  const double gained = power_gained(old, reach_before);
   for (int j = 0; j < size(); ++j) {
     EmptyCircle moved = state_.circles[star_[at(j)]];
     moved.facet = corners_[at(j)].facet;
@@ -53,55 +56,121 @@ bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, Dua
     change.circles_moved.push_back(star_[at(j)]);
   }
   state_.set_reach(p_, cell_reach_);
-  // What the rim has now of the hole lies between the old border, the new one, and corners that p does not take.
-  double power = std::max(reach_, cell_reach_);
-  for (const auto& [z, without_p, off] : hole_corners_)
-    if (geom::power(z, point) > without_p) {
-      const double weight = -old.weight;  // any will do: the power is turned into a distance and back
-      const double far = std::sqrt(std::max(0.0, without_p - weight)) + off;
-      power = std::max(power, far * far * more + weight);
-    }
-  for (const SiteId r : rim_) state_.raise_reach(r, power);
+  for (const SiteId r : rim_) state_.raise_reach(r, gained);
   change.cells = rim_;
   std::ranges::sort(change.cells);
   return true;
 }
 
-/// p_ is at its new place, but not in the tree; the rim and the facets to start from are known.
+/// A bound of the power where the rim won something: between the old border of p_, the new one, and on what is left of
+/// edges of the hole.
+double FastWay::power_gained(const WeightedPoint3& old, double reach_before) const {
+  double power = std::max(reach_before, cell_reach_);
+  if (was_on_sheet_ && !on_sheet_) return std::max(power, max_radius2_);
+  for (int j = 0; on_sheet_ && was_on_sheet_ && j < size(); ++j) {  // what is left of an edge of the hole
+    const WeightedPoint3& r = state_.sites[rim_[at(j)]];
+    const double far2 =
+        chart_.farthest2(j, next(j), corners_[at(j)].point.position - r.position,
+                         state_.circles[star_[at(j)]].center - r.position);
+    power = std::max(power, with_tolerance(far2) - r.weight);
+  }
+  for (const auto& [z, without_p, off] : hole_corners_)
+    if (geom::power(z, state_.sites[p_]) > without_p) {
+      const double weight = -old.weight;  // any will do: the power is turned into a distance and back
+      const double far = std::sqrt(std::max(0.0, without_p - weight)) + off;
+      power = std::max(power, far * far * more + weight);
+    }
+  return power;
+}
+
+/// p_ is at its new place, but not in the tree; the rim and the facets to start from are known. Locations that p_ may win
+/// are within that distance, or were someone else's.
 bool FastWay::prove_new_cell(FacetId home, double least_distance, std::span<const CircleId> reached) {
+  was_on_sheet_ = on_sheet_;
   if (!find_star_corners()) return false;
   if (state_.paper) state_.paper->insert(p_, state_.sites[p_], rim_.front());
   const auto prove = [&] {
-    if (!trace_cell(home) || may_beat_unreached(reached)) return false;
-    return has_one_component(std::max(least_distance, state_.distance_at(power_of_rivals(), p_)));
+    if (may_beat_unreached(reached)) return false;
+    const double distance =
+        state_.distance_at(std::max(power_bound_at_corners(), power_of_rivals()), p_);
+    on_sheet_ = enclose_on_sheet(home, distance, least_distance);
+    if (on_sheet_) return true;
+    return trace_cell(home) &&
+           has_one_component(std::max({least_distance, distance, state_.distance_at(cell_reach_, p_)}));
   };
   if (prove()) return true;
   if (state_.paper) state_.paper->remove(p_);
   return false;
 }
 
+/// Of p_ at the corners of its new cell.
+double FastWay::power_bound_at_corners() const {
+  double far2 = 0;
+  for (const StarCorner& corner : corners_)
+    far2 = std::max(far2, (corner.point.position - state_.sites[p_].position).squaredNorm());
+  return with_tolerance(far2) - state_.sites[p_].weight;
+}
+
 /// Of the new cell of p_, empty but for strangers.
 bool FastWay::find_star_corners() {
-  frame_.begin(state_.sites[p_]);
-  for (const SiteId r : rim_) frame_.add(state_.sites[r]);
+  if (self_ == Frame::none) {
+    frame_.begin(state_.sites[p_]);
+    for (const SiteId r : rim_) frame_.add(state_.sites[r]);
+  }
   corners_.clear();
   Frame::Values values;
   for (int j = 0; j < size(); ++j) {
-    const FacetId t = walk(Frame::none, j, next(j), starts_[at(j)]);
+    const FacetId t = walk(self_, j, next(j), starts_[at(j)]);
     if (!t.valid()) return false;
     std::array<SiteId, 3> sites{p_, rim_[at(j)], rim_[at(next(j))]};
     std::ranges::sort(sites);
     const RoundedPoint point = state_.clipper.meeting(t, sites);
     frame_.evaluate(point.position - frame_.origin().position, point.tolerance, values);
     for (int i = 0; i < size(); ++i)
-      if (i != j && i != next(j) && !values.nearer(Frame::none, i)) return false;
+      if (i != j && i != next(j) && !values.nearer(self_, i)) return false;
     corners_.push_back({t, point});
   }
   return true;
 }
 
+/// Is the new cell of p_ what its corners say (chart.h), and all that p_ has within that distance? And within the other
+/// one, if the hole is not on this sheet. Sets cell_reach_.
+bool FastWay::enclose_on_sheet(FacetId home, double distance, double elsewhere) {
+  const WeightedPoint3& site = state_.sites[p_];
+  if (!home.valid()) return false;
+  const Vec3 middle = site.position - frame_.origin().position;
+  if (on_sheet_ && sheet_.covers(site.position, distance)) {
+    chart_.replace(size(), frame_.offset(self_), frame_.constant(self_));
+  } else {
+    distance = std::max(distance, elsewhere);
+    const Sheet* sheet = sheets_.around(p_, site.position, distance);
+    if (!sheet) return false;
+    chart_sites(*sheet);
+  }
+  double own2 = 0;
+  points_.clear();
+  for (int j = 0; j < size(); ++j) {
+    points_.push_back(corners_[at(j)].point);
+    own2 = std::max(own2, chart_.farthest2(size(), j, corners_[at(previous(j))].point.position - site.position,
+                                             corners_[at(j)].point.position - site.position));
+  }
+  own2 = with_tolerance(own2);
+  const double own = std::sqrt(own2) * more;
+  if (!sheet_.covers(site.position, std::max(distance, own))) return false;
+  if (!chart_.is_simple_with(size(), own + middle.norm())) return false;
+  link_.clear();
+  for (int j = 0; j < size(); ++j)
+    link_.push_back({frame_.offset(j) - middle, Frame::constant(state_.sites[rim_[at(j)]], site)});
+  if (!Sheets::has_one_component(sheet_, own, link_)) return false;
+  cell_reach_ = own2 - site.weight;
+  return no_stranger_in_cell(own);
+}
+
 /// Sets cell_reach_. `home`: a facet with the location of p_.
 bool FastWay::trace_cell(FacetId home) {
+  frame_.begin(state_.sites[p_]);
+  self_ = Frame::none;
+  for (const SiteId r : rim_) frame_.add(state_.sites[r]);
   facets_.clear();
   points_.clear();
   for (const StarCorner& corner : corners_) {
@@ -121,15 +190,19 @@ bool FastWay::trace_cell(FacetId home) {
     radius2 = std::max(radius2, far * far);
   }
   cell_reach_ = radius2 * more - site.weight;
-  const Vacancy cell{p_, site.position, std::sqrt(radius2 * more), cell_reach_};
+  return no_stranger_in_cell(std::sqrt(radius2 * more));
+}
+
+bool FastWay::no_stranger_in_cell(double radius) {
+  const Vacancy cell{p_, state_.sites[p_].position, radius, cell_reach_};
   if (state_.paper) {
     candidates_.clear();
     state_.paper->rivals(p_, candidates_);
-  } else if (!knows(site.position, cell.radius + state_.distance_at(cell_reach_))) {
+  } else if (!knows(cell.center, cell.radius + state_.distance_at(cell_reach_))) {
     candidates_.clear();
     look_around(cell);
   }
-  return is_empty_of_strangers({p_, site.position, std::sqrt(radius2 * more), cell_reach_}, points_, {});
+  return is_empty_of_strangers(cell, points_, {});
 }
 
 /// May p_ beat circles that are not reached? They would be of an irregular site.
@@ -168,7 +241,8 @@ bool FastWay::has_one_component(double distance) {
   const Vec3& p = state_.sites[p_].position;
   link_.clear();
   for (int j = 0; j < size(); ++j) link_.push_back({frame_.offset(j), frame_.constant(j)});
-  if (sheets_.has_one_component(p, distance, link_)) return true;
+  const Sheet* sheet = sheets_.around(p_, p, distance);
+  if (sheet && Sheets::has_one_component(*sheet, state_.distance_at(cell_reach_, p_), link_)) return true;
   candidates_.clear();
   known_radius_ = -1;
   cell_power_ = distance * distance - state_.sites[p_].weight;
@@ -181,7 +255,8 @@ bool FastWay::has_one_component(double distance) {
 /// is clipped, in doubles, by those who are nearer somewhere, and what is left kept a little too large.
 bool FastWay::owns_nothing_of(FacetId t) {
   const TriMesh::Facet& corners = state_.mesh.facet(t);
-  const Frame::Slot s0 = frame_.at(corners[0]), s1 = frame_.at(corners[1]), s2 = frame_.at(corners[2]);
+  const Frame::Slot s0 = frame_.with_signs(corners[0]), s1 = frame_.with_signs(corners[1]),
+                    s2 = frame_.with_signs(corners[2]);
   const Frame::Vertex &v0 = frame_.vertex(s0), &v1 = frame_.vertex(s1), &v2 = frame_.vertex(s2);
   if (v0.sure && v1.sure && v2.sure && (v0.beaten_by & v1.beaten_by & v2.beaten_by) != 0) return true;
   part_ = {v0.y, v1.y, v2.y};
@@ -219,6 +294,8 @@ bool FastWay::insert(SiteId p, const WeightedPoint3& point, FacetId home, Circle
                      DualChange& change) {
   if (state_.types == CornerTypes::all) return false;
   p_ = p;
+  self_ = Frame::none;
+  on_sheet_ = false;
   known_radius_ = -1;
   state_.admit(p, point);
   if (!find_conflict(first) || !prove_new_cell(home, 0, conflict_)) return false;
@@ -310,14 +387,16 @@ bool FastWay::is_regular(SiteId p) {
   known_radius_ = -1;
   if (state_.types == CornerTypes::all || !state_.home[p].valid() || !open_star(p)) return false;
   frame_.begin(state_.sites[p]);
+  self_ = Frame::none;
+  on_sheet_ = false;
   for (const SiteId r : rim_) frame_.add(state_.sites[r]);
   corners_.clear();
   for (const CircleId c : star_)
     corners_.push_back(
         {state_.circles[c].facet, {state_.circles[c].center, 2 * state_.clipper.most_tolerance()}});
-  if (!trace_cell(state_.home[p])) return false;
   const double known = state_.distance_at(state_.reach[p], p);
-  if (!has_one_component(known)) return false;
+  on_sheet_ = enclose_on_sheet(state_.home[p], known, known);
+  if (!on_sheet_ && (!trace_cell(state_.home[p]) || !has_one_component(known))) return false;
   state_.set_reach(p, std::min(state_.reach[p], cell_reach_));
   return true;
 }

@@ -12,9 +12,13 @@ constexpr std::int32_t unlinked = std::numeric_limits<std::int32_t>::min();
 
 }  // namespace
 
-bool Flood::trace(std::span<const FacetId> from, bool division) {
+void Flood::clear() {
   facets_.clear();
   corners_.clear();
+}
+
+bool Flood::trace(std::span<const FacetId> from, bool division) {
+  clear();
   links_.clear();
   links_of_ends_.clear();
   ends_.clear();
@@ -36,7 +40,7 @@ std::uint32_t Flood::meet(FacetId t) {
   const TriMesh::Facet& corners = mesh_.facet(t);
   Facet& facet = facets_.add();
   facet.id = t;
-  for (std::size_t i = 0; i < 3; ++i) facet.corners[i] = frame_.at(corners[i]);
+  for (std::size_t i = 0; i < 3; ++i) facet.corners[i] = frame_.with_signs(corners[i]);
   facet.done = {false, false, false};
   facet.first_end = -1;
   return slot;

@@ -40,6 +40,8 @@ class Flood {
  public:
   Flood(const TriMesh& mesh, Frame& frame) : mesh_(mesh), frame_(frame), slot_of_(mesh.num_facets(), 0) {}
 
+  /// Forgets what was traced.
+  void clear();
   /// Traces the cell of the frame's origin from these facets on. `division`: also how it is divided among the sites of
   /// the frame if the origin is removed. False if something is not certain.
   bool trace(std::span<const FacetId> from, bool division);

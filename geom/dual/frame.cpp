@@ -30,12 +30,25 @@ void Frame::add(const WeightedPoint3& site) {
   ++size_;
 }
 
+void Frame::add_late(const WeightedPoint3& site) {
+  add(site);
+  const int i = size_ - 1;
+  for (std::size_t k = 0; k < vertices_.size(); ++k) {
+    Vertex& v = vertices_[k];
+    v.g[i] = c_[i] - (dx_[i] * (2 * v.y.x()) + dy_[i] * (2 * v.y.y()) + dz_[i] * (2 * v.y.z()));
+    v.error = error_at(2 * v.y);
+    v.has_signs = false;
+  }
+}
+
+double Frame::error_at(const Vec3& twice_y) const {
+  return 0x1p-49 * (largest2_ + heaviest_ + 0.5 * largest_ * twice_y.lpNorm<1>());
+}
+
 void Frame::evaluate(const Vec3& y, double off, Values& out) const {
   const double x2 = 2 * y.x(), y2 = 2 * y.y(), z2 = 2 * y.z();
   out.y = y;
-  out.error =
-      0x1p-49 * (largest2_ + heaviest_ + 0.5 * largest_ * (std::abs(x2) + std::abs(y2) + std::abs(z2))) +
-      2 * largest_ * off;
+  out.error = error_at(2 * y) + 2 * largest_ * off;
   if (size_ <= 8)
     fill<8>(x2, y2, z2, out.g);
   else
@@ -67,15 +80,19 @@ Frame::Slot Frame::evaluate(VertexId v) {
   Vertex& out = vertices_.add();
   out.id = v;
   evaluate(mesh_.position(v) - origin_.position, 0, out);
-  double closest_to_0 = std::numeric_limits<double>::infinity();
-  std::uint32_t beaten_by = 0;
-  for (int i = 0; i < size_; ++i) {
-    beaten_by |= static_cast<std::uint32_t>(out.g[i] < 0) << i;
-    closest_to_0 = std::min(closest_to_0, std::abs(out.g[i]));
-  }
-  out.beaten_by = beaten_by;
-  out.sure = closest_to_0 > out.error;
+  out.has_signs = false;
   return slot;
+}
+
+void Frame::find_signs(Vertex& v) const {
+  double closest_to_0 = std::numeric_limits<double>::infinity();
+  v.beaten_by = 0;
+  for (int i = 0; i < size_; ++i) {
+    v.beaten_by |= static_cast<std::uint32_t>(v.g[i] < 0) << i;
+    closest_to_0 = std::min(closest_to_0, std::abs(v.g[i]));
+  }
+  v.sure = closest_to_0 > v.error;
+  v.has_signs = true;
 }
 
 int Frame::nearest(const Vertex& v) const {

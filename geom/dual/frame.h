@@ -57,6 +57,8 @@ class Frame {
   void begin(const WeightedPoint3& origin);
   /// All before the first location. They are numbered 0, 1, ...
   void add(const WeightedPoint3& site);
+  /// One more, after locations.
+  void add_late(const WeightedPoint3& site);
   int size() const { return size_; }
 
   /// The values g_i at a location y, and their error e.
@@ -78,8 +80,9 @@ class Frame {
 
   struct Vertex : Values {
     VertexId id;
-    std::uint32_t beaten_by;                       ///< bit i: g_i < 0
-    bool sure;                                     ///< of the signs of all g_i
+    bool has_signs;           ///< these are known:
+    bool sure;                ///< of the signs of all g_i
+    std::uint32_t beaten_by;  ///< bit i: g_i < 0
     bool owned() const { return beaten_by == 0; }  ///< the origin is nearest
   };
   /// The values at a vertex of the surface; valid until begin(). A reference is, until the next call.
@@ -89,6 +92,12 @@ class Frame {
     return evaluate(v);
   }
   const Vertex& vertex(Slot s) const { return vertices_[s]; }
+  /// The same with all signs.
+  Slot with_signs(VertexId v) {
+    const Slot slot = at(v);
+    if (!vertices_[slot].has_signs) find_signs(vertices_[slot]);
+    return slot;
+  }
   /// The site of least g_i, if that is certain; else -1.
   int nearest(const Vertex& v) const;
   std::size_t num_vertices() const { return vertices_.size(); }
@@ -117,6 +126,8 @@ class Frame {
 
  private:
   Slot evaluate(VertexId v);
+  void find_signs(Vertex& v) const;
+  double error_at(const Vec3& twice_y) const;
   template <int count>
   void fill(double x2, double y2, double z2, double* out) const;
 

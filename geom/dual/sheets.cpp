@@ -7,13 +7,14 @@
 namespace geom {
 namespace {
 
-constexpr double cell_size = 0.5;      // of a level's radius
-constexpr double reach_factor = 1.65;  // R, likewise
+constexpr double cell_size = 0.5;            // of a list's radius
+constexpr double radii[] = {1.6, 1.25, 1.08};      // R, in distances that are to be covered: one after the other
+constexpr double nearly_there = 0.3;         // of that distance
 constexpr double more = 1 + 1e-6;
 constexpr double steepest = 0.7075;  // cosine: a slope less than 1
 constexpr double flat_enough = 0.98;
 constexpr int axis_rounds = 8;
-constexpr std::size_t most_places = 1 << 20, most_listed = 1 << 25;  // then they are made anew
+constexpr std::size_t most_listed = 1 << 25;  // then they are made anew
 
 /// Does the triangle come within that distance of the origin? Rounded.
 bool comes_within(double limit2, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) {
@@ -42,64 +43,62 @@ double distance2(const Vec3& x, const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-Sheets::Sheet& Sheets::at(const Vec3& p, double distance, double& level_radius) {
-  if (!(distance <= level_radius_ &&
-        level_radius_ < 1.6 * distance)) {  // else the level of the last place will do
-    int exponent = 0;
-    const double mantissa = std::frexp(distance, &exponent);
-    const auto step =
-        static_cast<int>(std::ceil(4 * std::log2(mantissa) - 1e-6));  // levels a factor 2^(1/4) apart
-    level_ = 4 * exponent + step;
-    level_radius_ = std::exp2(0.25 * level_) * more;
+const Sheet* Sheets::around(SiteId site, const Vec3& x, double distance) {
+  if (site.index() >= of_site_.size()) of_site_.resize(site.index() + 1);
+  OfSite& known = of_site_[site];
+  if (known.sheet.covers(x, distance)) return &known.sheet;
+  if (known.tried > 0 && known.sheet.width < 0 && known.tried < radii[2] * 1.25 * distance &&
+      (x - known.sheet.center).norm() < nearly_there * distance)
+    return nullptr;
+  for (const double factor : radii) {
+    known.tried = factor * distance;
+    known.sheet = sheet_in(x, known.tried);
+    if (known.sheet.covers(x, distance)) return &known.sheet;
   }
-  level_radius = level_radius_;
-  Key key{level_, {}};
-  for (int i = 0; i < 3; ++i)
-    key.cell[static_cast<std::size_t>(i)] =
-        static_cast<std::int32_t>(std::floor(p[i] / (cell_size * level_radius)));
-  if (places_.size() > most_places) {
-    places_.clear();
-    lists_.clear();
-  }
-  const auto [place, is_new] = places_.try_emplace(key);
-  if (is_new) {
-    place->second.center = p;
-    make(place->second, reach_factor * level_radius);
-  }
-  return place->second;
+  known.sheet.width = -1;
+  return nullptr;
 }
 
-bool Sheets::has_one_component(const Vec3& p, double distance, std::span<const Neighbour> link) {
-  double level_radius = 0;
-  const Sheet& place = at(p, distance, level_radius);
-  if (place.width < 0 || !(distance * more + (p - place.center).norm() * more < place.width)) return false;
-  const double factor = 4 * more * place.slope * distance;
+bool Sheets::has_one_component(const Sheet& sheet, double radius, std::span<const Neighbour> link) {
+  const double factor = 4 * more * sheet.slope * radius;
   return std::ranges::all_of(link, [&](const Neighbour& q) {
     const double size = q.offset.squaredNorm();
-    return q.lead > 1e-9 * size && q.lead > factor * std::abs(q.offset.dot(place.axis)) + 1e-9 * size;
+    return q.lead > 1e-9 * size && q.lead > factor * std::abs(q.offset.dot(sheet.axis)) + 1e-9 * size;
   });
 }
 
 std::span<const FacetId> Sheets::facets_within(const Vec3& p, double distance) {
-  double level_radius = 0;
-  Sheet& place = at(p, distance, level_radius);
-  const double diagonal = std::numbers::sqrt3 * cell_size * level_radius;  // p and the center are in one cell
-  if (place.first < 0) {
+  int exponent = 0;
+  const double mantissa = std::frexp(distance, &exponent);
+  const auto step = static_cast<int>(std::ceil(4 * std::log2(mantissa) - 1e-6));
+  Key key{4 * exponent + step, {}};  // levels a factor 2^(1/4) apart
+  const double radius = std::exp2(0.25 * key.level) * more, size = cell_size * radius;
+  Vec3 middle;
+  for (int i = 0; i < 3; ++i) {
+    const double cell = std::floor(p[i] / size);
+    key.cell[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(cell);
+    middle[i] = (cell + 0.5) * size;
+  }
+  const auto [place, is_new] = places_.try_emplace(key, List{0, 0});
+  if (is_new) {
     near_.clear();
-    facets_.near(place.center, (level_radius + diagonal) * more, near_);
+    facets_.near(middle, (radius + 0.5 * std::numbers::sqrt3 * size) * more, near_);
     if (lists_.size() + near_.size() > most_listed) {
-      for (auto& [key, other] : places_) other.first = other.last = -1;
+      places_.clear();
       lists_.clear();
     }
-    place.first = static_cast<std::int32_t>(lists_.size());
+    const auto first = static_cast<std::int32_t>(lists_.size());
     lists_.insert(lists_.end(), near_.begin(), near_.end());
-    place.last = static_cast<std::int32_t>(lists_.size());
+    places_[key] = {first, static_cast<std::int32_t>(lists_.size())};
   }
-  return std::span(lists_).subspan(static_cast<std::size_t>(place.first),
-                                   static_cast<std::size_t>(place.last - place.first));
+  const List& list = places_[key];
+  return std::span(lists_).subspan(static_cast<std::size_t>(list.first),
+                                   static_cast<std::size_t>(list.last - list.first));
 }
 
-void Sheets::make(Sheet& place, double radius) {
+Sheet Sheets::sheet_in(const Vec3& center, double radius) {
+  Sheet place;
+  place.center = center;
   near_.clear();
   normals_.clear();
   facets_.near(place.center, radius * more, near_);
@@ -112,14 +111,14 @@ void Sheets::make(Sheet& place, double radius) {
     if (!comes_within(radius * radius * more, a, b, c, n)) continue;
     const double length2 = n.squaredNorm();
     if (!(length2 > 1e-16 * ab.squaredNorm() * ac.squaredNorm()))
-      return;  // a needle: its normal is off by more than 1e-7
+      return place;  // a needle: its normal is off by more than 1e-7
     normals_.push_back(n / std::sqrt(length2));
-    if (normals_.back().dot(normals_.front()) < 0) return;  // more than 45 degrees from any axis, one of them
+    if (normals_.back().dot(normals_.front()) < 0) return place;  // more than 45 degrees from any axis, one of them
     axis += normals_.back();
     near_[count++] = t;
   }
   near_.resize(count);
-  if (normals_.empty() || !(axis.norm() > 1e-9)) return;
+  if (normals_.empty() || !(axis.norm() > 1e-9)) return place;
   axis.normalize();
   double cosine = -1;  // towards the middle of the smallest cone about the normals
   for (int round = 1; round <= axis_rounds; ++round) {
@@ -133,10 +132,45 @@ void Sheets::make(Sheet& place, double radius) {
     if (!(turned.norm() > 1e-9)) break;
     axis = turned.normalized();
   }
-  if (!(cosine > steepest)) return;
-  place.slope = more * std::sqrt(std::max(0.0, 1 - cosine * cosine)) / cosine + 1e-9;
-  if (hangs_together(place.center, radius))
-    place.width = radius / std::sqrt(1 + place.slope * place.slope) / more;
+  if (!(cosine > steepest)) return place;
+  find_slopes(place, radius);
+  if (!hangs_together(place.center, radius)) place.width = -1;
+  return place;
+}
+
+/// The rest, of the facets in near_ and their normals, given the axis.
+void Sheets::find_slopes(Sheet& sheet, double radius) {
+  const Vec3 &m = sheet.axis, across = std::abs(m.x()) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+  Vec3 u = across.cross(m).normalized(), v = m.cross(u);
+  double uu = 0, uv = 0, vv = 0;
+  for (const Vec3& n : normals_) {
+    const double x = n.dot(u), y = n.dot(v), z2 = 1 / (n.dot(m) * n.dot(m));
+    uu += x * x * z2;
+    uv += x * y * z2;
+    vv += y * y * z2;
+  }
+  const double angle = 0.5 * std::atan2(2 * uv, uu - vv);  // of the gradients, the most along u
+  sheet.u = std::cos(angle) * u + std::sin(angle) * v;
+  const Vec3 w = m.cross(sheet.u);
+  sheet.slope_u = sheet.slope_v = sheet.slope = sheet.height = 0;
+  for (std::size_t i = 0; i < normals_.size(); ++i) {
+    const Vec3& n = normals_[i];
+    const double z = 1 / n.dot(m), x = n.dot(sheet.u) * z, y = n.dot(w) * z, slope = std::hypot(x, y);
+    sheet.slope_u = std::max(sheet.slope_u, std::abs(x));
+    sheet.slope_v = std::max(sheet.slope_v, std::abs(y));
+    sheet.slope = std::max(sheet.slope, slope);
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (int k = 0; k < 3; ++k) {
+      const double height = (mesh_.corner(near_[i], k) - sheet.center).dot(m);
+      low = std::min(low, height);
+      high = std::max(high, height);
+    }
+    const double middle = (mesh_.corner(near_[i], 0) - sheet.center).dot(n) * z;  // of its plane, above the center
+    sheet.height = std::max({sheet.height, std::min(high, middle + slope * radius), -std::max(low, middle - slope * radius)});
+  }
+  for (double* value : {&sheet.slope_u, &sheet.slope_v, &sheet.slope}) *value = more * *value + 1e-9;
+  sheet.height = more * sheet.height + 1e-9 * radius;
+  sheet.width = sheet.height < radius ? std::sqrt(radius * radius - sheet.height * sheet.height) / more : -1;
 }
 
 /// Premises (2) and (3) for the facets in near_.

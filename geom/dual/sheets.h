@@ -13,18 +13,20 @@
 // S in B is connected, so A is all of it. In particular S in B lies once above each location within R / sqrt(1 + s^2)
 // of p0, horizontally.
 //
-// Now let p be on S at distance r from p0, and a cell of p be known: near p, bounded by the bisectors of sites q
-// ("link"). Let z be a location of S at distance at most D <= R / sqrt(1 + s^2) - r of p that is nearest to p of all
-// sites. The straight horizontal line from p to z stays within R / sqrt(1 + s^2) of p0, hence S has one path above
-// it, from p to z. Let d = q - p, a = d.m its height and d_h its horizontal part, and for each q of the link
-// g(t) = c - 2 d.(z(t) - p), c = |d|^2 - (w_q - w_p) > 0, the lead of p over q on the path, in direction u:
+// Now let p be on S at distance r from p0, and a part K of the cell of p known that has p inside: near p, bounded by the
+// bisectors of sites q ("link"), all within distance r_K of p. Let z be a location of S at distance at most
+// D <= R / sqrt(1 + s^2) - r of p that is nearest to p of all sites. The straight horizontal line from p to z stays within
+// R / sqrt(1 + s^2) of p0, hence S has one path above it, from p to z. Let d = q - p, a = d.m its height and d_h its
+// horizontal part, and for each q of the link g(t) = c - 2 d.(z(t) - p), c = |d|^2 - (w_q - w_p) > 0, the lead of p over q on
+// the path, in direction u:
 //
 //     g' = -2 (d_h.u + a h'),  |h'| <= s.   If d_h.u > s|a|, the lead falls all the way: once lost it stays lost. If
-//     d_h.u < -s|a|, it grows and is never lost. Between the two it falls by at most 4 s |a| D in all.
+//     d_h.u < -s|a|, it grows and is never lost. Between the two it falls by at most 4 s |a| r_K up to the border of K.
 //
-// So if c > 4 s |a| D for every q of the link, no lead that is lost is won back. If z were in another component of p's
-// cell, the path would leave the known one, where some q of the link takes the lead from p and keeps it up to z: then
-// p is not nearest there. Hence there is no other component within D of p.
+// So if c > 4 s |a| r_K for every q of the link, no lead that is lost at the border of K is won back. If z were not in K,
+// the path would leave K, where some q of the link takes the lead from p and keeps it up to z: then p is not nearest there.
+// Hence there is no other component within D of p. (That p is inside of a K known by its border alone follows in the
+// same way: the locations where p leads over the link make a set that no such line from p leaves twice, up to r_K.)
 //
 // Rounding: p is off S by the last bits; the known cell holds the location of S next to it, as c is positive by far.
 // Distances and products here are computed with relative errors of some 1e-15, normals within 1e-7 (needles, whose
@@ -40,40 +42,54 @@
 
 namespace geom {
 
-/// Sheets, made where they are asked for and kept: one for each cell of a grid, whose size follows the radius.
+/// The surface in the ball about a location on it.
+struct Sheet {
+  Vec3 center{0, 0, 0};  ///< p0
+  Vec3 axis{0, 0, 1};
+  Vec3 u{1, 0, 0};    ///< across, the direction of most slopes
+  double slope = 0;   ///< s
+  double slope_u = 0, slope_v = 0;  ///< of its components along u and m x u
+  double height = 0;  ///< of the surface above p0, or below, in the ball
+  double width = -1;  ///< sqrt(R^2 - height^2); negative: the surface is no sheet there
+
+  /// Does what was said of D hold for p?
+  bool covers(const Vec3& p, double distance) const {
+    return width > 0 && (distance + (p - center).norm()) * (1 + 1e-6) < width;
+  }
+};
+
+/// Sheets, made where they are asked for and kept, one for each site; and lists of the facets near, one for each cell of
+/// a grid whose size follows the radius.
 class Sheets {
  public:
-  /// The surface in the ball about a location on it.
-  struct Sheet {
-    Vec3 center{0, 0, 0};  ///< p0
-    Vec3 axis{0, 0, 1};
-    double slope = 0;
-    double width = -1;                   ///< R / sqrt(1 + s^2); negative: the surface is no sheet there
-    std::int32_t first = -1, last = -1;  ///< of its facets, if they were asked for
-  };
-
   /// Keeps references.
   Sheets(const TriMesh& mesh, const FacetTree& facets)
       : mesh_(mesh), facets_(facets), stamp_of_(mesh.num_facets(), 0) {}
 
-  /// Is there surely no second component of the cell of p within `distance` of it, given its link: the differences
-  /// q - p and the numbers c? p is on the surface. Amortised O(1).
+  /// A sheet that covers that distance about x, the place of the site, on the surface; null if there is none, or was none
+  /// when the site was nearly there. Valid until the next call.
+  const Sheet* around(SiteId site, const Vec3& x, double distance);
+  /// Is there surely no second component of the cell of p within the distance that the sheet covers, given its link: the
+  /// differences q - p and the numbers c? `radius`: r_K.
   struct Neighbour {
     Vec3 offset;
     double lead;
   };
-  bool has_one_component(const Vec3& p, double distance, std::span<const Neighbour> link);
-  /// What is known where a ball of that radius about p is asked about.
-  const Sheet& around(const Vec3& p, double distance) {
-    double level_radius = 0;
-    return at(p, distance, level_radius);
-  }
+  static bool has_one_component(const Sheet& sheet, double radius, std::span<const Neighbour> link);
   /// All facets that come within that distance of p, and more. Valid until the next call of any of these.
   std::span<const FacetId> facets_within(const Vec3& p, double distance);
 
-  std::size_t num_places() const { return places_.size(); }
+  /// What the ball of that radius about a location on the surface is, at that center.
+  Sheet sheet_in(const Vec3& center, double radius);
 
  private:
+  struct OfSite {
+    Sheet sheet;
+    double tried = 0;  ///< the least radius of a ball about the center; 0: there was none
+  };
+  struct List {
+    std::int32_t first, last;
+  };
   struct Key {
     std::int32_t level;
     std::array<std::int32_t, 3> cell;
@@ -87,16 +103,13 @@ class Sheets {
       return x;
     }
   };
-  /// That of p and a distance, and its level's radius, which is no less.
-  Sheet& at(const Vec3& p, double distance, double& level_radius);
-  void make(Sheet& place, double radius);
+  void find_slopes(Sheet& sheet, double radius);
   bool hangs_together(const Vec3& center, double radius);
 
   const TriMesh& mesh_;
   const FacetTree& facets_;
-  int level_ = 0;
-  double level_radius_ = 0;  ///< that serves the distances asked for last
-  std::unordered_map<Key, Sheet, Hash> places_;
+  Table<SiteId, OfSite> of_site_;
+  std::unordered_map<Key, List, Hash> places_;
   std::vector<FacetId> lists_;
   std::vector<FacetId> near_, stack_;  // workspaces
   std::vector<Vec3> normals_;

@@ -1,0 +1,75 @@
+#pragma once
+// A few sites near a place on a sheet of the surface: where their cells are those of the plane, but for bends.
+//
+// Let the surface near be the graph of a function h with slope at most s < 1 over a convex part W of a plane (sheets.h).
+// "Horizontal" is along that plane, m its normal. A bisector is where a plane of space meets the surface, and the
+// three bisectors of three sites meet where a line does, their axis.
+//
+//   (1) For sites i, j let e = p_j - p_i, with horizontal part e_h and height a. From z to z' on the surface the lead of i
+//       over j changes by -2 (e_h + a t).(z' - z)_h, where |t| <= s. If s|a| < |e_h|, then the lead falls all the way in
+//       direction e_h, and the bisector is a curve of slope at most tan(phi) over the normal of e_h,
+//       sin(phi) = s|a| / |e_h|. Where j has a lead over i it has one up to the end of W, in one direction.
+//   (2) If the axis of i, j, k is steep, more than s above its horizontal part, then it meets the surface at most once: on
+//       the bisector of i and j, k begins or ceases to be nearer once at most. So it is if the axis is far, farther from
+//       a place than all that is spoken of.
+//
+// A chart is simple if (1) holds for all pairs and (2) for all triples. Let edges of a division be drawn between circles
+// that are known to be empty, each on the bisector of the two sites that the circles share.
+//
+//   - All of such an edge belongs to it: a site that were nearer somewhere would be nearer at an end, by (2).
+//   - What is surrounded by edges and arcs on which i is nearest belongs to i: if j were nearer inside, it would be so in
+//     one direction up to the border, by (1).
+//
+// Removal of x: its cell H is a disc (x is regular), its border is known. The circles that fill the hole and the edges
+// between them, and to the old circles, make a tree in H with an end at each old circle. It divides H into as many
+// parts as there are neighbours, the sites turn counterclockwise around each circle, so each part has one owner along its
+// border, hence inside.
+//
+// Insertion of p: the edges around it are a closed curve of the lengths between its circles, and what it surrounds belongs
+// to p. That it has p inside, and that p has nothing beyond: see sheets.h.
+//
+// How far is an edge from p_i? Between two of its points, of distance L, it is off their chord by at most L tan(phi) in
+// direction e_h: up to the middle it is bound by the cone from one end, and from there by that from the other. Its height
+// is off that of the chord by at most L s / cos(phi). Distances grow along horizontal lines, hence the farthest location of
+// a cell is on its border (t^2 + h^2 has derivative at least 2t (1 - s^2)), and on the chord and beside it the bound is
+// convex up to the middle: the farthest is an end, or at most L (sin(phi) + s) / cos(phi) more than the middle.
+//
+// Rounding: coordinates here are off by some 1e-15 of the largest distance of two sites, and the code asks for a
+// millionth more than the bounds say, and for 1e-9 of the largest where a difference is small.
+
+#include <array>
+
+#include "geom/dual/frame.h"
+#include "geom/dual/sheets.h"
+
+namespace geom {
+
+class Chart {
+ public:
+  static constexpr int most = Frame::most + 2;  ///< sites
+
+  void begin(const Sheet& sheet);
+  /// Of a site: its place and c from some origin, the same for all (frame.h).
+  void add(const Vec3& d, double c) { set(size_++, d, c); }
+  void replace(int i, const Vec3& d, double c) { set(i, d, c); }
+  void take_back() { --size_; }
+  int size() const { return size_; }
+
+  /// (1) and (2) for all pairs and triples with that site and those before it. `radius`: all that is spoken of is that
+  /// near to the origin.
+  bool is_simple_with(int k, double radius) const;
+  /// A bound, squared, of the distance of an edge of i and j from the origin of two locations on it; (1) holds.
+  double farthest2(int i, int j, const Vec3& from, const Vec3& to) const;
+
+ private:
+  void set(int i, const Vec3& d, double c);
+  bool is_far(int i, int j, int k, double radius) const;
+
+  Vec3 u_{1, 0, 0}, v_{0, 1, 0}, m_{0, 0, 1};
+  double slope_u_ = 0, slope_v_ = 0, slope2_ = 0;
+  double largest2_ = 0;  ///< |d|^2, |c|
+  int size_ = 0;
+  std::array<double, most> x_, y_, z_, c_;  ///< z: the height
+};
+
+}  // namespace geom
