@@ -28,21 +28,28 @@ void Chart::set(int i, const Vec3& d, double c) {
   z_[k] = d.dot(m_);
   c_[k] = c;
   largest2_ = std::max({largest2_, d.squaredNorm(), std::abs(c)});
+  largest_ = std::sqrt(largest2_);
 }
 
 bool Chart::is_simple_with(int last, double radius) const {
   const auto k = static_cast<std::size_t>(last);
-  const double least = small * std::sqrt(largest2_), least2 = 4 * small * largest2_;
+  const double least = small * largest_, least2 = 4 * small * largest_ * largest_;
+  std::array<double, most> ex, ey, ez, margin;
   for (std::size_t i = 0; i < k; ++i) {
-    const double ex = x_[i] - x_[k], ey = y_[i] - y_[k], ez = z_[i] - z_[k], a = std::abs(ez);
-    if (!(std::abs(ex) > a * slope_u_ + least) && !(std::abs(ey) > a * slope_v_ + least)) return false;
+    ex[i] = x_[i] - x_[k];
+    ey[i] = y_[i] - y_[k];
+    ez[i] = z_[i] - z_[k];
+  }
+  for (std::size_t i = 0; i < k; ++i) {
+    const double fx = ex[i], fy = ey[i], fz = ez[i], a = std::abs(fz);
+    if (!(std::abs(fx) > a * slope_u_ + least) && !(std::abs(fy) > a * slope_v_ + least)) return false;
     for (std::size_t j = 0; j < i; ++j) {
-      const double fx = x_[j] - x_[k], fy = y_[j] - y_[k], fz = z_[j] - z_[k];
-      const double nx = ey * fz - ez * fy, ny = ez * fx - ex * fz, nz = ex * fy - ey * fx;
-      if (!(std::abs(nz) > slope_u_ * std::abs(nx) + slope_v_ * std::abs(ny) + least2) &&
-          !is_far(static_cast<int>(i), static_cast<int>(j), last, radius))
-        return false;
+      const double nx = ey[j] * fz - ez[j] * fy, ny = ez[j] * fx - ex[j] * fz, nz = ex[j] * fy - ey[j] * fx;
+      margin[j] = std::abs(nz) - (slope_u_ * std::abs(nx) + slope_v_ * std::abs(ny));
     }
+    for (std::size_t j = 0; j < i; ++j)
+      if (!(margin[j] > least2) && !is_far(static_cast<int>(i), static_cast<int>(j), last, radius))
+        return false;
   }
   return true;
 }

@@ -54,6 +54,9 @@ class Chart {
   void replace(int i, const Vec3& d, double c) { set(i, d, c); }
   void take_back() { --size_; }
   int size() const { return size_; }
+  /// Along the plane.
+  double x(int i) const { return x_[static_cast<std::size_t>(i)]; }
+  double y(int i) const { return y_[static_cast<std::size_t>(i)]; }
 
   /// (1) and (2) for all pairs and triples with that site and those before it. `radius`: all that is spoken of is that
   /// near to the origin.
@@ -67,7 +70,7 @@ class Chart {
 
   Vec3 u_{1, 0, 0}, v_{0, 1, 0}, m_{0, 0, 1};
   double slope_u_ = 0, slope_v_ = 0, slope2_ = 0;
-  double largest2_ = 0;  ///< |d|^2, |c|
+  double largest2_ = 0, largest_ = 0;  ///< |d|^2 or |c|, and its root
   int size_ = 0;
   std::array<double, most> x_, y_, z_, c_;  ///< z: the height
 };

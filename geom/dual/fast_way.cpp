@@ -12,24 +12,26 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double more = 1 + 1e-9;        // for the rounding of distances
 constexpr std::size_t walk_limit = 256;  // facets
+constexpr double bend = 1.1;             // of an edge does not matter
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
 FastWay::FastWay(DualState& state)
-    : state_(state), frame_(state.mesh), flood_(state.mesh, frame_), sheets_(state.mesh, state.facets) {}
+    : state_(state), frame_(state.mesh), flood_(state.mesh, frame_), sheets_(state.mesh, state.facets), strangers_(state) {}
 
 // --- removal -------------------------------------------------------------------------------------
 
 bool FastWay::plan(SiteId p) {
-  known_radius_ = -1;
+  strangers_.forget();
   if (state_.types == CornerTypes::all) return false;
   if (state_.shape(p) == DualState::Shape::unknown) certify(p);
   if (state_.shape(p) != DualState::Shape::regular || !open_star(p)) return false;
   frame_.begin(state_.sites[p]);
   self_ = Frame::none;
   for (const SiteId r : rim_) frame_.add(state_.sites[r]);
+  on_sheet_ = chart_star();
   if (!guess_triangles()) return false;
   for (Triangle& triangle : triangles_) {
     const int parent = triangle.beyond[1];
@@ -74,9 +76,14 @@ bool FastWay::open_star(SiteId p) {
   return true;
 }
 
-// Gift wrapping in the plane of the rim, as in regular2: in the part of the polygon beyond a chord the apex is the corner
-// whose circle with the chord's ends holds no other.
-bool FastWay::guess_triangles() {
+/// The rim in a plane: that of the chart, or else one along most of it.
+bool FastWay::flatten_rim() {
+  x_.resize(rim_.size());
+  y_.resize(rim_.size());
+  if (on_sheet_) {
+    for (int j = 0; j < size(); ++j) x_[at(j)] = chart_.x(j), y_[at(j)] = chart_.y(j);
+    return true;
+  }
   Vec3 normal(0, 0, 0);
   for (int j = 0; j < size(); ++j) normal += frame_.offset(j).cross(frame_.offset(next(j)));
   const double length = normal.norm();
@@ -84,12 +91,14 @@ bool FastWay::guess_triangles() {
   normal /= length;
   const Vec3 reference = std::abs(normal.x()) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
   const Vec3 u = reference.cross(normal).normalized(), v = normal.cross(u);
-  x_.resize(rim_.size());
-  y_.resize(rim_.size());
-  for (int j = 0; j < size(); ++j) {
-    x_[at(j)] = frame_.offset(j).dot(u);
-    y_[at(j)] = frame_.offset(j).dot(v);
-  }
+  for (int j = 0; j < size(); ++j) x_[at(j)] = frame_.offset(j).dot(u), y_[at(j)] = frame_.offset(j).dot(v);
+  return true;
+}
+
+// Gift wrapping in the plane of the rim, as in regular2: in the part of the polygon beyond a chord the apex is the corner
+// whose circle with the chord's ends holds no other.
+bool FastWay::guess_triangles() {
+  if (!flatten_rim()) return false;
   struct Chord {
     int first, last, beyond, side;  ///< of the triangle beyond, where this one will be beyond
   };
@@ -217,13 +226,39 @@ void FastWay::flip(int i, int e, int j, int f) {
   if (rp >= 0) std::ranges::replace(triangles_[at(rp)].beyond, i, j);
 }
 
+// --- proof of the hole ---------------------------------------------------------------------------
+
+/// Puts the rim and p_ into a chart: is the surface a sheet there, and the chart simple?
+bool FastWay::chart_star() {
+  double range = state_.reach[p_];  // that the new cell will do with, too
+  for (const SiteId r : rim_) range = std::max(range, state_.reach[r]);
+  const Sheet* sheet = sheets_.around(p_, state_.sites[p_].position, state_.distance_at(range, p_));
+  if (!sheet) return false;
+  chart_sites(*sheet);
+  const double known = state_.distance_at(state_.reach[p_], p_);
+  for (int k = 1; k < chart_.size(); ++k)
+    if (!chart_.is_simple_with(k, known)) return false;
+  return true;
+}
+
+void FastWay::chart_sites(const Sheet& sheet) {
+  sheet_ = sheet;
+  chart_.begin(sheet);
+  for (int j = 0; j < size(); ++j) chart_.add(frame_.offset(j), frame_.constant(j));
+  chart_.add(frame_.offset(self_), frame_.constant(self_));
+}
+
 /// Sets reach_ and max_radius2_ but for the circles.
 bool FastWay::prove_hole() {
   if (state_.paper) state_.paper->remove(p_);
   flood_.clear();
-  on_sheet_ = divide_on_sheet();
-  if (on_sheet_ && no_stranger_in_hole()) return true;
-  on_sheet_ = false;
+  reach_ = state_.reach[p_];
+  on_sheet_ = on_sheet_ && bound_hole();
+  if (on_sheet_) {
+    if (!no_stranger_in_hole()) return cancel(), false;
+    if (is_simple_with_strangers(state_.distance_at(reach_, p_))) return true;
+    on_sheet_ = false;
+  }
   if (trace_hole() && no_stranger_in_hole()) return true;
   cancel();
   return false;
@@ -235,33 +270,26 @@ double FastWay::with_tolerance(double distance2) const {
   return distance2 * (1 + 1e-6) + 1.1e6 * off * off;  // (a + b)^2 <= a^2 (1 + e) + b^2 (1 + 1 / e)
 }
 
-/// Puts the rim and p_ into a chart of the sheet.
-bool FastWay::chart_sites(const Sheet& sheet) {
-  sheet_ = sheet;
-  chart_.begin(sheet);
-  for (int j = 0; j < size(); ++j) chart_.add(frame_.offset(j), frame_.constant(j));
-  chart_.add(frame_.offset(self_), frame_.constant(self_));
-  return true;
-}
-
-bool FastWay::divide_on_sheet() {
+/// Sets reach_ from the edges of the cell, and max_radius2_ from those of the hole: between circles, and from those to the
+/// old ones.
+bool FastWay::bound_hole() {
   const WeightedPoint3& site = state_.sites[p_];
-  const double most_reach = state_.reach[p_], known = state_.distance_at(most_reach, p_);
-  double range = most_reach;  // that the new cell will do with, too
-  for (const SiteId r : rim_) range = std::max(range, state_.reach[r]);
-  const Sheet* sheet = sheets_.around(p_, site.position, state_.distance_at(range, p_));
-  if (!sheet) return false;
-  chart_sites(*sheet);
-  for (int k = 1; k < chart_.size(); ++k)
-    if (!chart_.is_simple_with(k, known)) return false;
   const auto corner = [&](int j) -> Vec3 { return state_.circles[star_[at(j)]].center - site.position; };
-  double own2 = 0;
-  for (int j = 0; j < size(); ++j)
-    own2 = std::max(own2, chart_.farthest2(size(), j, corner(previous(j)), corner(j)));
-  own2 = with_tolerance(own2);
+  const auto facet = [&](int j) { return state_.circles[star_[at(j)]].facet; };
+  double corner2 = 0, own2 = 0;
+  for (int j = 0; j < size(); ++j) corner2 = std::max(corner2, corner(j).squaredNorm());
+  arc_before_.clear();
+  for (int j = 0; j < size(); ++j) {
+    const int i = previous(j);
+    const Edge arc{self_, j, facet(i), facet(j), corner(i), corner(j)};
+    const double far2 = with_tolerance(farthest2(arc, bend * corner2));
+    arc_before_.push_back(far2 - site.weight);
+    own2 = std::max(own2, far2);
+  }
   if (!sheet_.covers(site.position, std::sqrt(own2))) return false;
-  reach_ = std::min(own2 - site.weight, most_reach);
-  max_radius2_ = reach_;
+  max_radius2_ = reach_ = std::min(reach_, own2 - site.weight);
+  for (const Triangle& t : triangles_)
+    max_radius2_ = std::max(max_radius2_, power(t.point.position, state_.sites[rim_[at(t.corners[0])]]));
   for (int i = 0; i < static_cast<int>(triangles_.size()); ++i) {
     const Triangle& triangle = triangles_[at(i)];
     if (!(triangle.values.y.squaredNorm() <= own2)) return false;
@@ -269,13 +297,32 @@ bool FastWay::divide_on_sheet() {
       const int beyond = triangle.beyond[at(e)], a = triangle.corners[at(e == 2 ? 0 : e + 1)],
                 b = triangle.corners[at(e == 0 ? 2 : e - 1)];
       if (beyond > i) continue;
-      const Vec3 &d = frame_.offset(a), from = triangle.values.y - d,
-                 to = (beyond >= 0 ? triangles_[at(beyond)].values.y : corner(-1 - beyond)) - d;
-      const double far2 = with_tolerance(chart_.farthest2(a, b, from, to));
-      max_radius2_ = std::max(max_radius2_, far2 - state_.sites[rim_[at(a)]].weight);
+      const double weight = state_.sites[rim_[at(a)]].weight;
+      const Edge edge = beyond >= 0 ? Edge{a, b, triangle.facet, triangles_[at(beyond)].facet,
+                                           triangle.values.y, triangles_[at(beyond)].values.y}
+                                    : Edge{a, b, triangle.facet, facet(-1 - beyond), triangle.values.y,
+                                           corner(-1 - beyond)};
+      const double far2 = with_tolerance(farthest2(edge, bend * (max_radius2_ + weight)));
+      max_radius2_ = std::max(max_radius2_, far2 - weight);
     }
   }
   return true;
+}
+
+/// A bound, squared, of how far an edge of the diagram comes from one of its sites: by the chart, if that is enough, else
+/// from facet to facet.
+double FastWay::farthest2(const Edge& edge, double enough) const {
+  const Vec3 d = frame_.offset(edge.left);
+  if (edge.from == edge.to)
+    return std::max((edge.start - d).squaredNorm(), (edge.end - d).squaredNorm());
+  const int left = edge.left == self_ ? size() : edge.left;
+  const double bound = chart_.farthest2(left, edge.right, edge.start - d, edge.end - d);
+  if (bound <= enough) return bound;
+  const Vec3& origin = frame_.origin().position;
+  const SiteId l = edge.left == self_ ? p_ : rim_[at(edge.left)];
+  return std::min(bound, extent_of_edge(state_.mesh, state_.sites[l], state_.sites[rim_[at(edge.right)]],
+                                        {edge.from, edge.to, edge.start + origin, edge.end + origin})
+                             .far2);
 }
 
 bool FastWay::trace_hole() {
@@ -306,105 +353,39 @@ bool FastWay::trace_hole() {
   return true;
 }
 
+/// Are the sites beyond the rim farther at all circles, and at the corners of the flood?
 bool FastWay::no_stranger_in_hole() {
   const WeightedPoint3& site = state_.sites[p_];
   double most_power = max_radius2_;
-  points_.clear();
-  nearest_.clear();
-  for (const Triangle& triangle : triangles_) {
-    points_.push_back(triangle.point);
-    nearest_.push_back(triangle.corners[0]);
-    most_power = std::max(most_power, frame_.power(triangle.values.y, triangle.corners[0]));
-  }
-  const Vacancy hole{p_, site.position, state_.distance_at(reach_, p_),
-                     most_power + 1e-9 * std::abs(most_power)};
-  candidates_.clear();
-  if (state_.paper)
-    state_.paper->heirs(hole, candidates_);
-  else
-    look_around(hole);
-  return is_empty_of_strangers(hole, points_, nearest_);
+  for (const Triangle& triangle : triangles_)
+    most_power = std::max(most_power, power(triangle.point.position, state_.sites[rim_[at(triangle.corners[0])]]));
+  const double radius = state_.distance_at(reach_, p_);
+  strangers_.find_heirs({p_, site.position, radius, most_power + 1e-9 * std::abs(most_power)});
+  strangers_.keep_near(frame_, p_, rim_, {Vec3(0, 0, 0), radius}, false);
+  const auto is_empty = [&](const Vec3& z, int nearest, double off) {
+    return strangers_.are_beyond(z, power(z, state_.sites[rim_[at(nearest)]]), off);
+  };
+  return std::ranges::all_of(triangles_,
+                             [&](const Triangle& t) {
+                               return is_empty(t.point.position, t.corners[0], t.point.tolerance);
+                             }) &&
+         std::ranges::all_of(flood_.corners(), [&](const Flood::Corner& corner) {
+           return is_empty(corner.y + site.position, corner.site, corner.tolerance);
+         });
+}
+
+/// Is the chart with each of the strangers simple? All that is spoken of is that near to the frame's origin.
+bool FastWay::is_simple_with_strangers(double radius) {
+  return std::ranges::all_of(strangers_.kept(), [&](const Strangers::Stranger& stranger) {
+    chart_.add(stranger.d, stranger.c);
+    const bool is_simple = chart_.is_simple_with(size() + 1, radius);
+    chart_.take_back();
+    return is_simple;
+  });
 }
 
 void FastWay::cancel() {
   if (state_.paper) state_.paper->insert(p_, state_.sites[p_], rim_.front());
-}
-
-/// Candidates for a vacancy; a few more, if that is a quick search, for they will do for the new cell, too.
-void FastWay::look_around(const Vacancy& vacancy) {
-  const double distance = (vacancy.radius + state_.distance_at(vacancy.max_radius2)) * 1.01;
-  known_radius_ = -1;
-  if (state_.find_near(vacancy.center, distance, candidates_)) {
-    known_center_ = vacancy.center;
-    known_radius_ = distance;
-  } else {
-    state_.near(vacancy, candidates_);
-  }
-}
-
-/// Are all sites within that distance of x among the candidates that were found last?
-bool FastWay::knows(const Vec3& x, double distance) const {
-  return ((x - known_center_).norm() + distance) * more < known_radius_;
-}
-
-/// A bound of the reach of those who may lose something to p_. At a location z that s loses, |z - s| is at most the
-/// distance of s at its reach, and |z - p_| that of p_ at the same power.
-double FastWay::power_of_rivals() {
-  const WeightedPoint3& point = state_.sites[p_];
-  const double unseen = known_radius_ - (point.position - known_center_).norm() * more;
-  const double largest = state_.largest_reach();
-  if (known_radius_ < 0 || 2 * state_.distance_at(largest) > unseen) {
-    const double least = state_.distance_at(state_.reach[rim_.front()]);
-    return state_.tree.largest_rival_reach(point, least * least - point.weight);
-  }
-  double most_reach = -infinity;
-  for (const SiteId s : candidates_) {
-    const double reach = state_.reach[s];
-    if (!(reach > most_reach) || s == p_) continue;
-    const double far = state_.distance_at(reach, s) + state_.distance_at(reach, p_);
-    if ((state_.sites[s].position - point.position).squaredNorm() <= far * far * more) most_reach = reach;
-  }
-  return most_reach;
-}
-
-/// Is no candidate but the rim's nearer than the sites that are said to be nearest, at these circles, on the edges between
-/// them and at all corners of the flood? Most are nowhere in the ball nearer than some site of the rim, or than p_.
-bool FastWay::is_empty_of_strangers(const Vacancy& cell, std::span<const RoundedPoint> circles,
-                                    std::span<const int> nearest_of_circles) {
-  const bool is_hole = !nearest_of_circles.empty();
-  const double limit2 = 4 * cell.radius * cell.radius * (1 + 1e-6);
-  const Vec3 middle = cell.center - frame_.origin().position;
-  return std::ranges::all_of(candidates_, [&](SiteId s) {
-    if (s == p_ || std::ranges::find(rim_, s) != rim_.end()) return true;
-    const Vec3 d = Frame::offset(state_.sites[s], frame_.origin());
-    const double c = Frame::constant(state_.sites[s], frame_.origin()), d2 = d.squaredNorm();
-    const auto is_behind = [&](int i) {
-      const Vec3 apart = d - frame_.offset(i);
-      const double lead = c - frame_.constant(i) - 2 * apart.dot(middle);
-      return lead > 1e-9 * d2 && lead * lead > limit2 * apart.squaredNorm();
-    };
-    if (!is_hole && is_behind(self_)) return true;
-    for (int j = 0; is_hole && j < size(); ++j)
-      if (is_behind(j)) return true;
-    if (on_sheet_) {
-      chart_.add(d, c);
-      const bool is_simple = chart_.is_simple_with(size() + 1, cell.radius + middle.norm());
-      chart_.take_back();
-      if (!is_simple) return false;
-    }
-    Frame::Values values;
-    const auto is_farther = [&](const Vec3& y, double off, int nearest) {
-      frame_.evaluate(y, off, values);
-      return frame_.difference(values, d, c, nearest).positive();
-    };
-    for (const Flood::Corner& corner : flood_.corners())
-      if (!is_farther(corner.y, corner.tolerance, corner.site)) return false;
-    for (std::size_t i = 0; i < circles.size(); ++i)
-      if (!is_farther(circles[i].position - frame_.origin().position, circles[i].tolerance,
-                      is_hole ? nearest_of_circles[i] : self_))
-        return false;
-    return true;
-  });
 }
 
 EmptyCircle FastWay::circle_of(const std::array<SiteId, 3>& counterclockwise, FacetId facet,

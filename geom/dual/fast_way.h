@@ -36,9 +36,11 @@
 #include <vector>
 
 #include "geom/dual/chart.h"
+#include "geom/dual/edge_trace.h"
 #include "geom/dual/flood.h"
 #include "geom/dual/sheets.h"
 #include "geom/dual/state.h"
+#include "geom/dual/strangers.h"
 
 namespace geom {
 
@@ -92,30 +94,35 @@ class FastWay {
   bool flip_until_empty();
   void flip(int i, int e, int j, int f);
   FacetId walk(int a, int b, int c, FacetId start);
+  bool flatten_rim();
+  bool chart_star();
+  void chart_sites(const Sheet& sheet);
   bool prove_hole();
-  bool divide_on_sheet();
+  double with_tolerance(double distance2) const;
+  bool bound_hole();
+  struct Edge {
+    int left, right;       ///< sites of the frame
+    FacetId from, to;      ///< of its ends
+    Vec3 start, end;       ///< from the frame's origin
+  };
+  double farthest2(const Edge& edge, double enough) const;
   bool trace_hole();
   bool no_stranger_in_hole();
-  bool chart_sites(const Sheet& sheet);
-  bool is_empty_of_strangers(const Vacancy& cell, std::span<const RoundedPoint> circles,
-                             std::span<const int> nearest_of_circles);
+  bool is_simple_with_strangers(double radius);
   bool prove_new_cell(FacetId home, double least_distance, std::span<const CircleId> reached);
   bool find_star_corners();
   double power_bound_at_corners() const;
-  double power_gained(const WeightedPoint3& old, double reach_before) const;
-  bool enclose_on_sheet(FacetId home, double distance, double elsewhere);
+  void raise_reaches(const WeightedPoint3& old, double reach_before);
+  bool enclose_on_sheet(double distance, double elsewhere);
   bool trace_cell(FacetId home);
   bool no_stranger_in_cell(double radius);
-  void look_around(const Vacancy& vacancy);
-  bool knows(const Vec3& x, double distance) const;
-  double power_of_rivals();
-  double with_tolerance(double distance2) const;
   bool is_regular(SiteId p);
   bool may_beat_unreached(std::span<const CircleId> reached);
   Sure lead_at(const EmptyCircle& circle) const;
   bool has_one_component(double distance);
   bool owns_nothing_of(FacetId t);
   bool keep_part(const Vec3& d, double c, double size);
+  void lower_reach(SiteId r);
   bool find_conflict(CircleId first);
   EmptyCircle circle_of(const std::array<SiteId, 3>& counterclockwise, FacetId facet,
                         const RoundedPoint& point) const;
@@ -128,6 +135,7 @@ class FastWay {
   Chart chart_;
   Flood flood_;
   Sheets sheets_;
+  Strangers strangers_;
   Sheet sheet_;            ///< of the chart
   bool on_sheet_ = false;  ///< the chart is simple, and what is proven is proven there
   bool was_on_sheet_ = false;  ///< the hole, while the new cell is proven
@@ -143,6 +151,8 @@ class FastWay {
   double reach_ = 0, max_radius2_ = 0;
   std::vector<StarCorner> corners_;  ///< of a new cell
   double cell_reach_ = 0;
+  double kept_radius_ = 0;  ///< strangers are kept for a ball of that radius
+  std::vector<double> arc_before_, arc_;  ///< bounds of the power on p_'s edge with a rim site: of the old cell, the new one
   double cell_power_ = 0;  ///< no location of a second component has more
   std::vector<CircleId> conflict_;
   std::vector<FacetId> starts_;
@@ -153,12 +163,8 @@ class FastWay {
   std::vector<HoleCorner> hole_corners_;
   // Workspaces.
   std::vector<Vec3> part_, clipped_;
-  std::vector<SiteId> candidates_, rivals_;
-  Vec3 known_center_{0, 0, 0};  ///< candidates_ are all sites this near
-  double known_radius_ = -1;
+  std::vector<SiteId> others_, rivals_;
   std::vector<FacetId> facets_;
-  std::vector<RoundedPoint> points_;
-  std::vector<int> nearest_;
   std::vector<Sheets::Neighbour> link_;
 };
 

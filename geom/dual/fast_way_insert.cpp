@@ -12,6 +12,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double more = 1 + 1e-9;  // for the rounding of distances
+constexpr double ampler = 1.15;    // a cell than its corners
+constexpr double bend = 1.1;       // of an edge does not matter
 constexpr std::size_t few = 40;    // sites are looked at one by one
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -36,6 +38,7 @@ bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, Dua
     for (const Flood::Corner& corner : flood_.corners())
       hole_corners_.push_back(
           {corner.y + old.position, frame_.power(corner.y, corner.site), corner.tolerance});
+    flood_.clear();
     starts_.clear();
     for (const CircleId s : star_) starts_.push_back(state_.circles[s].facet);
     const double least_distance = (state_.distance_at(reach_before, p_) + d.norm()) * more;  // H is in this ball
@@ -47,7 +50,7 @@ bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, Dua
   }
   state_.follow(p_, old.position);
   state_.home[p_] = home;
-  const double gained = power_gained(old, reach_before);
+  raise_reaches(old, reach_before);
   for (int j = 0; j < size(); ++j) {
     EmptyCircle moved = state_.circles[star_[at(j)]];
     moved.facet = corners_[at(j)].facet;
@@ -56,44 +59,54 @@ bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, Dua
     change.circles_moved.push_back(star_[at(j)]);
   }
   state_.set_reach(p_, cell_reach_);
-  for (const SiteId r : rim_) state_.raise_reach(r, gained);
   change.cells = rim_;
   std::ranges::sort(change.cells);
   return true;
 }
 
-/// A bound of the power where the rim won something: between the old border of p_, the new one, and on what is left of
-/// edges of the hole.
-double FastWay::power_gained(const WeightedPoint3& old, double reach_before) const {
-  double power = std::max(reach_before, cell_reach_);
-  if (was_on_sheet_ && !on_sheet_) return std::max(power, max_radius2_);
-  for (int j = 0; on_sheet_ && was_on_sheet_ && j < size(); ++j) {  // what is left of an edge of the hole
-    const WeightedPoint3& r = state_.sites[rim_[at(j)]];
-    const double far2 =
-        chart_.farthest2(j, next(j), corners_[at(j)].point.position - r.position,
-                         state_.circles[star_[at(j)]].center - r.position);
-    power = std::max(power, with_tolerance(far2) - r.weight);
+/// Of the rim, by what it won: that lies between the old border of p_ and the new one, and is divided by what is left of
+/// the edges of the hole.
+void FastWay::raise_reaches(const WeightedPoint3& old, double reach_before) {
+  const WeightedPoint3& site = state_.sites[p_];
+  if (on_sheet_ && was_on_sheet_) {
+    const Vec3& origin = frame_.origin().position;
+    for (int j = 0; j < size(); ++j) {
+      const WeightedPoint3& r = state_.sites[rim_[at(j)]];
+      const EmptyCircle& was = state_.circles[star_[at(j)]];
+      const double known = std::max({arc_before_[at(j)], arc_before_[at(next(j))], arc_[at(j)], arc_[at(next(j))]});
+      const double far2 = farthest2({j, next(j), was.facet, corners_[at(j)].facet, was.center - origin,
+                                     corners_[at(j)].point.position - origin},
+                                    known + r.weight);
+      const double power = std::max(known, with_tolerance(far2) - r.weight);
+      state_.raise_reach(rim_[at(j)], power);
+      state_.raise_reach(rim_[at(next(j))], power);
+    }
+    return;
   }
+  double power = std::max(reach_before, cell_reach_);
+  if (was_on_sheet_) power = std::max(power, max_radius2_);
   for (const auto& [z, without_p, off] : hole_corners_)
-    if (geom::power(z, state_.sites[p_]) > without_p) {
+    if (geom::power(z, site) > without_p) {
       const double weight = -old.weight;  // any will do: the power is turned into a distance and back
       const double far = std::sqrt(std::max(0.0, without_p - weight)) + off;
       power = std::max(power, far * far * more + weight);
     }
-  return power;
+  for (const SiteId r : rim_) state_.raise_reach(r, power);
 }
 
 /// p_ is at its new place, but not in the tree; the rim and the facets to start from are known. Locations that p_ may win
 /// are within that distance, or were someone else's.
 bool FastWay::prove_new_cell(FacetId home, double least_distance, std::span<const CircleId> reached) {
   was_on_sheet_ = on_sheet_;
-  if (!find_star_corners()) return false;
+  if (!home.valid() || !find_star_corners()) return false;
   if (state_.paper) state_.paper->insert(p_, state_.sites[p_], rim_.front());
   const auto prove = [&] {
     if (may_beat_unreached(reached)) return false;
+    cell_reach_ = power_bound_at_corners();
+    if (!no_stranger_in_cell(ampler * state_.distance_at(cell_reach_, p_))) return false;
     const double distance =
-        state_.distance_at(std::max(power_bound_at_corners(), power_of_rivals()), p_);
-    on_sheet_ = enclose_on_sheet(home, distance, least_distance);
+        state_.distance_at(std::max(cell_reach_, strangers_.power_of_rivals(p_, rim_.front())), p_);
+    on_sheet_ = enclose_on_sheet(distance, least_distance);
     if (on_sheet_) return true;
     return trace_cell(home) &&
            has_one_component(std::max({least_distance, distance, state_.distance_at(cell_reach_, p_)}));
@@ -135,10 +148,8 @@ bool FastWay::find_star_corners() {
 
 /// Is the new cell of p_ what its corners say (chart.h), and all that p_ has within that distance? And within the other
 /// one, if the hole is not on this sheet. Sets cell_reach_.
-bool FastWay::enclose_on_sheet(FacetId home, double distance, double elsewhere) {
+bool FastWay::enclose_on_sheet(double distance, double elsewhere) {
   const WeightedPoint3& site = state_.sites[p_];
-  if (!home.valid()) return false;
-  const Vec3 middle = site.position - frame_.origin().position;
   if (on_sheet_ && sheet_.covers(site.position, distance)) {
     chart_.replace(size(), frame_.offset(self_), frame_.constant(self_));
   } else {
@@ -147,23 +158,27 @@ bool FastWay::enclose_on_sheet(FacetId home, double distance, double elsewhere) 
     if (!sheet) return false;
     chart_sites(*sheet);
   }
+  const Vec3& origin = frame_.origin().position;
+  const double enough = bend * (power_bound_at_corners() + site.weight);
   double own2 = 0;
-  points_.clear();
+  arc_.clear();
   for (int j = 0; j < size(); ++j) {
-    points_.push_back(corners_[at(j)].point);
-    own2 = std::max(own2, chart_.farthest2(size(), j, corners_[at(previous(j))].point.position - site.position,
-                                             corners_[at(j)].point.position - site.position));
+    const StarCorner &from = corners_[at(previous(j))], &to = corners_[at(j)];
+    const double far2 = with_tolerance(farthest2(
+        {self_, j, from.facet, to.facet, from.point.position - origin, to.point.position - origin}, enough));
+    arc_.push_back(far2 - site.weight);
+    own2 = std::max(own2, far2);
   }
-  own2 = with_tolerance(own2);
-  const double own = std::sqrt(own2) * more;
-  if (!sheet_.covers(site.position, std::max(distance, own))) return false;
-  if (!chart_.is_simple_with(size(), own + middle.norm())) return false;
+  const Vec3 middle = site.position - frame_.origin().position;
+  const double own = std::sqrt(own2) * more, radius = own + middle.norm();
+  if (!sheet_.covers(site.position, std::max(distance, own)) || !chart_.is_simple_with(size(), radius))
+    return false;
   link_.clear();
   for (int j = 0; j < size(); ++j)
     link_.push_back({frame_.offset(j) - middle, Frame::constant(state_.sites[rim_[at(j)]], site)});
   if (!Sheets::has_one_component(sheet_, own, link_)) return false;
   cell_reach_ = own2 - site.weight;
-  return no_stranger_in_cell(own);
+  return (own <= kept_radius_ || no_stranger_in_cell(own)) && is_simple_with_strangers(radius);
 }
 
 /// Sets cell_reach_. `home`: a facet with the location of p_.
@@ -172,12 +187,8 @@ bool FastWay::trace_cell(FacetId home) {
   self_ = Frame::none;
   for (const SiteId r : rim_) frame_.add(state_.sites[r]);
   facets_.clear();
-  points_.clear();
-  for (const StarCorner& corner : corners_) {
-    facets_.push_back(corner.facet);
-    points_.push_back(corner.point);
-  }
-  if (!home.valid() || !flood_.trace(facets_, false) || !flood_.meets(home)) return false;
+  for (const StarCorner& corner : corners_) facets_.push_back(corner.facet);
+  if (!flood_.trace(facets_, false) || !flood_.meets(home)) return false;
   for (int j = 0; j < size(); ++j)
     if (!flood_.add_end(corners_[at(j)].facet, j, Frame::none) ||
         !flood_.add_end(corners_[at(j)].facet, next(j), Frame::none))
@@ -185,24 +196,29 @@ bool FastWay::trace_cell(FacetId home) {
   if (!flood_.is_complete()) return false;
   const WeightedPoint3& site = state_.sites[p_];
   double radius2 = flood_.radius2();
-  for (const RoundedPoint& point : points_) {
-    const double far = (point.position - site.position).norm() + point.tolerance;
+  for (const StarCorner& corner : corners_) {
+    const double far = (corner.point.position - site.position).norm() + corner.point.tolerance;
     radius2 = std::max(radius2, far * far);
   }
   cell_reach_ = radius2 * more - site.weight;
   return no_stranger_in_cell(std::sqrt(radius2 * more));
 }
 
+/// Are the sites beyond the rim farther at all corners of the cell, and at those of the flood? The cell is in that ball.
 bool FastWay::no_stranger_in_cell(double radius) {
-  const Vacancy cell{p_, state_.sites[p_].position, radius, cell_reach_};
-  if (state_.paper) {
-    candidates_.clear();
-    state_.paper->rivals(p_, candidates_);
-  } else if (!knows(cell.center, cell.radius + state_.distance_at(cell_reach_))) {
-    candidates_.clear();
-    look_around(cell);
-  }
-  return is_empty_of_strangers(cell, points_, {});
+  const WeightedPoint3& site = state_.sites[p_];
+  kept_radius_ = radius;
+  strangers_.find_rivals(p_, site.position, radius);
+  strangers_.keep_near(frame_, p_, rim_, {site.position - frame_.origin().position, radius},
+                       self_ == Frame::none);
+  const auto is_p_nearest = [&](const Vec3& z, double off) {
+    return strangers_.are_beyond(z, power(z, site), off);
+  };
+  return std::ranges::all_of(
+             corners_, [&](const StarCorner& c) { return is_p_nearest(c.point.position, c.point.tolerance); }) &&
+         std::ranges::all_of(flood_.corners(), [&](const Flood::Corner& c) {
+           return is_p_nearest(c.y + frame_.origin().position, c.tolerance);
+         });
 }
 
 /// May p_ beat circles that are not reached? They would be of an irregular site.
@@ -243,8 +259,7 @@ bool FastWay::has_one_component(double distance) {
   for (int j = 0; j < size(); ++j) link_.push_back({frame_.offset(j), frame_.constant(j)});
   const Sheet* sheet = sheets_.around(p_, p, distance);
   if (sheet && Sheets::has_one_component(*sheet, state_.distance_at(cell_reach_, p_), link_)) return true;
-  candidates_.clear();
-  known_radius_ = -1;
+  others_.clear();
   cell_power_ = distance * distance - state_.sites[p_].weight;
   return std::ranges::all_of(sheets_.facets_within(p, distance), [&](FacetId t) {
     return flood_.meets(t) || !state_.clipper.comes_near(t, p, distance) || owns_nothing_of(t);
@@ -263,11 +278,11 @@ bool FastWay::owns_nothing_of(FacetId t) {
   const double most = std::max({v0.y.norm(), v1.y.norm(), v2.y.norm()});
   for (int j = 0; j < this->size(); ++j)
     if (keep_part(frame_.offset(j), frame_.constant(j), most)) return true;
-  if (candidates_.empty()) {  // another sheet: who else is there?
+  if (others_.empty()) {  // another sheet: who else is there?
     const double radius = state_.distance_at(cell_power_, p_);
-    state_.near({p_, state_.sites[p_].position, radius, cell_power_}, candidates_);
+    state_.near({p_, state_.sites[p_].position, radius, cell_power_}, others_);
   }
-  return std::ranges::any_of(candidates_, [&](SiteId s) {
+  return std::ranges::any_of(others_, [&](SiteId s) {
     if (s == p_) return false;
     const WeightedPoint3 &site = state_.sites[s], &origin = frame_.origin();
     return keep_part(Frame::offset(site, origin), Frame::constant(site, origin), most);
@@ -296,7 +311,8 @@ bool FastWay::insert(SiteId p, const WeightedPoint3& point, FacetId home, Circle
   p_ = p;
   self_ = Frame::none;
   on_sheet_ = false;
-  known_radius_ = -1;
+  flood_.clear();
+  strangers_.forget();
   state_.admit(p, point);
   if (!find_conflict(first) || !prove_new_cell(home, 0, conflict_)) return false;
   for (const CircleId c : conflict_) {
@@ -324,9 +340,35 @@ bool FastWay::insert(SiteId p, const WeightedPoint3& point, FacetId home, Circle
     for (const SiteId s : state_.circles[c].sites)  // who has lost all is hidden now
       if (s != p && state_.circles.of_site(s).empty() && state_.reach[s] > -infinity)
         state_.set_reach(s, -infinity);
+  for (const SiteId r : rim_) lower_reach(r);
   change.cells = rim_;
   std::ranges::sort(change.cells);
   return true;
+}
+
+/// Of a regular site whose cell became smaller: from the edges around it, if they are on a sheet that goes on beyond them.
+/// Counterclockwise around the site they have its cell inside, where nothing is farther (chart.h).
+void FastWay::lower_reach(SiteId r) {
+  const WeightedPoint3& site = state_.sites[r];
+  const Sheet* sheet = sheets_.known(r);
+  if (state_.shape(r) != DualState::Shape::regular || !sheet) return;
+  double far2 = 0;
+  Vec3 twice_area(0, 0, 0);
+  for (const CircleId c : state_.circles.of_site(r)) {
+    const EmptyCircle& from = state_.circles[c];
+    const std::size_t i = from.index_of(r);
+    const EmptyCircle& to = state_.circles[from.beyond[from.after(i)]];
+    const TracedEdge::Extent extent =
+        extent_of_edge(state_.mesh, site, state_.sites[from.sites[from.before(i)]],
+                       {from.facet, to.facet, from.center, to.center});
+    far2 = std::max(far2, extent.far2);
+    twice_area += extent.twice_area;
+  }
+  far2 = with_tolerance(far2);
+  if (!(far2 - site.weight < state_.reach[r]) || !sheet->covers(site.position, std::sqrt(far2)) ||
+      !(twice_area.dot(sheet->axis) > 1e-6 * far2))
+    return;
+  state_.set_reach(r, far2 - site.weight);
 }
 
 /// The circles that p_ beats, from one of them on, and the cycle of edges around them: rim_, outer_, starts_.
@@ -384,7 +426,8 @@ void FastWay::certify(SiteId p) {
 }
 
 bool FastWay::is_regular(SiteId p) {
-  known_radius_ = -1;
+  flood_.clear();
+  strangers_.forget();
   if (state_.types == CornerTypes::all || !state_.home[p].valid() || !open_star(p)) return false;
   frame_.begin(state_.sites[p]);
   self_ = Frame::none;
@@ -395,7 +438,9 @@ bool FastWay::is_regular(SiteId p) {
     corners_.push_back(
         {state_.circles[c].facet, {state_.circles[c].center, 2 * state_.clipper.most_tolerance()}});
   const double known = state_.distance_at(state_.reach[p], p);
-  on_sheet_ = enclose_on_sheet(state_.home[p], known, known);
+  cell_reach_ = power_bound_at_corners();
+  if (!no_stranger_in_cell(ampler * state_.distance_at(cell_reach_, p))) return false;
+  on_sheet_ = enclose_on_sheet(known, known);
   if (!on_sheet_ && (!trace_cell(state_.home[p]) || !has_one_component(known))) return false;
   state_.set_reach(p, std::min(state_.reach[p], cell_reach_));
   return true;

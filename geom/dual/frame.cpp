@@ -5,13 +5,21 @@
 #include "geom/check.h"
 
 namespace geom {
+namespace {
+
+constexpr double nobody = 1e100;
+
+}  // namespace
 
 void Frame::begin(const WeightedPoint3& origin) {
   origin_ = origin;
   size_ = 0;
   largest2_ = largest_ = heaviest_ = 0;
   vertices_.clear();
-  for (int i = 0; i < most; ++i) dx_[i] = dy_[i] = dz_[i] = c_[i] = 0;
+  for (int i = 0; i < most; ++i) {
+    dx_[i] = dy_[i] = dz_[i] = 0;
+    c_[i] = nobody;
+  }
 }
 
 void Frame::add(const WeightedPoint3& site) {
@@ -62,6 +70,30 @@ void Frame::fill(double x2, double y2, double z2, double* out) const {
   double g[count];
   for (int k = 0; k < count; ++k) g[k] = c_[k] - (dx_[k] * x2 + dy_[k] * y2 + dz_[k] * z2);
   for (int k = 0; k < count; ++k) out[k] = g[k];
+}
+
+// The lead of site i is affine, hence in the ball at least what it is at the center less 2 |d - d_i| times the radius.
+bool Frame::is_behind(const Vec3& d, double c, const Vec3& center, double radius, bool to_origin) const {
+  const double d2 = d.squaredNorm(), limit2 = 4 * (1 + 1e-6) * radius * radius;
+  const double base = c - 2 * d.dot(center) - 1e-9 * (d2 + largest2_ + heaviest_ + std::abs(c));
+  if (to_origin && base > 0 && base * base > limit2 * d2) return true;
+  return size_ <= 8 ? is_behind_one_of<8>(d, base, 2 * center, limit2)
+                    : is_behind_one_of<most>(d, base, 2 * center, limit2);
+}
+
+template <int count>
+bool Frame::is_behind_one_of(const Vec3& d, double base, const Vec3& twice_center, double limit2) const {
+  const double x = d.x(), y = d.y(), z = d.z(), mx = twice_center.x(), my = twice_center.y(),
+               mz = twice_center.z();
+  double margin[count];
+  for (int k = 0; k < count; ++k) {
+    const double ax = x - dx_[k], ay = y - dy_[k], az = z - dz_[k];
+    const double lead = base - (c_[k] - (dx_[k] * mx + dy_[k] * my + dz_[k] * mz));
+    margin[k] = lead * std::abs(lead) - limit2 * (ax * ax + ay * ay + az * az);
+  }
+  for (const double m : margin)
+    if (m > 0) return true;
+  return false;
 }
 
 Sure Frame::difference(const Values& at, const Vec3& d, double c, int j) const {

@@ -75,6 +75,9 @@ class Frame {
   /// The number of the origin as a site.
   static constexpr int none = most;
   void evaluate(const Vec3& y, double off, Values& out) const;
+  /// Is a site given by its d and c surely farther than one of these, or than the origin if that is asked, in all of the
+  /// ball?
+  bool is_behind(const Vec3& d, double c, const Vec3& center, double radius, bool to_origin) const;
   /// Of a site given by its d and c.
   Sure difference(const Values& at, const Vec3& d, double c, int j) const;
 
@@ -129,13 +132,15 @@ class Frame {
   void find_signs(Vertex& v) const;
   double error_at(const Vec3& twice_y) const;
   template <int count>
+  bool is_behind_one_of(const Vec3& d, double base, const Vec3& twice_center, double limit2) const;
+  template <int count>
   void fill(double x2, double y2, double z2, double* out) const;
 
   const TriMesh& mesh_;
   WeightedPoint3 origin_{{0, 0, 0}, 0};
   int size_ = 0;
   double largest2_ = 0, largest_ = 0, heaviest_ = 0;  ///< |d|^2, |d|, |dw|
-  alignas(64) double dx_[most], dy_[most], dz_[most], c_[most];
+  alignas(64) double dx_[most], dy_[most], dz_[most], c_[most];  ///< beyond size_: no site, at infinity
   Reused<Vertex> vertices_;
   Table<VertexId, Slot> slot_of_;  ///< if that slot says so, too
 };

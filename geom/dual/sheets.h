@@ -69,6 +69,10 @@ class Sheets {
   /// A sheet that covers that distance about x, the place of the site, on the surface; null if there is none, or was none
   /// when the site was nearly there. Valid until the next call.
   const Sheet* around(SiteId site, const Vec3& x, double distance);
+  /// The one that is kept, or null.
+  const Sheet* known(SiteId site) const {
+    return site.index() < of_site_.size() && of_site_[site].sheet.width > 0 ? &of_site_[site].sheet : nullptr;
+  }
   /// Is there surely no second component of the cell of p within the distance that the sheet covers, given its link: the
   /// differences q - p and the numbers c? `radius`: r_K.
   struct Neighbour {

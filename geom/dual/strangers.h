@@ -1,0 +1,55 @@
+#pragma once
+// The sites around one that moves, its neighbours left out: who else may own what it leaves, or lose something to it.
+
+#include <span>
+#include <vector>
+
+#include "geom/dual/frame.h"
+#include "geom/dual/state.h"
+
+namespace geom {
+
+class Strangers {
+ public:
+  /// Keeps a reference.
+  explicit Strangers(DualState& state) : state_(state) {}
+
+  /// Nothing is known.
+  void forget() { found_.clear(), radius_ = -1; }
+  /// Sees to it that all who may own a location of the vacancy are known. A search finds some more, and they stay known.
+  void find_heirs(const Vacancy& vacancy);
+  /// All who may lose something to p, whose cell is in that ball; p is in with the paper's source.
+  void find_rivals(SiteId p, const Vec3& center, double radius);
+
+  /// A bound of the reach of those who may lose something to p, at its present place. `neighbour`: one of them.
+  double power_of_rivals(SiteId p, SiteId neighbour);
+
+  struct Stranger {
+    SiteId site;
+    Vec3 d;  ///< from the frame's origin
+    double c;
+  };
+  /// Keeps those who, somewhere in the ball, may be nearer than all sites of the frame, which are the rim and perhaps p. With
+  /// `to_origin` also than the frame's origin.
+  struct Ball {
+    Vec3 center;  ///< from the frame's origin
+    double radius;
+  };
+  void keep_near(const Frame& frame, SiteId p, std::span<const SiteId> rim, const Ball& ball, bool to_origin);
+  std::span<const Stranger> kept() const { return kept_; }
+  /// Is none of them as near to the point, which has that power, as that says? `off`: at most so far is the point off.
+  bool are_beyond(const Vec3& point, double power, double off) const;
+
+ private:
+  bool knows(const Vec3& x, double distance) const {
+    return radius_ >= 0 && ((x - center_).norm() + distance) * (1 + 1e-9) < radius_;
+  }
+
+  DualState& state_;
+  std::vector<SiteId> found_;
+  Vec3 center_{0, 0, 0};  ///< all sites this near are found
+  double radius_ = -1;
+  std::vector<Stranger> kept_;
+};
+
+}  // namespace geom
