@@ -1,6 +1,7 @@
 #include "geom/site_grid.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "geom/check.h"
@@ -10,8 +11,20 @@ namespace geom {
 SiteGrid::SiteGrid(double cell_size, std::size_t num_sites) : inverse_(1 / cell_size) {
   std::size_t size = 64;
   while (size < num_sites) size *= 2;
-  table_.assign(size, 0);
+  resize_table(size);
   buckets_.resize(1);
+}
+
+void SiteGrid::resize_table(std::size_t size) {
+  table_.assign(size, 0);
+  shift_ = 64 - (std::bit_width(size) - 1);
+}
+
+void SiteGrid::Bucket::set(std::uint32_t i, const Vec3& position, SiteId s) {
+  x[i] = static_cast<float>(position.x());
+  y[i] = static_cast<float>(position.y());
+  z[i] = static_cast<float>(position.z());
+  sites[i] = s;
 }
 
 std::int64_t SiteGrid::coordinate(double x) const {
@@ -42,7 +55,7 @@ void SiteGrid::grow() {
   std::vector<std::uint32_t> places;
   for (const std::uint32_t place : table_)
     if (place != 0) places.push_back(place);
-  table_.assign(2 * table_.size(), 0);
+  resize_table(2 * table_.size());
   for (const std::uint32_t place : places) {
     std::size_t at = mixed(buckets_[place].key);
     while (table_[at & (table_.size() - 1)] != 0) ++at;
@@ -51,7 +64,7 @@ void SiteGrid::grow() {
 }
 
 void SiteGrid::insert(SiteId s, const Vec3& position) {
-  slack_ = std::max(slack_, 0x1p-22 * position.lpNorm<Eigen::Infinity>());
+  slack_ = std::max(slack_, 0x1p-20 * position.lpNorm<Eigen::Infinity>());
   std::uint32_t place = find_or_make(key_at(position));
   while (buckets_[place].size == in_cell) {
     if (buckets_[place].overflow == 0) {
@@ -62,16 +75,16 @@ void SiteGrid::insert(SiteId s, const Vec3& position) {
     place = buckets_[place].overflow;
   }
   Bucket& bucket = buckets_[place];
-  bucket.entries[bucket.size++] = {static_cast<float>(position.x()), static_cast<float>(position.y()),
-                                   static_cast<float>(position.z()), s};
+  bucket.set(bucket.size++, position, s);
 }
 
 void SiteGrid::remove(SiteId s, const Vec3& position) {
   for (std::uint32_t place = find(key_at(position)); place != 0; place = buckets_[place].overflow) {
     Bucket& bucket = buckets_[place];
     for (std::uint32_t i = 0; i < bucket.size; ++i) {
-      if (bucket.entries[i].site != s) continue;
-      bucket.entries[i] = bucket.entries[--bucket.size];
+      if (bucket.sites[i] != s) continue;
+      const std::uint32_t last = --bucket.size;
+      bucket.set(i, {bucket.x[last], bucket.y[last], bucket.z[last]}, bucket.sites[last]);
       return;
     }
   }
@@ -81,32 +94,35 @@ void SiteGrid::remove(SiteId s, const Vec3& position) {
 void SiteGrid::move(SiteId s, const Vec3& from, const Vec3& to) {
   const std::uint64_t key = key_at(to);
   if (key == key_at(from)) {
-    slack_ = std::max(slack_, 0x1p-22 * to.lpNorm<Eigen::Infinity>());
+    slack_ = std::max(slack_, 0x1p-20 * to.lpNorm<Eigen::Infinity>());
     for (std::uint32_t place = find(key); place != 0; place = buckets_[place].overflow)
       for (std::uint32_t i = 0; i < buckets_[place].size; ++i)
-        if (Entry& entry = buckets_[place].entries[i]; entry.site == s) {
-          entry = {static_cast<float>(to.x()), static_cast<float>(to.y()), static_cast<float>(to.z()), s};
-          return;
-        }
+        if (buckets_[place].sites[i] == s) return buckets_[place].set(i, to, s);
   }
   remove(s, from);
   insert(s, to);
 }
 
-void SiteGrid::near(const Vec3& x, double distance, std::vector<SiteId>& out) const {
-  const double far = distance + slack_, limit2 = far * far * (1 + 1e-9);
-  const std::int64_t x0 = coordinate(x.x() - far), x1 = coordinate(x.x() + far), y0 = coordinate(x.y() - far),
-                     y1 = coordinate(x.y() + far), z0 = coordinate(x.z() - far), z1 = coordinate(x.z() + far);
+// In single precision; the slack has room for all that is rounded.
+void SiteGrid::near(const Vec3& center, double distance, std::vector<SiteId>& out) const {
+  const double far = distance + slack_;
+  const auto limit2 = static_cast<float>(far * far * (1 + 1e-5));
+  const auto x = static_cast<float>(center.x()), y = static_cast<float>(center.y()), z = static_cast<float>(center.z());
+  const std::int64_t x0 = coordinate(center.x() - far), x1 = coordinate(center.x() + far),
+                     y0 = coordinate(center.y() - far), y1 = coordinate(center.y() + far),
+                     z0 = coordinate(center.z() - far), z1 = coordinate(center.z() + far);
   for (std::int64_t i = x0; i <= x1; ++i)
     for (std::int64_t j = y0; j <= y1; ++j)
       for (std::int64_t k = z0; k <= z1; ++k)
         for (std::uint32_t place = find(key_of(i, j, k)); place != 0; place = buckets_[place].overflow) {
           const Bucket& bucket = buckets_[place];
-          for (std::uint32_t e = 0; e < bucket.size; ++e) {
-            const Entry& entry = bucket.entries[e];
-            const double dx = entry.x - x.x(), dy = entry.y - x.y(), dz = entry.z - x.z();
-            if (dx * dx + dy * dy + dz * dz <= limit2) out.push_back(entry.site);
+          std::array<float, in_cell> distance2;
+          for (std::size_t e = 0; e < in_cell; ++e) {
+            const float dx = bucket.x[e] - x, dy = bucket.y[e] - y, dz = bucket.z[e] - z;
+            distance2[e] = dx * dx + dy * dy + dz * dz;
           }
+          for (std::uint32_t e = 0; e < bucket.size; ++e)
+            if (distance2[e] <= limit2) out.push_back(bucket.sites[e]);
         }
 }
 

@@ -27,16 +27,14 @@ class SiteGrid {
   bool is_short(double distance) const { return distance * inverse_ < 2.5; }
 
  private:
-  struct Entry {
-    float x, y, z;  ///< rounded
-    SiteId site;
-  };
   static constexpr std::size_t in_cell = 8;
   struct Bucket {
     std::uint64_t key = 0;
     std::uint32_t size = 0;
     std::uint32_t overflow = 0;  ///< place of another bucket of the same cell, or 0
-    std::array<Entry, in_cell> entries;
+    std::array<float, in_cell> x{}, y{}, z{};  ///< rounded
+    std::array<SiteId, in_cell> sites;
+    void set(std::uint32_t i, const Vec3& position, SiteId s);
   };
 
   std::int64_t coordinate(double x) const;
@@ -51,13 +49,14 @@ class SiteGrid {
   std::uint32_t find(std::uint64_t key) const;
   std::uint32_t find_or_make(std::uint64_t key);
   void grow();
-  static std::size_t mixed(std::uint64_t key) {
-    key *= 0x9e3779b97f4a7c15u;
-    return static_cast<std::size_t>(key ^ key >> 32);
+  void resize_table(std::size_t size);
+  std::size_t mixed(std::uint64_t key) const {
+    return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >> shift_);
   }
 
   double inverse_ = 0;                ///< of the cell size
   double slack_ = 0;                  ///< more than a rounded position is off
+  int shift_ = 0;                     ///< 64 - log2 of the size of the table
   std::vector<std::uint32_t> table_;  ///< open addressing: places of buckets, 0: none
   std::vector<Bucket> buckets_;       ///< the first one is not used; cells are never given up
 };

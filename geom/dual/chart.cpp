@@ -1,12 +1,16 @@
 #include "geom/dual/chart.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace geom {
 namespace {
 
 constexpr double more = 1 + 1e-6;
 constexpr double small = 1e-9;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
@@ -34,7 +38,7 @@ void Chart::set(int i, const Vec3& d, double c) {
 bool Chart::is_simple_with(int last, double radius) const {
   const auto k = static_cast<std::size_t>(last);
   const double least = small * largest_, least2 = 4 * small * largest_ * largest_;
-  std::array<double, most> ex, ey, ez, margin;
+  std::array<double, most_sites> ex, ey, ez, margin;
   for (std::size_t i = 0; i < k; ++i) {
     ex[i] = x_[i] - x_[k];
     ey[i] = y_[i] - y_[k];
@@ -64,6 +68,34 @@ bool Chart::is_far(int first, int second, int third, double radius) const {
   const double length = ((c_[i] - c_[k]) * g - (c_[j] - c_[k]) * e).norm();
   return length > 2 * more * radius * (e.cross(g).norm() + small * largest2_) +
                       small * largest2_ * (e.norm() + g.norm());
+}
+
+// A location y at horizontal distance t lies, seen from above, between two neighbours; one is within half the angle of
+// them, gamma. For that one 2 d.y >= 2 t (|d_h| cos(gamma) - s|a|), where |y| / sqrt(1 + s^2) <= t <= |y|. So with |y|
+// given its power is at most |y|^2 - w + c - 2 |y| C: convex in |y|, as is |y| plus the root of that and of the heaviest
+// weight. Both are largest at 0 or at the radius.
+Chart::Gain Chart::most_gain(int count, double radius, double weight, double heaviest) const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Gain most{-infinity, 0};
+  const double shrink = 1 / std::sqrt(1 + slope2_), slope = std::sqrt(slope2_);
+  std::array<double, most_sites> length;
+  for (int j = 0; j < count; ++j) length[at(j)] = std::sqrt(x_[at(j)] * x_[at(j)] + y_[at(j)] * y_[at(j)]);
+  for (int j = 0; j < count; ++j) {
+    const std::size_t a = at(j), b = at(j + 1 == count ? 0 : j + 1);
+    if (!(x_[a] * y_[b] - y_[a] * x_[b] > 0)) return {infinity, infinity};
+    const double cosine = (x_[a] * x_[b] + y_[a] * y_[b]) / (length[a] * length[b]);
+    const double half = std::sqrt(std::max(0.5 * (1 + cosine), 0.0)) / more;
+    for (const std::size_t i : {a, b}) {
+      const double falls = length[i] * half - slope * std::abs(z_[i]);
+      const double far = radius * radius + c_[i] - 2 * radius * (falls > 0 ? falls * shrink : falls);
+      const double power = std::max(c_[i], far);
+      most.power = std::max(most.power, power);
+      most.range = std::max({most.range, std::sqrt(std::max(c_[i] - weight + heaviest, 0.0)),
+                             radius + std::sqrt(std::max(far - weight + heaviest, 0.0))});
+    }
+  }
+  const double slack = 1e-9 * (std::abs(most.power) + std::abs(weight) + radius * radius);
+  return {more * most.power + slack - weight, more * most.range + std::sqrt(slack)};
 }
 
 // In the plane of the bisector let w be the horizontal direction and m' the one across, tilted from m by psi,

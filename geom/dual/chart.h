@@ -46,7 +46,7 @@ namespace geom {
 
 class Chart {
  public:
-  static constexpr int most = Frame::most + 2;  ///< sites
+  static constexpr int most_sites = Frame::most + 2;
 
   void begin(const Sheet& sheet);
   /// Of a site: its place and c from some origin, the same for all (frame.h).
@@ -61,6 +61,13 @@ class Chart {
   /// (1) and (2) for all pairs and triples with that site and those before it. `radius`: all that is spoken of is that
   /// near to the origin.
   bool is_simple_with(int k, double radius) const;
+  /// Of the sites before the last, in counterclockwise order around that one, the origin, whose cell is in the ball of that
+  /// radius: bounds of the power to the nearest of them there, and of the distance of a site that may be nearer there, if
+  /// its weight is at most that of the heaviest. Infinite if they do not surround it.
+  struct Gain {
+    double power, range;
+  };
+  Gain most_gain(int count, double radius, double weight, double heaviest) const;
   /// A bound, squared, of the distance of an edge of i and j from the origin of two locations on it; (1) holds.
   double farthest2(int i, int j, const Vec3& from, const Vec3& to) const;
 
@@ -72,7 +79,7 @@ class Chart {
   double slope_u_ = 0, slope_v_ = 0, slope2_ = 0;
   double largest2_ = 0, largest_ = 0;  ///< |d|^2 or |c|, and its root
   int size_ = 0;
-  std::array<double, most> x_, y_, z_, c_;  ///< z: the height
+  std::array<double, most_sites> x_, y_, z_, c_;  ///< z: the height
 };
 
 }  // namespace geom

@@ -40,6 +40,7 @@ bool FastWay::plan(SiteId p) {
     if (!find_circle(triangle, start)) return false;
   }
   if (!flip_until_empty() || !prove_hole()) return false;
+  hole_on_sheet_ = on_sheet_;
   circles_.clear();
   for (const Triangle& triangle : triangles_) {
     const auto& [a, b, c] = triangle.corners;
@@ -270,8 +271,7 @@ double FastWay::with_tolerance(double distance2) const {
   return distance2 * (1 + 1e-6) + 1.1e6 * off * off;  // (a + b)^2 <= a^2 (1 + e) + b^2 (1 + 1 / e)
 }
 
-/// Sets reach_ from the edges of the cell, and max_radius2_ from those of the hole: between circles, and from those to the
-/// old ones.
+/// Sets reach_ from the edges of the cell, max_radius2_ and range_ from the rim.
 bool FastWay::bound_hole() {
   const WeightedPoint3& site = state_.sites[p_];
   const auto corner = [&](int j) -> Vec3 { return state_.circles[star_[at(j)]].center - site.position; };
@@ -286,27 +286,15 @@ bool FastWay::bound_hole() {
     arc_before_.push_back(far2 - site.weight);
     own2 = std::max(own2, far2);
   }
-  if (!sheet_.covers(site.position, std::sqrt(own2))) return false;
-  max_radius2_ = reach_ = std::min(reach_, own2 - site.weight);
-  for (const Triangle& t : triangles_)
-    max_radius2_ = std::max(max_radius2_, power(t.point.position, state_.sites[rim_[at(t.corners[0])]]));
-  for (int i = 0; i < static_cast<int>(triangles_.size()); ++i) {
-    const Triangle& triangle = triangles_[at(i)];
-    if (!(triangle.values.y.squaredNorm() <= own2)) return false;
-    for (int e = 0; e < 3; ++e) {
-      const int beyond = triangle.beyond[at(e)], a = triangle.corners[at(e == 2 ? 0 : e + 1)],
-                b = triangle.corners[at(e == 0 ? 2 : e - 1)];
-      if (beyond > i) continue;
-      const double weight = state_.sites[rim_[at(a)]].weight;
-      const Edge edge = beyond >= 0 ? Edge{a, b, triangle.facet, triangles_[at(beyond)].facet,
-                                           triangle.values.y, triangles_[at(beyond)].values.y}
-                                    : Edge{a, b, triangle.facet, facet(-1 - beyond), triangle.values.y,
-                                           corner(-1 - beyond)};
-      const double far2 = with_tolerance(farthest2(edge, bend * (max_radius2_ + weight)));
-      max_radius2_ = std::max(max_radius2_, far2 - weight);
-    }
-  }
-  return true;
+  reach_ = std::min(reach_, own2 - site.weight);
+  const double own = state_.distance_at(reach_, p_);
+  if (!sheet_.covers(site.position, own)) return false;
+  for (const Triangle& triangle : triangles_)
+    if (!(triangle.values.y.squaredNorm() <= own * own)) return false;
+  const Chart::Gain most = chart_.most_gain(size(), own, site.weight, state_.heaviest());
+  max_radius2_ = std::max(reach_, most.power);
+  range_ = most.range;
+  return range_ < infinity;
 }
 
 /// A bound, squared, of how far an edge of the diagram comes from one of its sites: by the chart, if that is enough, else
@@ -344,6 +332,8 @@ bool FastWay::trace_hole() {
     radius2 = std::max(radius2, (state_.circles[c].center - site.position).squaredNorm());
   reach_ = radius2 * more - site.weight;
   max_radius2_ = reach_;
+  for (const Triangle& triangle : triangles_)
+    max_radius2_ = std::max(max_radius2_, power(triangle.point.position, state_.sites[rim_[at(triangle.corners[0])]]));
   for (const Flood::Corner& corner : flood_.corners()) {
     const double weight = state_.sites[rim_[at(corner.site)]].weight;
     const double far =
@@ -356,11 +346,9 @@ bool FastWay::trace_hole() {
 /// Are the sites beyond the rim farther at all circles, and at the corners of the flood?
 bool FastWay::no_stranger_in_hole() {
   const WeightedPoint3& site = state_.sites[p_];
-  double most_power = max_radius2_;
-  for (const Triangle& triangle : triangles_)
-    most_power = std::max(most_power, power(triangle.point.position, state_.sites[rim_[at(triangle.corners[0])]]));
   const double radius = state_.distance_at(reach_, p_);
-  strangers_.find_heirs({p_, site.position, radius, most_power + 1e-9 * std::abs(most_power)});
+  const Vacancy hole{p_, site.position, radius, max_radius2_ + 1e-9 * std::abs(max_radius2_)};
+  strangers_.find_heirs(hole, on_sheet_ ? range_ : infinity);
   strangers_.keep_near(frame_, p_, rim_, {Vec3(0, 0, 0), radius}, false);
   const auto is_empty = [&](const Vec3& z, int nearest, double off) {
     return strangers_.are_beyond(z, power(z, state_.sites[rim_[at(nearest)]]), off);
@@ -416,11 +404,43 @@ void FastWay::remove(DualChange& change) {
       const int j = -1 - beyond;
       state_.circles.set_beyond(other, state_.circles[other].opposite(rim_[at(j)], rim_[at(next(j))]), id(i));
     }
-  for (const SiteId r : rim_) state_.raise_reach(r, max_radius2_);
+  raise_by_hole();
   state_.leave(p_);
   state_.reach[p_] = -infinity;
   change.cells = rim_;
   std::ranges::sort(change.cells);
+}
+
+/// What the rim has now of the hole is bounded by the old border and the new edges. Across the side from a to b of a
+/// triangle the edge has b on its left.
+void FastWay::raise_by_hole() {
+  if (!hole_on_sheet_) {
+    for (const SiteId r : rim_) state_.raise_reach(r, max_radius2_);
+    return;
+  }
+  for (int j = 0; j < size(); ++j) state_.raise_reach(rim_[at(j)], arc_before_[at(j)]);
+  for (int i = 0; i < static_cast<int>(triangles_.size()); ++i)
+    for (int e = 0; e < 3; ++e) {
+      const Triangle& triangle = triangles_[at(i)];
+      const int beyond = triangle.beyond[at(e)];
+      if (beyond > i) continue;
+      const SiteId a = rim_[at(triangle.corners[at(e == 2 ? 0 : e + 1)])],
+                   b = rim_[at(triangle.corners[at(e == 0 ? 2 : e - 1)])];
+      TracedEdge edge{triangle.facet, FacetId(), triangle.point.position, Vec3(0, 0, 0)};
+      if (beyond >= 0) {
+        edge.to = triangles_[at(beyond)].facet;
+        edge.end = triangles_[at(beyond)].point.position;
+      } else {
+        const EmptyCircle& corner = state_.circles[star_[at(-1 - beyond)]];
+        edge.to = corner.facet;
+        edge.end = corner.center;
+      }
+      const WeightedPoint3& left = state_.sites[b];
+      const double far2 = extent_of_edge(state_.mesh, left, state_.sites[a], edge).far2;
+      const double power = std::min(with_tolerance(far2) - left.weight, max_radius2_);
+      state_.raise_reach(a, power);
+      state_.raise_reach(b, power);
+    }
 }
 
 }  // namespace geom

@@ -100,6 +100,7 @@ class FastWay {
   bool prove_hole();
   double with_tolerance(double distance2) const;
   bool bound_hole();
+  void raise_by_hole();
   struct Edge {
     int left, right;       ///< sites of the frame
     FacetId from, to;      ///< of its ends
@@ -138,7 +139,7 @@ class FastWay {
   Strangers strangers_;
   Sheet sheet_;            ///< of the chart
   bool on_sheet_ = false;  ///< the chart is simple, and what is proven is proven there
-  bool was_on_sheet_ = false;  ///< the hole, while the new cell is proven
+  bool hole_on_sheet_ = false;  ///< that of the plan was proven there
 
   SiteId p_;
   int self_ = Frame::none;       ///< the number of p_ in the frame; in the chart it comes after the rim
@@ -149,6 +150,7 @@ class FastWay {
   std::vector<Triangle> triangles_;
   std::vector<EmptyCircle> circles_;
   double reach_ = 0, max_radius2_ = 0;
+  double range_ = 0;  ///< who owns something of the hole is that near to p_
   std::vector<StarCorner> corners_;  ///< of a new cell
   double cell_reach_ = 0;
   double kept_radius_ = 0;  ///< strangers are kept for a ball of that radius

@@ -68,23 +68,24 @@ bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, Dua
 /// the edges of the hole.
 void FastWay::raise_reaches(const WeightedPoint3& old, double reach_before) {
   const WeightedPoint3& site = state_.sites[p_];
-  if (on_sheet_ && was_on_sheet_) {
-    const Vec3& origin = frame_.origin().position;
-    for (int j = 0; j < size(); ++j) {
-      const WeightedPoint3& r = state_.sites[rim_[at(j)]];
-      const EmptyCircle& was = state_.circles[star_[at(j)]];
-      const double known = std::max({arc_before_[at(j)], arc_before_[at(next(j))], arc_[at(j)], arc_[at(next(j))]});
-      const double far2 = farthest2({j, next(j), was.facet, corners_[at(j)].facet, was.center - origin,
-                                     corners_[at(j)].point.position - origin},
-                                    known + r.weight);
-      const double power = std::max(known, with_tolerance(far2) - r.weight);
-      state_.raise_reach(rim_[at(j)], power);
-      state_.raise_reach(rim_[at(next(j))], power);
+  for (int j = 0; hole_on_sheet_ && j < size(); ++j) {
+    const int k = next(j);
+    const SiteId left = rim_[at(j)], right = rim_[at(k)];
+    const EmptyCircle& was = state_.circles[star_[at(j)]];
+    const double now = on_sheet_ ? std::max(arc_[at(j)], arc_[at(k)]) : cell_reach_;
+    double power = std::max({arc_before_[at(j)], arc_before_[at(k)], now});
+    if (geom::power(was.center, site) > was.radius2) {  // from there on inwards
+      const double far2 =
+          extent_of_edge(state_.mesh, state_.sites[left], state_.sites[right],
+                         {was.facet, corners_[at(j)].facet, was.center, corners_[at(j)].point.position})
+              .far2;
+      power = std::max(power, std::min(with_tolerance(far2) - state_.sites[left].weight, max_radius2_));
     }
-    return;
+    state_.raise_reach(left, power);
+    state_.raise_reach(right, power);
   }
+  if (hole_on_sheet_) return;
   double power = std::max(reach_before, cell_reach_);
-  if (was_on_sheet_) power = std::max(power, max_radius2_);
   for (const auto& [z, without_p, off] : hole_corners_)
     if (geom::power(z, site) > without_p) {
       const double weight = -old.weight;  // any will do: the power is turned into a distance and back
@@ -97,15 +98,15 @@ void FastWay::raise_reaches(const WeightedPoint3& old, double reach_before) {
 /// p_ is at its new place, but not in the tree; the rim and the facets to start from are known. Locations that p_ may win
 /// are within that distance, or were someone else's.
 bool FastWay::prove_new_cell(FacetId home, double least_distance, std::span<const CircleId> reached) {
-  was_on_sheet_ = on_sheet_;
   if (!home.valid() || !find_star_corners()) return false;
   if (state_.paper) state_.paper->insert(p_, state_.sites[p_], rim_.front());
   const auto prove = [&] {
     if (may_beat_unreached(reached)) return false;
     cell_reach_ = power_bound_at_corners();
     if (!no_stranger_in_cell(ampler * state_.distance_at(cell_reach_, p_))) return false;
-    const double distance =
-        state_.distance_at(std::max(cell_reach_, strangers_.power_of_rivals(p_, rim_.front())), p_);
+    double distance = state_.distance_at(std::max(cell_reach_, state_.largest_reach()), p_);
+    if (!on_sheet_ || !sheet_.covers(state_.sites[p_].position, distance))
+      distance = state_.distance_at(std::max(cell_reach_, strangers_.power_of_rivals(p_, rim_.front())), p_);
     on_sheet_ = enclose_on_sheet(distance, least_distance);
     if (on_sheet_) return true;
     return trace_cell(home) &&

@@ -71,6 +71,8 @@ struct DualState {
   void raise_reach(SiteId p, double value) {
     if (value > reach[p]) set_reach(p, value);
   }
+  /// An upper bound of all weights.
+  double heaviest() const { return heaviest_; }
   /// An upper bound of all reaches. Amortised O(1).
   double largest_reach();
 

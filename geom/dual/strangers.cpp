@@ -8,22 +8,23 @@ namespace geom {
 namespace {
 
 constexpr double more = 1 + 1e-9;   // for the rounding of distances
-constexpr double ampler = 1.01;     // searches, so that what is found will do for the new cell, too
+constexpr double ampler = 2.5;      // in radii of the vacancy: what is found will do for the new cell, too
 
 }  // namespace
 
-void Strangers::find_heirs(const Vacancy& vacancy) {
+void Strangers::find_heirs(const Vacancy& vacancy, double range) {
   if (state_.paper) {
     found_.clear();
     state_.paper->heirs(vacancy, found_);
     return;
   }
-  const double distance = vacancy.radius + state_.distance_at(vacancy.max_radius2);
+  const double distance = std::min(vacancy.radius + state_.distance_at(vacancy.max_radius2), range);
   if (knows(vacancy.center, distance)) return;
   forget();
-  if (state_.find_near(vacancy.center, distance * ampler, found_)) {
+  const double ample = std::max(distance, ampler * vacancy.radius);
+  if (state_.find_near(vacancy.center, ample, found_)) {
     center_ = vacancy.center;
-    radius_ = distance * ampler;
+    radius_ = ample;
   } else {
     state_.near(vacancy, found_);
   }
@@ -31,7 +32,7 @@ void Strangers::find_heirs(const Vacancy& vacancy) {
 
 void Strangers::find_rivals(SiteId p, const Vec3& center, double radius) {
   if (!state_.paper)
-    return find_heirs({p, center, radius, radius * radius * more - state_.sites[p].weight});
+    return find_heirs({p, center, radius, radius * radius * more - state_.sites[p].weight}, 1e300);
   found_.clear();
   state_.paper->rivals(p, found_);
 }

@@ -16,8 +16,9 @@ class Strangers {
 
   /// Nothing is known.
   void forget() { found_.clear(), radius_ = -1; }
-  /// Sees to it that all who may own a location of the vacancy are known. A search finds some more, and they stay known.
-  void find_heirs(const Vacancy& vacancy);
+  /// Sees to it that all who may own a location of the vacancy are known; they are that near to its center. A search finds
+  /// some more, and they stay known.
+  void find_heirs(const Vacancy& vacancy, double range);
   /// All who may lose something to p, whose cell is in that ball; p is in with the paper's source.
   void find_rivals(SiteId p, const Vec3& center, double radius);
 
