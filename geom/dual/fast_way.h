@@ -165,7 +165,7 @@ class FastWay {
   std::vector<HoleCorner> hole_corners_;
   // Workspaces.
   std::vector<Vec3> part_, clipped_;
-  std::vector<SiteId> others_, rivals_;
+  std::vector<SiteId> others_, suspects_;
   std::vector<FacetId> facets_;
   std::vector<Sheets::Neighbour> link_;
 };

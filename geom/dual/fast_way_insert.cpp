@@ -14,7 +14,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double more = 1 + 1e-9;  // for the rounding of distances
 constexpr double ampler = 1.15;    // a cell than its corners
 constexpr double bend = 1.1;       // of an edge does not matter
-constexpr std::size_t few = 40;    // sites are looked at one by one
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -224,15 +223,11 @@ bool FastWay::no_stranger_in_cell(double radius) {
 
 /// May p_ beat circles that are not reached? They would be of an irregular site.
 bool FastWay::may_beat_unreached(std::span<const CircleId> reached) {
+  if (state_.not_regular().empty()) return false;
   const WeightedPoint3& point = state_.sites[p_];
-  std::span<const SiteId> suspects = state_.not_regular();
-  if (suspects.size() > few) {
-    rivals_.clear();
-    state_.tree.rivals(point, rivals_);
-    std::erase_if(rivals_, [&](SiteId s) { return state_.shape(s) == DualState::Shape::regular; });
-    suspects = rivals_;
-  }
-  return std::ranges::any_of(suspects, [&](SiteId s) {
+  suspects_.clear();
+  state_.irregular_rivals(p_, suspects_);
+  return std::ranges::any_of(suspects_, [&](SiteId s) {
     const double far = state_.distance_at(state_.reach[s], s) + state_.distance_at(state_.reach[s], p_);
     if (s == p_ || (state_.sites[s].position - point.position).squaredNorm() > far * far * more) return false;
     const std::span<const CircleId> circles = state_.circles.of_site(s);

@@ -8,7 +8,7 @@ namespace geom {
 namespace {
 
 constexpr double cell_size = 0.5;            // of a list's radius
-constexpr double radii[] = {1.6, 1.25, 1.08};      // R, in distances that are to be covered: one after the other
+constexpr double radii[] = {1.6, 1.25, 1.08};  // R, in distances that are to be covered: one after the other
 constexpr double nearly_there = 0.3;         // of that distance
 constexpr double more = 1 + 1e-6;
 constexpr double steepest = 0.7075;  // cosine: a slope less than 1
@@ -50,9 +50,11 @@ const Sheet* Sheets::around(SiteId site, const Vec3& x, double distance) {
   if (known.tried > 0 && known.sheet.width < 0 && known.tried < radii[2] * 1.25 * distance &&
       (x - known.sheet.center).norm() < nearly_there * distance)
     return nullptr;
+  gathered_.clear();
+  facets_.near(x, radii[0] * distance * more, gathered_);
   for (const double factor : radii) {
     known.tried = factor * distance;
-    known.sheet = sheet_in(x, known.tried);
+    known.sheet = sheet_among_gathered(x, known.tried);
     if (known.sheet.covers(x, distance)) return &known.sheet;
   }
   known.sheet.width = -1;
@@ -97,14 +99,18 @@ std::span<const FacetId> Sheets::facets_within(const Vec3& p, double distance) {
 }
 
 Sheet Sheets::sheet_in(const Vec3& center, double radius) {
+  gathered_.clear();
+  facets_.near(center, radius * more, gathered_);
+  return sheet_among_gathered(center, radius);
+}
+
+Sheet Sheets::sheet_among_gathered(const Vec3& center, double radius) {
   Sheet place;
   place.center = center;
   near_.clear();
   normals_.clear();
-  facets_.near(place.center, radius * more, near_);
   Vec3 axis(0, 0, 0);
-  std::size_t count = 0;
-  for (const FacetId t : near_) {
+  for (const FacetId t : gathered_) {
     const Vec3 a = mesh_.corner(t, 0) - place.center, b = mesh_.corner(t, 1) - place.center,
                c = mesh_.corner(t, 2) - place.center;
     const Vec3 ab = b - a, ac = c - a, n = ab.cross(ac);
@@ -115,9 +121,8 @@ Sheet Sheets::sheet_in(const Vec3& center, double radius) {
     normals_.push_back(n / std::sqrt(length2));
     if (normals_.back().dot(normals_.front()) < 0) return place;  // more than 45 degrees from any axis, one of them
     axis += normals_.back();
-    near_[count++] = t;
+    near_.push_back(t);
   }
-  near_.resize(count);
   if (normals_.empty() || !(axis.norm() > 1e-9)) return place;
   axis.normalize();
   double cosine = -1;  // towards the middle of the smallest cone about the normals

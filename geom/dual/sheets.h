@@ -107,6 +107,7 @@ class Sheets {
       return x;
     }
   };
+  Sheet sheet_among_gathered(const Vec3& center, double radius);
   void find_slopes(Sheet& sheet, double radius);
   bool hangs_together(const Vec3& center, double radius);
 
@@ -115,7 +116,7 @@ class Sheets {
   Table<SiteId, OfSite> of_site_;
   std::unordered_map<Key, List, Hash> places_;
   std::vector<FacetId> lists_;
-  std::vector<FacetId> near_, stack_;  // workspaces
+  std::vector<FacetId> gathered_, near_, stack_;  // workspaces
   std::vector<Vec3> normals_;
   Table<FacetId, std::uint32_t> stamp_of_;
   std::uint32_t stamp_ = 0;

@@ -14,6 +14,7 @@ namespace geom {
 namespace {
 
 constexpr double cell_of_grid = 2.4;  // in square roots of the area of a cell
+constexpr std::size_t few = 40;       // sites are looked at one by one
 
 }  // namespace
 
@@ -59,7 +60,9 @@ void DualState::leave(SiteId p) {
 
 void DualState::follow(SiteId p, const Vec3& from) {
   tree.move(p, sites[p]);
-  if (grid.is_in_use()) grid.move(p, from, sites[p].position);
+  if (!grid.is_in_use()) return;
+  grid.move(p, from, sites[p].position);
+  if (shape_[p] != Shape::regular) grid_of_these_.move(p, from, sites[p].position);
 }
 
 void DualState::set_shape(SiteId p, Shape shape) {
@@ -69,12 +72,28 @@ void DualState::set_shape(SiteId p, Shape shape) {
       not_regular_[place_of_[p]] = last;
       place_of_[last] = place_of_[p];
       not_regular_.pop_back();
+      if (grid.is_in_use()) grid_of_these_.remove(p, sites[p].position);
     } else {
+      if (grid.is_in_use()) grid_of_these_.insert(p, sites[p].position);
       place_of_[p] = static_cast<std::uint32_t>(not_regular_.size());
       not_regular_.push_back(p);
     }
   }
   shape_[p] = shape;
+}
+
+void DualState::irregular_rivals(SiteId p, std::vector<SiteId>& out) {
+  const double distance = 2 * distance_at(largest_reach());
+  if (grid.is_in_use() && grid_of_these_.is_short(distance)) {
+    grid_of_these_.near(sites[p].position, distance, out);
+  } else if (not_regular_.size() <= few) {
+    out.insert(out.end(), not_regular_.begin(), not_regular_.end());
+  } else {
+    const auto old = static_cast<std::ptrdiff_t>(out.size());
+    tree.rivals(sites[p], out);
+    out.erase(std::remove_if(out.begin() + old, out.end(), [&](SiteId s) { return shape(s) == Shape::regular; }),
+              out.end());
+  }
 }
 
 void DualState::choose_search() {
@@ -83,6 +102,8 @@ void DualState::choose_search() {
   const double spacing = std::sqrt(area / static_cast<double>(num_sites));
   if (least.weight != most.weight || !(spacing > 0) || extent > 1e5 * spacing) return;
   grid = SiteGrid(cell_of_grid * spacing, num_sites);
+  grid_of_these_ = SiteGrid(cell_of_grid * spacing, 0);
+  for (const SiteId p : not_regular_) grid_of_these_.insert(p, sites[p].position);
   for (SiteId p(0); p.index() < sites.size(); p = SiteId(p.value + 1))
     if (tree.contains(p)) grid.insert(p, sites[p].position);
 }

@@ -99,10 +99,13 @@ struct DualState {
   void set_shape(SiteId p, Shape shape);
   /// Those that are not regular.
   std::span<const SiteId> not_regular() const { return not_regular_; }
+  /// Appends those of them that may lose something to p, and some more.
+  void irregular_rivals(SiteId p, std::vector<SiteId>& out);
 
  private:
   Table<SiteId, Shape> shape_;
   std::vector<SiteId> not_regular_;
+  SiteGrid grid_of_these_;
   Table<SiteId, std::uint32_t> place_of_;  ///< there
   double heaviest_ = 0;
   double largest_reach_ = 0;
