@@ -63,6 +63,8 @@ class SurfaceDomain final : public Domain {
   // A move whose removal is only planned. After plan_removal(x) follows move_planned(x) or stay(x).
   /// None if there is no plan for x: then nothing is done, and nothing follows.
   std::optional<geom::RestrictedDual::Plan> plan_removal(SiteId x) { return dual_->plan_removal(x); }
+  /// The same plan with the least bounds.
+  geom::RestrictedDual::Plan plan_exactly(SiteId x) { return dual_->plan_exactly(x); }
   /// The largest empty circle once x is out; none if that cannot be told: the top of the heap may be at x and go
   /// with it. Valid until the next step.
   struct Planned {

@@ -211,15 +211,20 @@ TileDomain::Outcome TileDomain::move(SiteId of_whole, Scope scope) {
 /// As Domain::move_directly().
 std::optional<TileDomain::Outcome> TileDomain::move_directly(SiteId x, Scope scope) {
   const SurfaceSample old = domain_->sample(x);
-  const std::optional<geom::RestrictedDual::Plan> plan = domain_->plan_removal(x);
+  std::optional<geom::RestrictedDual::Plan> plan = domain_->plan_removal(x);
   if (!plan) return {};
   const auto stay = [&](std::optional<Outcome> outcome) {
     domain_->stay(x);
     return outcome;
   };
-  const Vacancy vacancy{radius(x, plan->reach), plan->max_radius2, plan->heirs, x};
-  if (!holds_vacancy(x, vacancy) || (scope == Scope::two_ring && !holds_heirs(vacancy)))
-    return stay(Outcome::out_of_reach);
+  const auto holds_plan = [&] {
+    const Vacancy vacancy{radius(x, plan->reach), plan->max_radius2, plan->heirs, x};
+    return holds_vacancy(x, vacancy) && (scope != Scope::two_ring || holds_heirs(vacancy));
+  };
+  if (!holds_plan()) {
+    plan = domain_->plan_exactly(x);
+    if (!holds_plan()) return stay(Outcome::out_of_reach);
+  }
   const SurfaceDomain::Planned best = domain_->largest_planned(x, *plan, scope);
   if (!best.circle) return stay({});
   if (!domain_->is_farther(best.circle->radius2, x, plan->heirs)) return stay(Outcome::stayed);
@@ -265,8 +270,10 @@ TileDomain::Outcome TileDomain::move_step_by_step(SiteId x, Scope scope) {
 /// Else the circle is not offered again.
 bool TileDomain::holds_insertion(SiteId x, const geom::EmptyCircle& circle, double weight) {
   const double distance = root(circle.radius2 + weight);
-  const double reach = domain_->dual().reach_bound(x);  // the least, after an insertion
-  if (holds_cell(x, reach, square(radius(x, reach) + distance) - weight)) return true;
+  const auto holds = [&](double reach) {
+    return holds_cell(x, reach, square(radius(x, reach) + distance) - weight);
+  };
+  if (holds_by_reach(x, holds)) return true;
   barred_.push_back(circle.center);
   return false;
 }

@@ -35,26 +35,33 @@ void Chart::set(int i, const Vec3& d, double c) {
   largest_ = std::sqrt(largest2_);
 }
 
+// n = e x e' is steep if |n_z| > su |n_x| + sv |n_y|, which is at most 2 Z (su Y + sv X) for the largest components X, Y, Z.
 bool Chart::is_simple_with(int last, double radius) const {
   const auto k = static_cast<std::size_t>(last);
   const double least = small * largest_, least2 = 4 * small * largest_ * largest_;
-  std::array<double, most_sites> ex, ey, ez, margin;
+  std::array<double, most_sites> ex, ey, ez;
+  double X = 0, Y = 0, Z = 0;
   for (std::size_t i = 0; i < k; ++i) {
     ex[i] = x_[i] - x_[k];
     ey[i] = y_[i] - y_[k];
     ez[i] = z_[i] - z_[k];
+    X = std::max(X, std::abs(ex[i]));
+    Y = std::max(Y, std::abs(ey[i]));
+    Z = std::max(Z, std::abs(ez[i]));
+    if (!(std::abs(ex[i]) > std::abs(ez[i]) * slope_u_ + least) &&
+        !(std::abs(ey[i]) > std::abs(ez[i]) * slope_v_ + least))
+      return false;
   }
-  for (std::size_t i = 0; i < k; ++i) {
-    const double fx = ex[i], fy = ey[i], fz = ez[i], a = std::abs(fz);
-    if (!(std::abs(fx) > a * slope_u_ + least) && !(std::abs(fy) > a * slope_v_ + least)) return false;
+  const double enough = 2 * Z * (slope_u_ * Y + slope_v_ * X) + least2;
+  for (std::size_t i = 1; i < k; ++i)
     for (std::size_t j = 0; j < i; ++j) {
-      const double nx = ey[j] * fz - ez[j] * fy, ny = ez[j] * fx - ex[j] * fz, nz = ex[j] * fy - ey[j] * fx;
-      margin[j] = std::abs(nz) - (slope_u_ * std::abs(nx) + slope_v_ * std::abs(ny));
-    }
-    for (std::size_t j = 0; j < i; ++j)
-      if (!(margin[j] > least2) && !is_far(static_cast<int>(i), static_cast<int>(j), last, radius))
+      const double nz = std::abs(ex[j] * ey[i] - ey[j] * ex[i]);
+      if (nz > enough) continue;
+      const double nx = ey[j] * ez[i] - ez[j] * ey[i], ny = ez[j] * ex[i] - ex[j] * ez[i];
+      if (!(nz > slope_u_ * std::abs(nx) + slope_v_ * std::abs(ny) + least2) &&
+          !is_far(static_cast<int>(i), static_cast<int>(j), last, radius))
         return false;
-  }
+    }
   return true;
 }
 

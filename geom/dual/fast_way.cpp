@@ -50,6 +50,16 @@ bool FastWay::plan(SiteId p) {
   return true;
 }
 
+bool FastWay::make_plan_exact() {
+  if (!hole_on_sheet_) return true;  // it was traced
+  const double bound = max_radius2_;
+  const bool is_certain = trace_hole();
+  flood_.clear();
+  if (!is_certain) return max_radius2_ = bound, false;
+  for (const EmptyCircle& circle : circles_) max_radius2_ = std::max(max_radius2_, circle.radius2);
+  return true;
+}
+
 /// The circles of p in cyclic order, if they are one cycle.
 bool FastWay::open_star(SiteId p) {
   p_ = p;
@@ -349,7 +359,7 @@ bool FastWay::no_stranger_in_hole() {
   const double radius = state_.distance_at(reach_, p_);
   const Vacancy hole{p_, site.position, radius, max_radius2_ + 1e-9 * std::abs(max_radius2_)};
   strangers_.find_heirs(hole, on_sheet_ ? range_ : infinity);
-  strangers_.keep_near(frame_, p_, rim_, {Vec3(0, 0, 0), radius}, false);
+  strangers_.keep_near(frame_, p_, rim_, {Vec3(0, 0, 0), radius}, Frame::nobody);
   const auto is_empty = [&](const Vec3& z, int nearest, double off) {
     return strangers_.are_beyond(z, power(z, state_.sites[rim_[at(nearest)]]), off);
   };

@@ -56,6 +56,8 @@ class FastWay {
   std::span<const SiteId> rim() const { return rim_; }
   double reach() const { return reach_; }
   double max_radius2() const { return max_radius2_; }
+  /// Makes these bounds the least, if that can be done.
+  bool make_plan_exact();
   /// Ends the plan: p stays.
   void cancel();
   /// Carries the planned removal out. circles_created: in the order of circles().

@@ -210,7 +210,7 @@ bool FastWay::no_stranger_in_cell(double radius) {
   kept_radius_ = radius;
   strangers_.find_rivals(p_, site.position, radius);
   strangers_.keep_near(frame_, p_, rim_, {site.position - frame_.origin().position, radius},
-                       self_ == Frame::none);
+                       self_);
   const auto is_p_nearest = [&](const Vec3& z, double off) {
     return strangers_.are_beyond(z, power(z, site), off);
   };

@@ -7,7 +7,7 @@
 namespace geom {
 namespace {
 
-constexpr double nobody = 1e100;
+constexpr double very_far = 1e100;
 
 }  // namespace
 
@@ -18,7 +18,7 @@ void Frame::begin(const WeightedPoint3& origin) {
   vertices_.clear();
   for (int i = 0; i < most; ++i) {
     dx_[i] = dy_[i] = dz_[i] = 0;
-    c_[i] = nobody;
+    c_[i] = very_far;
   }
 }
 
@@ -73,10 +73,14 @@ void Frame::fill(double x2, double y2, double z2, double* out) const {
 }
 
 // The lead of site i is affine, hence in the ball at least what it is at the center less 2 |d - d_i| times the radius.
-bool Frame::is_behind(const Vec3& d, double c, const Vec3& center, double radius, bool to_origin) const {
+bool Frame::is_behind(const Vec3& d, double c, const Vec3& center, double radius, int first) const {
   const double d2 = d.squaredNorm(), limit2 = 4 * (1 + 1e-6) * radius * radius;
   const double base = c - 2 * d.dot(center) - 1e-9 * (d2 + largest2_ + heaviest_ + std::abs(c));
-  if (to_origin && base > 0 && base * base > limit2 * d2) return true;
+  if (first != nobody) {
+    const Vec3 o = offset(first);
+    const double lead = base - (constant(first) - 2 * o.dot(center));
+    if (lead * std::abs(lead) > limit2 * (d - o).squaredNorm()) return true;
+  }
   return size_ <= 8 ? is_behind_one_of<8>(d, base, 2 * center, limit2)
                     : is_behind_one_of<most>(d, base, 2 * center, limit2);
 }

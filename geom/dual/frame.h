@@ -72,12 +72,12 @@ class Frame {
     Sure difference(int i, int j) const { return {g[at(i)] - g[at(j)], 4 * error}; }
     static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   };
-  /// The number of the origin as a site.
-  static constexpr int none = most;
+  /// The number of the origin as a site, and that of no site.
+  static constexpr int none = most, nobody = -1;
   void evaluate(const Vec3& y, double off, Values& out) const;
-  /// Is a site given by its d and c surely farther than one of these, or than the origin if that is asked, in all of the
-  /// ball?
-  bool is_behind(const Vec3& d, double c, const Vec3& center, double radius, bool to_origin) const;
+  /// Is a site given by its d and c surely farther than one of these in all of the ball? `first`: the one that is tried
+  /// first, if any; it may be the origin.
+  bool is_behind(const Vec3& d, double c, const Vec3& center, double radius, int first) const;
   /// Of a site given by its d and c.
   Sure difference(const Values& at, const Vec3& d, double c, int j) const;
 

@@ -110,12 +110,25 @@ std::optional<RestrictedDual::Plan> RestrictedDual::plan_removal(SiteId p) {
   is_carried_out_ = false;
   if (fast_.plan(p)) return Plan{fast_.rim(), fast_.circles(), fast_.reach(), fast_.max_radius2()};
   if (state_.types == CornerTypes::all || !has_cell(p) || !redivision_.has_neighbours(p)) return {};
+  return plan_generally(p);
+}
+
+RestrictedDual::Plan RestrictedDual::plan_exactly(SiteId p) {
+  if (is_carried_out_) return {heirs_, planned_, redivision_.last_reach(), redivision_.last_power()};
+  if (fast_.make_plan_exact())
+    return {fast_.rim(), fast_.circles(), fast_.reach(), fast_.max_radius2()};
+  fast_.cancel();
+  return plan_generally(p);
+}
+
+/// By carrying it out.
+RestrictedDual::Plan RestrictedDual::plan_generally(SiteId p) {
   is_carried_out_ = true;
   remove_generally(p);
   heirs_ = change_.cells;
   planned_.clear();
   for (const CircleId c : change_.circles_created) planned_.push_back(circle(c));
-  return Plan{heirs_, planned_, redivision_.last_reach(), redivision_.last_power()};
+  return {heirs_, planned_, redivision_.last_reach(), redivision_.last_power()};
 }
 
 const RestrictedDual::Change& RestrictedDual::stay(SiteId p) {

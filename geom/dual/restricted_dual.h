@@ -37,11 +37,13 @@ class RestrictedDual {
   struct Plan {
     std::span<const SiteId> heirs;         ///< that win something
     std::span<const EmptyCircle> circles;  ///< that the hole would have
-    double reach;                          ///< the least bound of the power in p's cell
-    double max_radius2;                    ///< an upper bound of the power that p's cell would have
+    double reach;                          ///< an upper bound of the power in p's cell
+    double max_radius2;                    ///< the same without p
   };
   /// None if p has no cell, or all of its surface alone, or with CornerTypes::all: then remove() is the way.
   std::optional<Plan> plan_removal(SiteId p);
+  /// The same plan with the least bounds. Cost: the facets around p.
+  Plan plan_exactly(SiteId p);
   const Change& stay(SiteId p);
   /// To the center of a circle: a planned one by its place among Plan::circles, or any other that does not touch p.
   struct Target {
@@ -91,6 +93,7 @@ class RestrictedDual {
   void begin();
   void insert_anyhow(SiteId p, const WeightedPoint3& point, FacetId home, CircleId at);
   void remove_generally(SiteId p);
+  Plan plan_generally(SiteId p);
   void forget_shapes();
   CircleId beaten_circle(const WeightedPoint3& point) const;
   void take_net_change();

@@ -102,7 +102,7 @@ void DualState::choose_search() {
   const double spacing = std::sqrt(area / static_cast<double>(num_sites));
   if (least.weight != most.weight || !(spacing > 0) || extent > 1e5 * spacing) return;
   grid = SiteGrid(cell_of_grid * spacing, num_sites);
-  grid_of_these_ = SiteGrid(cell_of_grid * spacing, 0);
+  grid_of_these_ = SiteGrid(2 * cell_of_grid * spacing, 0);
   for (const SiteId p : not_regular_) grid_of_these_.insert(p, sites[p].position);
   for (SiteId p(0); p.index() < sites.size(); p = SiteId(p.value + 1))
     if (tree.contains(p)) grid.insert(p, sites[p].position);

@@ -55,14 +55,14 @@ double Strangers::power_of_rivals(SiteId p, SiteId neighbour) {
 }
 
 void Strangers::keep_near(const Frame& frame, SiteId p, std::span<const SiteId> rim, const Ball& ball,
-                          bool to_origin) {
+                          int first) {
   kept_.clear();
   const WeightedPoint3& origin = frame.origin();
   for (const SiteId s : found_) {
     if (s == p || std::ranges::find(rim, s) != rim.end()) continue;
     const Vec3 d = Frame::offset(state_.sites[s], origin);
     const double c = Frame::constant(state_.sites[s], origin);
-    if (!frame.is_behind(d, c, ball.center, ball.radius, to_origin)) kept_.push_back({s, d, c});
+    if (!frame.is_behind(d, c, ball.center, ball.radius, first)) kept_.push_back({s, d, c});
   }
 }
 

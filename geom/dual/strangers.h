@@ -30,13 +30,13 @@ class Strangers {
     Vec3 d;  ///< from the frame's origin
     double c;
   };
-  /// Keeps those who, somewhere in the ball, may be nearer than all sites of the frame, which are the rim and perhaps p. With
-  /// `to_origin` also than the frame's origin.
+  /// Keeps those who, somewhere in the ball, may be nearer than all sites of the frame, which are the rim and perhaps p.
+  /// `first`: the number there of the one that is most likely nearer, or Frame::nobody.
   struct Ball {
     Vec3 center;  ///< from the frame's origin
     double radius;
   };
-  void keep_near(const Frame& frame, SiteId p, std::span<const SiteId> rim, const Ball& ball, bool to_origin);
+  void keep_near(const Frame& frame, SiteId p, std::span<const SiteId> rim, const Ball& ball, int first);
   std::span<const Stranger> kept() const { return kept_; }
   /// Is none of them as near to the point, which has that power, as that says? `off`: at most so far is the point off.
   bool are_beyond(const Vec3& point, double power, double off) const;
