@@ -290,34 +290,54 @@ void Redivision::connect(const End& one, const End& two, std::size_t first_creat
   if (second.valid()) state_.circles.set_beyond(second, two.side, first);
 }
 
-// An edge of a and b that p has cut ends at p's cell, in new circles. If one circle has lost the other end of such an
-// edge, and there is one new circle, these are the two ends of what is left. In other cases the edge is followed.
+// An edge of a and b that p has cut ends at p's cell, in new circles. On a facet it is one segment, so if another circle
+// of a and b lies in the facet of a new one, these are its two ends. What is left of an edge that has lost one end ends in
+// a new circle; if one such edge and one new circle are left, these belong together. In other cases the edge is followed.
 void Redivision::connect_outwards(SiteId p, std::size_t first_created, const DualChange& change) {
-  const auto end_of_new = [&](std::size_t i) {
-    return End{End::found, static_cast<std::uint8_t>(found_[i].index_of(p)), static_cast<std::int64_t>(i)};
-  };
+  outwards_.clear();
   for (std::size_t i = 0; i < found_.size(); ++i) {
     if (!found_[i].is_triangle()) continue;
-    const std::size_t side = found_[i].index_of(p);
-    const SiteId a = found_[i].sites[side == 0 ? 1 : 0], b = found_[i].sites[side == 2 ? 1 : 2];
-    const auto is_cut = [&](const OpenSide& s) { return s.a == a && s.b == b; };
-    if (std::ranges::count_if(found_, [&](const EmptyCircle& c) { return has_side(c, a, b); }) == 1 &&
-        std::ranges::count_if(cut_off_, is_cut) == 1) {
-      const OpenSide& cut = *std::ranges::find_if(cut_off_, is_cut);
-      connect(end_of_new(i), {End::present, cut.side, cut.circle.value}, first_created, change);
-    } else {
-      connect(end_of_new(i), other_end(change.circles_created[first_created + i], side), first_created, change);
-    }
+    const CircleId c = change.circles_created[first_created + i];
+    const auto side = static_cast<std::uint8_t>(found_[i].index_of(p));
+    const OpenSide open{c, side, found_[i].sites[side == 0 ? 1 : 0], found_[i].sites[side == 2 ? 1 : 2]};
+    if (const CircleId other = circle_at(found_[i].facet, open.a, open.b, c); other.valid())
+      connect_outwards(open, other);
+    else
+      outwards_.push_back(open);
   }
+  for (const OpenSide& open : outwards_) {
+    const auto is_same = [&](const OpenSide& s) { return s.a == open.a && s.b == open.b; };
+    const auto cut = std::ranges::find_if(cut_off_, is_same);
+    if (cut != cut_off_.end() && std::ranges::count_if(cut_off_, is_same) == 1 &&
+        std::ranges::count_if(outwards_, is_same) == 1)
+      connect_outwards(open, cut->circle);
+    else
+      connect_outwards(open, other_end(open));
+  }
+}
+
+void Redivision::connect_outwards(const OpenSide& from, CircleId to) {
+  state_.circles.set_beyond(from.circle, from.side, to);
+  if (!to.valid()) return;
+  const std::size_t side = state_.circles[to].opposite(from.a, from.b);
+  state_.circles.set_beyond(to, side, from.circle);
+  std::erase_if(cut_off_, [&](const OpenSide& s) { return s.circle == to && s.side == side; });
+}
+
+/// A circle of a and b on the facet, another one than `but`; none if there is none.
+CircleId Redivision::circle_at(FacetId t, SiteId a, SiteId b, CircleId but) const {
+  for (const CircleId c : state_.circles.of_site(a))
+    if (c != but && state_.circles[c].facet == t && has_side(state_.circles[c], a, b)) return c;
+  return CircleId();
 }
 
 //         |  c            The edge of the diagram between a and b, from a corner with c, through one facet after the
 //   a  ___*____           other: in each it is the edge labelled b of the polygon of a, and where that ends on a
 //       / |  \   b        facet's edge it goes on across.
 //      /  |   \ .
-Redivision::End Redivision::other_end(CircleId from, std::size_t side) {
-  const EmptyCircle& circle = state_.circles[from];
-  const SiteId a = circle.sites[side == 0 ? 1 : 0], b = circle.sites[side == 2 ? 1 : 2];
+CircleId Redivision::other_end(const OpenSide& from) {
+  const auto [id, side, a, b] = from;
+  const EmptyCircle& circle = state_.circles[id];
   const EdgeLabel along = EdgeLabel::bisector(b);
   FacetId t = circle.facet;
   EdgeLabel start = EdgeLabel::bisector(circle.sites[side]);
@@ -333,21 +353,14 @@ Redivision::End Redivision::other_end(CircleId from, std::size_t side) {
     const EdgeLabel one = corners[previous_corner(at, n)].edge, two = corners[next_corner(at, n)].edge;
     if (one != start && two != start) break;
     const EdgeLabel end = one == start ? two : one;
-    if (end.is_site()) {
-      for (const CircleId c : state_.circles.of_site(a)) {
-        const EmptyCircle& found = state_.circles[c];
-        if (found.facet == t && has_side(found, a, b) && found.touches(end.site()))
-          return {End::present, static_cast<std::uint8_t>(found.index_of(end.site())), c.value};
-      }
-      break;
-    }
+    if (end.is_site()) return circle_at(t, a, b, id);
     const FacetId across = state_.mesh.across(t, end.edge());
     const int e = across.valid() ? same_edge(state_.mesh, t, end.edge(), across) : -1;
     if (e < 0) break;
     t = across;
     start = EdgeLabel::facet_edge(e);
   }
-  return {};
+  return CircleId();
 }
 
 }  // namespace geom

@@ -91,7 +91,9 @@ class Redivision {
   std::size_t create_found(DualChange& change);
   void connect(const End& one, const End& two, std::size_t first_created, const DualChange& change);
   void connect_outwards(SiteId p, std::size_t first_created, const DualChange& change);
-  End other_end(CircleId circle, std::size_t side);
+  void connect_outwards(const OpenSide& from, CircleId to);
+  CircleId circle_at(FacetId t, SiteId a, SiteId b, CircleId but) const;
+  CircleId other_end(const OpenSide& from);
 
   DualState& state_;
   CellClipper clipper_;
@@ -107,7 +109,8 @@ class Redivision {
   std::vector<std::pair<End, End>> links_;
   // Workspaces.
   std::vector<Open> open_;
-  std::vector<OpenSide> cut_off_;  ///< sides of circles that have lost what was beyond
+  std::vector<OpenSide> cut_off_;   ///< sides of circles that have lost what was beyond
+  std::vector<OpenSide> outwards_;  ///< of new circles
   std::vector<SiteId> rivals_, around_;
   std::vector<CircleId> beaten_;
   CellPieces asked_;
