@@ -78,9 +78,14 @@ double CellClipper::find_others(SiteId p, double power) {
 /// Leaves in polygon_ what p has of a polygon, or of the whole facet if there is none. False if that is nothing.
 bool CellClipper::cut(FacetId t, SiteId p, std::span<const PolygonCorner> corners) {
   cutting_.clear();
+  if (last_ < others_.size() && state_.clipper.compare_on_facet(t, others_[last_].bisector) == Clip::swallowed)
+    return false;
   for (const Other& other : others_) {
     const Clip whole = state_.clipper.compare_on_facet(t, other.bisector);
-    if (whole == Clip::swallowed) return false;
+    if (whole == Clip::swallowed) {
+      last_ = static_cast<std::size_t>(&other - others_.data());
+      return false;
+    }
     if (whole == Clip::cut) cutting_.push_back(&other);
   }
   if (corners.empty()) {

@@ -62,6 +62,7 @@ class CellClipper {
   DualState& state_;
   std::vector<Other> others_;          ///< by which the cell is being cut
   std::vector<const Other*> cutting_;  ///< that part the facet in hand
+  std::size_t last_ = 0;               ///< that had a whole facet: often the next one, too
   Table<SiteId, std::uint32_t> stamp_of_;
   std::uint32_t stamp_ = 0;
   FacetPolygon polygon_;

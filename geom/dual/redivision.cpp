@@ -331,36 +331,46 @@ CircleId Redivision::circle_at(FacetId t, SiteId a, SiteId b, CircleId but) cons
   return CircleId();
 }
 
-//         |  c            The edge of the diagram between a and b, from a corner with c, through one facet after the
-//   a  ___*____           other: in each it is the edge labelled b of the polygon of a, and where that ends on a
-//       / |  \   b        facet's edge it goes on across.
-//      /  |   \ .
-CircleId Redivision::other_end(const OpenSide& from) {
+//         v             The edge of the diagram between a and b, from a corner with p on, through one facet after the
+//        / \    b       other. The part of it on a facet is one segment. If the facet has another circle of a and b, that
+//       /___\___        is its end. Else it ends on a facet's edge, one of the two whose ends a and b are nearer to: not
+//      / a   \          the one where it came in; or, in the first facet, the one where p is not nearer.
+//     u-------w
+CircleId Redivision::other_end(const OpenSide& from) const {
   const auto [id, side, a, b] = from;
   const EmptyCircle& circle = state_.circles[id];
-  const EdgeLabel along = EdgeLabel::bisector(b);
+  const SiteId p = circle.sites[side];
+  const Bisector beyond = state_.clipper.bisector_of(a, b);
   FacetId t = circle.facet;
-  EdgeLabel start = EdgeLabel::bisector(circle.sites[side]);
-  clipper_.clip(a, asked_);
-  for (std::size_t steps = 0; steps <= asked_.pieces.size(); ++steps) {
-    const auto piece = std::ranges::find(asked_.pieces, t, &CellPieces::Piece::facet);
-    if (piece == asked_.pieces.end()) break;
-    const std::span<const PolygonCorner> corners = asked_.corners_of(*piece);
-    const std::size_t n = corners.size();
-    const auto at =
-        static_cast<std::size_t>(std::ranges::find(corners, along, &PolygonCorner::edge) - corners.begin());
-    if (at == n) break;
-    const EdgeLabel one = corners[previous_corner(at, n)].edge, two = corners[next_corner(at, n)].edge;
-    if (one != start && two != start) break;
-    const EdgeLabel end = one == start ? two : one;
-    if (end.is_site()) return circle_at(t, a, b, id);
-    const FacetId across = state_.mesh.across(t, end.edge());
-    const int e = across.valid() ? same_edge(state_.mesh, t, end.edge(), across) : -1;
-    if (e < 0) break;
+  int entry = -1;
+  for (std::size_t steps = 0; steps <= state_.mesh.num_facets(); ++steps) {
+    if (const CircleId other = circle_at(t, a, b, id); other.valid()) return other;
+    std::array<bool, 3> is_b;
+    for (int i = 0; i < 3; ++i) {
+      const EdgeLabel before = EdgeLabel::facet_edge(i == 0 ? 2 : i - 1), after = EdgeLabel::facet_edge(i);
+      is_b[static_cast<std::size_t>(i)] =
+          state_.clipper.beats_at({t, a, before, after, {state_.mesh.corner(t, i), 0}}, b, beyond);
+    }
+    int exit = -1;
+    for (int e = 0; e < 3; ++e) {
+      if (e == entry || is_b[static_cast<std::size_t>(e)] == is_b[static_cast<std::size_t>(e == 2 ? 0 : e + 1)]) continue;
+      if (entry < 0 && is_taken(t, e, a, b, p)) continue;
+      exit = e;
+    }
+    if (exit < 0) break;
+    const FacetId across = state_.mesh.across(t, exit);
+    entry = across.valid() ? same_edge(state_.mesh, t, exit, across) : -1;
+    if (entry < 0) break;
     t = across;
-    start = EdgeLabel::facet_edge(e);
   }
   return CircleId();
+}
+
+/// Is p nearer where the bisector of a and b meets an edge of the facet?
+bool Redivision::is_taken(FacetId t, int edge, SiteId a, SiteId b, SiteId p) const {
+  const EdgeLabel label = EdgeLabel::facet_edge(edge);
+  const RoundedPoint point = state_.clipper.corner(t, label, a, b, state_.clipper.bisector_of(a, b));
+  return state_.clipper.beats_at({t, a, label, EdgeLabel::bisector(b), point}, p, state_.clipper.bisector_of(a, p));
 }
 
 }  // namespace geom

@@ -93,7 +93,8 @@ class Redivision {
   void connect_outwards(SiteId p, std::size_t first_created, const DualChange& change);
   void connect_outwards(const OpenSide& from, CircleId to);
   CircleId circle_at(FacetId t, SiteId a, SiteId b, CircleId but) const;
-  CircleId other_end(const OpenSide& from);
+  CircleId other_end(const OpenSide& from) const;
+  bool is_taken(FacetId t, int edge, SiteId a, SiteId b, SiteId p) const;
 
   DualState& state_;
   CellClipper clipper_;

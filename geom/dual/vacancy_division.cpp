@@ -2,14 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace geom {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
 
 void VacancyDivision::divide(SiteId p, const CellPieces& cell, double reach) {
   begin(p, cell);
   do {
     shares_.clear();
     new_corners_.clear();
+    ++stamp_;
     between_.assign(heirs_.size() * heirs_.size(), {});
     power_ = reach;
     for (const CellPieces::Piece& piece : cell.pieces) divide_piece(piece.facet, cell.corners_of(piece));
@@ -51,23 +58,26 @@ void VacancyDivision::divide_piece(FacetId t, std::span<const PolygonCorner> cor
 /// Those that are not farther than another one at all corners.
 void VacancyDivision::find_winners(std::span<const PolygonCorner> corners) {
   const std::size_t n = corners.size();
-  leads_.clear();
-  Heir best = 0;
-  double least = std::numeric_limits<double>::infinity();
+  leads_.resize(n * heirs_.size());
+  least_.clear();
+  double bound = infinity;
   for (Heir k = 0; k < heirs_.size(); ++k) {
     const Bisector& b = before_p_[k];
-    double sum = 0;
-    for (const PolygonCorner& corner : corners) {
-      const double lead = b(corner.point.position), error = b.error + b.length * corner.point.tolerance;
-      leads_.push_back({lead - error, lead + error});
-      sum += lead;
+    double least = infinity, most = -infinity;
+    for (std::size_t i = 0; i < n; ++i) {
+      const RoundedPoint& point = corners[i].point;
+      const double lead = b(point.position), error = b.error + b.length * point.tolerance;
+      leads_[k * n + i] = {lead - error, lead + error};
+      least = std::min(least, lead - error);
+      most = std::max(most, lead + error);
     }
-    if (sum < least) least = sum, best = k;
+    least_.push_back(least);
+    bound = std::min(bound, most);
   }
   winners_.clear();
   for (Heir k = 0; k < heirs_.size(); ++k)
-    if (k == best || !is_dominated(k, best, n)) winners_.push_back(k);
-  if (winners_.size() > 2)
+    if (least_[k] <= bound) winners_.push_back(k);
+  if (winners_.size() > 1)
     std::erase_if(winners_, [&](Heir k) {
       return std::ranges::any_of(winners_, [&](Heir by) { return by != k && is_dominated(k, by, n); });
     });
@@ -131,13 +141,25 @@ void VacancyDivision::note_new_corners(std::size_t first_share) {
     for (std::size_t k = 0; k < share.size(); ++k) {
       if (!is_new(share, k)) continue;
       power_ = std::max(power_, state_.clipper.bound_power(t, owner, share.subspan(k, 1)));
-      const EdgeLabel before = share[previous_corner(k, share.size())].edge, after = share[k].edge;
-      if ((before.is_site() && before.site() < owner) || (after.is_site() && after.site() < owner))
-        continue;  // the same location is a corner of theirs
+      if (!is_first(t, owner, share[previous_corner(k, share.size())].edge, share[k].edge)) continue;
       const double distance2 = (share[k].point.position - site.position).squaredNorm();
       new_corners_.push_back({cell_corner(t, owner, share, k), distance2 - site.weight, distance2});
     }
   }
+}
+
+/// Of the corners that are one location: in shares of other sites, or on other facets.
+bool VacancyDivision::is_first(FacetId t, SiteId owner, EdgeLabel before, EdgeLabel after) {
+  if ((before.is_site() && before.site() < owner) || (after.is_site() && after.site() < owner)) return false;
+  if (before.is_site() && after.is_site()) return true;
+  if (before.is_site() || after.is_site()) {
+    const FacetId across = state_.mesh.across(t, before.is_site() ? after.edge() : before.edge());
+    return !across.valid() || t < across;
+  }
+  std::uint32_t& stamp = stamp_of_[state_.mesh.facet(t)[static_cast<std::size_t>(after.edge())]];
+  const bool is_new = stamp != stamp_;
+  stamp = stamp_;
+  return is_new;
 }
 
 bool VacancyDivision::add_missing_heirs(double reach) {

@@ -23,7 +23,7 @@ namespace geom {
 /// Plans the division, changes nothing. One object serves all divisions of a state.
 class VacancyDivision {
  public:
-  explicit VacancyDivision(DualState& state) : state_(state) {}
+  explicit VacancyDivision(DualState& state) : state_(state), stamp_of_(state.mesh.num_vertices(), 0) {}
 
   /// `cell`: that of p, which is in, and `reach` the least bound of the power there. Some other site must be in.
   void divide(SiteId p, const CellPieces& cell, double reach);
@@ -51,6 +51,7 @@ class VacancyDivision {
   bool is_dominated(Heir k, Heir by, std::size_t num_corners) const;
   void add_share(FacetId t, std::size_t winner);
   void note_new_corners(std::size_t first_share);
+  bool is_first(FacetId t, SiteId owner, EdgeLabel before, EdgeLabel after);
   bool add_missing_heirs(double reach);
   bool is_behind(const WeightedPoint3& j, double radius) const;
   bool is_missing(SiteId j);
@@ -74,11 +75,14 @@ class VacancyDivision {
   std::vector<SiteId> heirs_;
   std::vector<Bisector> before_p_;  ///< of p and each heir
   std::vector<std::optional<Bisector>> between_;
-  std::vector<Lead> leads_;        ///< of each heir at each corner
+  std::vector<Lead> leads_;          ///< of each heir at each corner
+  std::vector<double> least_;        ///< of each heir, of these
   std::vector<Heir> winners_;      ///< on the piece in hand, maybe some that win nothing; the labels first, in cyclic order
   std::size_t num_labels_ = 0;
   CellPieces shares_;
   std::vector<NewCorner> new_corners_;
+  Table<VertexId, std::uint32_t> stamp_of_;  ///< of the last division where it was a new corner
+  std::uint32_t stamp_ = 0;
   double power_ = 0;
   FacetPolygon polygon_;
   std::vector<SiteId> candidates_;
