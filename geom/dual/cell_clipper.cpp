@@ -89,6 +89,9 @@ bool CellClipper::cut(FacetId t, SiteId p, std::span<const PolygonCorner> corner
     if (whole == Clip::cut) cutting_.push_back(&other);
   }
   if (corners.empty()) {
+    const RoughPolygon::Outcome outcome = cut_roughly(t, p);
+    if (outcome == RoughPolygon::Outcome::swallowed) return false;
+    if (outcome != RoughPolygon::Outcome::unsure) return true;
     state_.clipper.start(polygon_, t, p);
   } else {
     polygon_.facet = t;
@@ -102,6 +105,18 @@ bool CellClipper::cut(FacetId t, SiteId p, std::span<const PolygonCorner> corner
     if (outcome == Clip::cut) state_.clipper.cut(polygon_, other->site, other->bisector, beaten_);
   }
   return true;
+}
+
+RoughPolygon::Outcome CellClipper::cut_roughly(FacetId t, SiteId p) {
+  using Outcome = RoughPolygon::Outcome;
+  rough_.start();
+  for (const Other* other : cutting_) {
+    const Outcome outcome =
+        rough_.clip(EdgeLabel::bisector(other->site), state_.clipper.form_on(t, other->bisector));
+    if (outcome == Outcome::swallowed || outcome == Outcome::unsure) return outcome;
+  }
+  state_.clipper.set_corners(polygon_, t, p, rough_.size(), [&](std::size_t k) { return rough_.label(k); });
+  return Outcome::cut;
 }
 
 void CellClipper::cut_pieces(SiteId p, CellPieces& cell) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geom/dual/state.h"
+#include "geom/rough_polygon.h"
 
 namespace geom {
 
@@ -56,6 +57,7 @@ class CellClipper {
   void consider(SiteId p, std::span<const SiteId> sites);
   double find_others(SiteId p, double power);
   bool cut(FacetId t, SiteId p, std::span<const PolygonCorner> corners);
+  RoughPolygon::Outcome cut_roughly(FacetId t, SiteId p);
   void cut_pieces(SiteId p, CellPieces& cell);
   double bound(const CellPieces& cell) const;
 
@@ -66,6 +68,7 @@ class CellClipper {
   Table<SiteId, std::uint32_t> stamp_of_;
   std::uint32_t stamp_ = 0;
   FacetPolygon polygon_;
+  RoughPolygon rough_;
   CellPieces spare_;
   std::vector<FacetId> near_;
   std::vector<SiteId> candidates_, around_;

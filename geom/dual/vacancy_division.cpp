@@ -100,29 +100,53 @@ void VacancyDivision::order_winners(std::span<const PolygonCorner> corners) {
   }
 }
 
-/// Clipped from the whole facet, by those first that follow each other on the border.
+/// Clipped from the whole facet; in doubles, unless something is not certain.
 void VacancyDivision::add_share(FacetId t, std::size_t winner) {
+  using Outcome = RoughPolygon::Outcome;
   const Heir k = winners_[winner];
   const SiteId own = heirs_[k];
-  state_.clipper.start(polygon_, t, own);
+  const Bisector b = state_.clipper.bisector_of(own, p_);
+  const bool is_bordered = num_labels_ > 0;  // else p has all of the facet
+  Outcome outcome = Outcome::untouched;
+  rough_.start();
+  if (is_bordered) {
+    const LinearForm form = state_.clipper.form_on(t, b);
+    outcome = rough_.clip(EdgeLabel::bisector(p_), {{-form.f[0], -form.f[1], -form.f[2]}, form.error});
+  }
+  const auto is_going_on = [&] { return outcome == Outcome::untouched || outcome == Outcome::cut; };
+  if (is_going_on())
+    for_rivals(winner, [&](Heir h) {
+      outcome = rough_.clip(EdgeLabel::bisector(heirs_[h]), state_.clipper.form_on(t, between(k, h)));
+      return is_going_on();
+    });
+  if (outcome == Outcome::swallowed) return;
+  if (is_going_on()) {
+    state_.clipper.set_corners(polygon_, t, own, rough_.size(), [&](std::size_t i) { return rough_.label(i); });
+  } else {
+    state_.clipper.start(polygon_, t, own);
+    if (is_bordered && state_.clipper.clip_beyond(polygon_, p_, b) == Clip::swallowed) return;
+    for_rivals(winner, [&](Heir h) {
+      return state_.clipper.clip(polygon_, heirs_[h], between(k, h)) != Clip::swallowed;
+    });
+    if (polygon_.corners.empty()) return;
+  }
+  shares_.add(polygon_);
+}
+
+/// All winners but this one, until `visit` returns false; first those that follow each other on the border.
+template <class Visit>
+void VacancyDivision::for_rivals(std::size_t winner, Visit visit) const {
   const std::size_t n = num_labels_;
-  const auto lose_to = [&](std::size_t i) {
-    const Heir h = winners_[i];
-    return h != k && state_.clipper.clip(polygon_, heirs_[h], between(k, h)) == Clip::swallowed;
-  };
-  if (n > 0 &&  // else p has all of the facet
-      state_.clipper.clip_beyond(polygon_, p_, state_.clipper.bisector_of(own, p_)) == Clip::swallowed)
-    return;
   if (winner < n) {
     for (std::size_t step = 1; step <= n / 2; ++step)
-      if (lose_to((winner + step) % n) || (2 * step != n && lose_to((winner + n - step) % n))) return;
+      if (!visit(winners_[(winner + step) % n]) || (2 * step != n && !visit(winners_[(winner + n - step) % n])))
+        return;
   } else {
     for (std::size_t i = 0; i < n; ++i)
-      if (lose_to(i)) return;
+      if (!visit(winners_[i])) return;
   }
   for (std::size_t i = n; i < winners_.size(); ++i)
-    if (lose_to(i)) return;
-  shares_.add(polygon_);
+    if (i != winner && !visit(winners_[i])) return;
 }
 
 const Bisector& VacancyDivision::between(Heir k, Heir h) {

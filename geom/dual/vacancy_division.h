@@ -50,6 +50,8 @@ class VacancyDivision {
   void find_winners(std::span<const PolygonCorner> corners);
   bool is_dominated(Heir k, Heir by, std::size_t num_corners) const;
   void add_share(FacetId t, std::size_t winner);
+  template <class Visit>
+  void for_rivals(std::size_t winner, Visit visit) const;
   void note_new_corners(std::size_t first_share);
   bool is_first(FacetId t, SiteId owner, EdgeLabel before, EdgeLabel after);
   bool add_missing_heirs(double reach);
@@ -85,6 +87,7 @@ class VacancyDivision {
   std::uint32_t stamp_ = 0;
   double power_ = 0;
   FacetPolygon polygon_;
+  RoughPolygon rough_;
   std::vector<SiteId> candidates_;
 };
 
