@@ -169,17 +169,8 @@ class Clipper {
   LinearForm form_on(FacetId facet, const Bisector& b) const {
     return linear_form(b, mesh_.corner(facet, 0), mesh_.corner(facet, 1), mesh_.corner(facet, 2));
   }
-  /// Sets the corners to a cycle of labels; label(k) is that of the edge from corner k on.
-  template <class Labels>
-  void set_corners(FacetPolygon& polygon, FacetId facet, SiteId owner, std::size_t size, Labels label) const {
-    polygon.facet = facet;
-    polygon.owner = owner;
-    polygon.corners.resize(size);
-    for (std::size_t k = 0; k < size; ++k) {
-      const EdgeLabel before = label(previous_corner(k, size)), after = label(k);
-      polygon.corners[k] = {corner_between(facet, owner, before, after), after};
-    }
-  }
+  /// The corner of the owner's polygon between edges with these labels: what clip() computes there.
+  RoundedPoint corner_between(FacetId facet, SiteId owner, EdgeLabel before, EdgeLabel after) const;
 
   /// The two halves of cut(): where, and the polygon with the new corners put in.
   static CutPlace place_of_cut(std::span<const PolygonCorner> corners, const std::vector<char>& beaten);
@@ -194,7 +185,6 @@ class Clipper {
   bool beats_in_plane(FacetId facet, SiteId a, SiteId b, SiteId c, SiteId j) const;
 
  private:
-  RoundedPoint corner_between(FacetId facet, SiteId owner, EdgeLabel before, EdgeLabel after) const;
   bool beats_exactly(const CellCorner& corner, SiteId j) const;
   RankedPoint3 ranked(SiteId s) const { return {&sites_[s], s.value}; }
   FacetCorners corners_of(FacetId t) const {

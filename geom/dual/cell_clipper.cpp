@@ -115,7 +115,14 @@ RoughPolygon::Outcome CellClipper::cut_roughly(FacetId t, SiteId p) {
         rough_.clip(EdgeLabel::bisector(other->site), state_.clipper.form_on(t, other->bisector));
     if (outcome == Outcome::swallowed || outcome == Outcome::unsure) return outcome;
   }
-  state_.clipper.set_corners(polygon_, t, p, rough_.size(), [&](std::size_t k) { return rough_.label(k); });
+  const std::size_t n = rough_.size();
+  polygon_.facet = t;
+  polygon_.owner = p;
+  polygon_.corners.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const EdgeLabel before = rough_.label(previous_corner(k, n)), after = rough_.label(k);
+    polygon_.corners[k] = {state_.clipper.corner_between(t, p, before, after), after};
+  }
   return Outcome::cut;
 }
 

@@ -8,6 +8,7 @@ namespace geom {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t group_size = 16;  // new corners
 
 }  // namespace
 
@@ -50,37 +51,43 @@ void VacancyDivision::divide_piece(FacetId t, std::span<const PolygonCorner> cor
     shares_.add(polygon_);
   } else {
     order_winners(corners);
-    for (std::size_t i = 0; i < winners_.size(); ++i) add_share(t, i);
+    for (std::size_t i = 0; i < winners_.size(); ++i) add_share(t, corners, i);
   }
   note_new_corners(first);
 }
 
-/// Those that are not farther than another one at all corners.
+/// Those that are not farther than another one at all corners; mostly that is seen from a ball about the piece.
 void VacancyDivision::find_winners(std::span<const PolygonCorner> corners) {
   const std::size_t n = corners.size();
-  leads_.resize(n * heirs_.size());
-  least_.clear();
+  Box3 box;
+  double tolerance = 0;
+  for (const PolygonCorner& corner : corners) {
+    box.extend(corner.point.position);
+    tolerance = std::max(tolerance, corner.point.tolerance);
+  }
+  const Vec3 middle = box.center();
+  const double radius = (0.5 * box.sizes().norm() + tolerance) * (1 + 1e-9);
   double bound = infinity;
-  for (Heir k = 0; k < heirs_.size(); ++k) {
-    const Bisector& b = before_p_[k];
-    double least = infinity, most = -infinity;
-    for (std::size_t i = 0; i < n; ++i) {
-      const RoundedPoint& point = corners[i].point;
-      const double lead = b(point.position), error = b.error + b.length * point.tolerance;
-      leads_[k * n + i] = {lead - error, lead + error};
-      least = std::min(least, lead - error);
-      most = std::max(most, lead + error);
-    }
-    least_.push_back(least);
-    bound = std::min(bound, most);
+  least_.clear();
+  for (const Bisector& b : before_p_) {
+    const double lead = b(middle), off = b.error + b.length * radius;
+    least_.push_back(lead - off);
+    bound = std::min(bound, lead + off);
   }
   winners_.clear();
   for (Heir k = 0; k < heirs_.size(); ++k)
     if (least_[k] <= bound) winners_.push_back(k);
-  if (winners_.size() > 1)
-    std::erase_if(winners_, [&](Heir k) {
-      return std::ranges::any_of(winners_, [&](Heir by) { return by != k && is_dominated(k, by, n); });
-    });
+  if (winners_.size() == 1) return;
+  leads_.resize(n * heirs_.size());
+  for (const Heir k : winners_)
+    for (std::size_t i = 0; i < n; ++i) {
+      const Bisector& b = before_p_[k];
+      const double lead = b(corners[i].point.position), error = b.error + b.length * corners[i].point.tolerance;
+      leads_[k * n + i] = {lead - error, lead + error};
+    }
+  std::erase_if(winners_, [&](Heir k) {
+    return std::ranges::any_of(winners_, [&](Heir by) { return by != k && is_dominated(k, by, n); });
+  });
 }
 
 bool VacancyDivision::is_dominated(Heir k, Heir by, std::size_t num_corners) const {
@@ -101,7 +108,7 @@ void VacancyDivision::order_winners(std::span<const PolygonCorner> corners) {
 }
 
 /// Clipped from the whole facet; in doubles, unless something is not certain.
-void VacancyDivision::add_share(FacetId t, std::size_t winner) {
+void VacancyDivision::add_share(FacetId t, std::span<const PolygonCorner> corners, std::size_t winner) {
   using Outcome = RoughPolygon::Outcome;
   const Heir k = winners_[winner];
   const SiteId own = heirs_[k];
@@ -121,7 +128,7 @@ void VacancyDivision::add_share(FacetId t, std::size_t winner) {
     });
   if (outcome == Outcome::swallowed) return;
   if (is_going_on()) {
-    state_.clipper.set_corners(polygon_, t, own, rough_.size(), [&](std::size_t i) { return rough_.label(i); });
+    set_corners(t, corners, own);
   } else {
     state_.clipper.start(polygon_, t, own);
     if (is_bordered && state_.clipper.clip_beyond(polygon_, p_, b) == Clip::swallowed) return;
@@ -131,6 +138,40 @@ void VacancyDivision::add_share(FacetId t, std::size_t winner) {
     if (polygon_.corners.empty()) return;
   }
   shares_.add(polygon_);
+}
+
+/// Of polygon_, from rough_. Many are known: those on p's border are corners of its cell, others may be of shares that
+/// were found before on the same facet.
+void VacancyDivision::set_corners(FacetId t, std::span<const PolygonCorner> corners, SiteId owner) {
+  const EdgeLabel own = EdgeLabel::bisector(owner), gone = EdgeLabel::bisector(p_);
+  const std::size_t n = rough_.size();
+  polygon_.facet = t;
+  polygon_.owner = owner;
+  polygon_.corners.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const EdgeLabel before = rough_.label(previous_corner(k, n)), after = rough_.label(k);
+    const RoundedPoint* known = nullptr;
+    if (before == gone || after == gone) {
+      known = find_corner(corners, own, before == gone ? after : before);
+    } else {
+      for (std::size_t i = shares_.pieces.size(); !known && i > 0 && shares_.pieces[i - 1].facet == t; --i) {
+        const EdgeLabel other = EdgeLabel::bisector(shares_.pieces[i - 1].owner);
+        if (other == before || other == after)
+          known = find_corner(shares_.corners_of(shares_.pieces[i - 1]), own, other == before ? after : before);
+      }
+    }
+    polygon_.corners[k] = {known ? *known : state_.clipper.corner_between(t, owner, before, after), after};
+  }
+}
+
+/// The corner between edges with these labels, in whichever order; null if there is none.
+const RoundedPoint* VacancyDivision::find_corner(std::span<const PolygonCorner> corners, EdgeLabel one, EdgeLabel two) {
+  EdgeLabel before = corners.back().edge;
+  for (const PolygonCorner& corner : corners) {
+    if ((before == one && corner.edge == two) || (before == two && corner.edge == one)) return &corner.point;
+    before = corner.edge;
+  }
+  return nullptr;
 }
 
 /// All winners but this one, until `visit` returns false; first those that follow each other on the border.
@@ -187,44 +228,62 @@ bool VacancyDivision::is_first(FacetId t, SiteId owner, EdgeLabel before, EdgeLa
 }
 
 bool VacancyDivision::add_missing_heirs(double reach) {
-  const double radius = state_.distance_at(reach, p_);
   const std::size_t known = heirs_.size();
+  group_new_corners();
   candidates_.clear();
-  state_.near({p_, state_.sites[p_].position, radius, power_}, candidates_);
+  state_.near({p_, state_.sites[p_].position, state_.distance_at(reach, p_), power_}, candidates_);
   for (const SiteId j : candidates_) {
-    if (j == p_ || is_behind(state_.sites[j], radius) || index_of(j) < heirs_.size() || !is_missing(j)) continue;
+    if (j == p_ || index_of(j) < known || !is_missing(j)) continue;
     heirs_.push_back(j);
     before_p_.push_back(state_.clipper.bisector_of(p_, j));
   }
   return heirs_.size() > known;
 }
 
-/// Is j farther than some heir in all of the ball about p's cell?
-bool VacancyDivision::is_behind(const WeightedPoint3& j, double radius) const {
-  const Vec3& center = state_.sites[p_].position;
-  const double own = geom::power(center, j);
-  for (const SiteId k : heirs_) {
-    const WeightedPoint3& site = state_.sites[k];
-    const double other = geom::power(center, site), lead = own - other;
-    if (lead <= 1e-8 * (std::abs(own) + std::abs(other) + std::abs(j.weight) + std::abs(site.weight))) continue;
-    if (lead * lead > 4 * radius * radius * (1 + 1e-6) * (j.position - site.position).squaredNorm()) return true;
+/// By owners, with a ball about a few at a time.
+void VacancyDivision::group_new_corners() {
+  std::ranges::stable_sort(new_corners_, {}, [](const NewCorner& c) { return c.corner.owner; });
+  groups_.clear();
+  for (std::size_t i = 0, end = 0; i < new_corners_.size(); i = end) {
+    Box3 box;
+    double tolerance = 0;
+    for (end = i; end < std::min(i + group_size, new_corners_.size()) &&
+                  new_corners_[end].corner.owner == new_corners_[i].corner.owner;
+         ++end) {
+      box.extend(new_corners_[end].corner.point.position);
+      tolerance = std::max(tolerance, new_corners_[end].corner.point.tolerance);
+    }
+    groups_.push_back({i, end, box.center(), (0.5 * box.sizes().norm() + tolerance) * (1 + 1e-9)});
   }
-  return false;
 }
 
-/// Is j nearer than the heirs at some new corner? The lead of the owner over j is off by some ulps of what it is made of,
-/// and by the tolerance of the corner times its slope, which is twice the distance of the two sites.
+/// Is j nearer than the heirs at some new corner?
 bool VacancyDivision::is_missing(SiteId j) {
-  const WeightedPoint3& site = state_.sites[j];
-  return std::ranges::any_of(new_corners_, [&](const NewCorner& at) {
-    const auto& [position, tolerance] = at.corner.point;
-    const double distance2 = (position - site.position).squaredNorm();
-    const double lead = distance2 - site.weight - at.power, scale = distance2 + at.distance2;
-    if (lead > 0x1p-46 * (scale + std::abs(site.weight) + std::abs(at.power)) +
-                   tolerance * (3 * std::sqrt(scale) + tolerance))
-      return false;
-    return state_.clipper.beats_at(at.corner, j, state_.clipper.bisector_of(at.corner.owner, j));
+  return std::ranges::any_of(groups_, [&](const Group& group) {
+    const std::span<const NewCorner> corners = std::span(new_corners_).subspan(group.begin, group.end - group.begin);
+    return !is_behind(state_.sites[j], state_.sites[corners.front().corner.owner], group) &&
+           std::ranges::any_of(corners, [&](const NewCorner& at) { return beats_at(j, at); });
   });
+}
+
+/// Is j farther than the owner in all of the ball?
+bool VacancyDivision::is_behind(const WeightedPoint3& j, const WeightedPoint3& owner, const Group& ball) const {
+  const double far = geom::power(ball.center, j), near = geom::power(ball.center, owner), lead = far - near;
+  if (lead <= 1e-8 * (std::abs(far) + std::abs(near) + std::abs(j.weight) + std::abs(owner.weight))) return false;
+  return lead * lead > 4 * ball.radius * ball.radius * (1 + 1e-6) * (j.position - owner.position).squaredNorm();
+}
+
+/// The lead of the owner over j is off by some ulps of what it is made of, and by the tolerance of the corner times its
+/// slope, which is twice the distance of the two sites.
+bool VacancyDivision::beats_at(SiteId j, const NewCorner& at) const {
+  const WeightedPoint3& site = state_.sites[j];
+  const auto& [position, tolerance] = at.corner.point;
+  const double distance2 = (position - site.position).squaredNorm();
+  const double lead = distance2 - site.weight - at.power, scale = distance2 + at.distance2;
+  if (lead > 0x1p-46 * (scale + std::abs(site.weight) + std::abs(at.power)) +
+                 tolerance * (3 * std::sqrt(scale) + tolerance))
+    return false;
+  return state_.clipper.beats_at(at.corner, j, state_.clipper.bisector_of(at.corner.owner, j));
 }
 
 }  // namespace geom

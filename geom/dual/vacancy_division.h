@@ -43,30 +43,40 @@ class VacancyDivision {
 
  private:
   using Heir = std::size_t;  // index into heirs_
+  /// A corner that p's cell does not have, and what it takes to see that a site is not nearer there.
+  struct NewCorner {
+    CellCorner corner;
+    double power, distance2;  ///< of the owner
+  };
+  /// Some new corners of one owner, and a ball about them.
+  struct Group {
+    std::size_t begin, end;
+    Vec3 center;
+    double radius;
+  };
 
   void begin(SiteId p, const CellPieces& cell);
   void divide_piece(FacetId t, std::span<const PolygonCorner> corners);
   void order_winners(std::span<const PolygonCorner> corners);
   void find_winners(std::span<const PolygonCorner> corners);
   bool is_dominated(Heir k, Heir by, std::size_t num_corners) const;
-  void add_share(FacetId t, std::size_t winner);
+  void add_share(FacetId t, std::span<const PolygonCorner> corners, std::size_t winner);
+  void set_corners(FacetId t, std::span<const PolygonCorner> corners, SiteId owner);
+  static const RoundedPoint* find_corner(std::span<const PolygonCorner> corners, EdgeLabel one, EdgeLabel two);
   template <class Visit>
   void for_rivals(std::size_t winner, Visit visit) const;
   void note_new_corners(std::size_t first_share);
   bool is_first(FacetId t, SiteId owner, EdgeLabel before, EdgeLabel after);
   bool add_missing_heirs(double reach);
-  bool is_behind(const WeightedPoint3& j, double radius) const;
+  void group_new_corners();
   bool is_missing(SiteId j);
+  bool is_behind(const WeightedPoint3& j, const WeightedPoint3& owner, const Group& ball) const;
+  bool beats_at(SiteId j, const NewCorner& at) const;
   const Bisector& between(Heir k, Heir h);
   Heir index_of(SiteId s) const {
     return static_cast<Heir>(std::ranges::find(heirs_, s) - heirs_.begin());
   }
 
-  /// A corner that p's cell does not have, and what it takes to see that a site is not nearer there.
-  struct NewCorner {
-    CellCorner corner;
-    double power, distance2;  ///< of the owner
-  };
   /// The power less that to p at a corner of the piece in hand is between these.
   struct Lead {
     double least, most;
@@ -83,6 +93,7 @@ class VacancyDivision {
   std::size_t num_labels_ = 0;
   CellPieces shares_;
   std::vector<NewCorner> new_corners_;
+  std::vector<Group> groups_;
   Table<VertexId, std::uint32_t> stamp_of_;  ///< of the last division where it was a new corner
   std::uint32_t stamp_ = 0;
   double power_ = 0;
