@@ -32,7 +32,7 @@ double CellClipper::clip(SiteId p, double power, std::span<const SiteId> around,
   near_.clear();
   state_.facets.near(state_.sites[p].position, radius, near_);
   for (const FacetId t : near_)
-    if (state_.clipper.comes_near(t, state_.sites[p].position, radius) && cut(t, p, {})) out.add(polygon_);
+    if (state_.clipper.comes_near(t, state_.sites[p].position, radius) && cut(t, p, {}, 0)) out.add(polygon_);
   for (double cap = power;;) {
     const double left = bound(out);
     if (out.pieces.empty()) return left;
@@ -75,12 +75,13 @@ double CellClipper::find_others(SiteId p, double power) {
   return power;
 }
 
-/// Leaves in polygon_ what p has of a polygon, or of the whole facet if there is none. False if that is nothing.
-bool CellClipper::cut(FacetId t, SiteId p, std::span<const PolygonCorner> corners) {
+/// Leaves in polygon_ what others_ from the first one on leave to p of a polygon, or of the whole facet if there is none.
+/// False if that is nothing.
+bool CellClipper::cut(FacetId t, SiteId p, std::span<const PolygonCorner> corners, std::size_t first) {
   cutting_.clear();
   if (last_ < others_.size() && state_.clipper.compare_on_facet(t, others_[last_].bisector) == Clip::swallowed)
     return false;
-  for (const Other& other : others_) {
+  for (const Other& other : std::span(others_).subspan(first)) {
     const Clip whole = state_.clipper.compare_on_facet(t, other.bisector);
     if (whole == Clip::swallowed) {
       last_ = static_cast<std::size_t>(&other - others_.data());
@@ -126,21 +127,32 @@ RoughPolygon::Outcome CellClipper::cut_roughly(FacetId t, SiteId p) {
   return Outcome::cut;
 }
 
+/// Cuts all pieces by others_, and forgets these if they take nothing.
 void CellClipper::cut_pieces(SiteId p, CellPieces& cell) {
-  const bool is_touched = std::ranges::any_of(cell.pieces, [&](const CellPieces::Piece& piece) {
-    return std::ranges::any_of(others_, [&](const Other& other) {
-      return state_.clipper.classify(piece.facet, p, cell.corners_of(piece), other.site, other.bisector,
-                                     beaten_) != Clip::untouched;
-    });
-  });
-  if (!is_touched) {
-    others_.clear();
-    return;
+  bool is_touched = false;
+  for (std::size_t i = 0; i < cell.pieces.size(); ++i) {
+    const CellPieces::Piece piece = cell.pieces[i];
+    const std::span<const PolygonCorner> corners = cell.corners_of(piece);
+    const auto takes_part = [&](const Other& other) {
+      return state_.clipper.classify(piece.facet, p, corners, other.site, other.bisector, beaten_) !=
+             Clip::untouched;
+    };
+    const auto first = std::ranges::find_if(others_, takes_part);
+    if (first == others_.end()) {
+      if (is_touched) spare_.add(piece, corners);
+      continue;
+    }
+    if (!is_touched) {
+      is_touched = true;
+      spare_.clear();
+      for (std::size_t k = 0; k < i; ++k) spare_.add(cell.pieces[k], cell.corners_of(cell.pieces[k]));
+    }
+    if (cut(piece.facet, p, corners, static_cast<std::size_t>(first - others_.begin()))) spare_.add(polygon_);
   }
-  spare_.clear();
-  for (const CellPieces::Piece& piece : cell.pieces)
-    if (cut(piece.facet, p, cell.corners_of(piece))) spare_.add(polygon_);
-  std::swap(spare_, cell);
+  if (is_touched)
+    std::swap(spare_, cell);
+  else
+    others_.clear();
 }
 
 double CellClipper::bound(const CellPieces& cell) const {

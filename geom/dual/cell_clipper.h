@@ -26,10 +26,11 @@ struct CellPieces {
     pieces.clear();
     corners.clear();
   }
-  void add(const FacetPolygon& polygon) {
-    pieces.push_back({polygon.facet, polygon.owner, static_cast<std::uint32_t>(corners.size()),
-                      static_cast<std::uint32_t>(polygon.corners.size())});
-    corners.insert(corners.end(), polygon.corners.begin(), polygon.corners.end());
+  void add(const FacetPolygon& polygon) { add({polygon.facet, polygon.owner, 0, 0}, polygon.corners); }
+  void add(const Piece& piece, std::span<const PolygonCorner> polygon) {
+    pieces.push_back({piece.facet, piece.owner, static_cast<std::uint32_t>(corners.size()),
+                      static_cast<std::uint32_t>(polygon.size())});
+    corners.insert(corners.end(), polygon.begin(), polygon.end());
   }
   std::span<const PolygonCorner> corners_of(const Piece& piece) const {
     return std::span(corners).subspan(piece.first, piece.size);
@@ -56,7 +57,7 @@ class CellClipper {
 
   void consider(SiteId p, std::span<const SiteId> sites);
   double find_others(SiteId p, double power);
-  bool cut(FacetId t, SiteId p, std::span<const PolygonCorner> corners);
+  bool cut(FacetId t, SiteId p, std::span<const PolygonCorner> corners, std::size_t first);
   RoughPolygon::Outcome cut_roughly(FacetId t, SiteId p);
   void cut_pieces(SiteId p, CellPieces& cell);
   double bound(const CellPieces& cell) const;
