@@ -75,8 +75,6 @@ class SurfaceDomain final : public Domain {
   /// is_farther() for such a circle.
   bool is_farther(double radius2, SiteId x, std::span<const SiteId> heirs) const;
   void move_planned(SiteId x, const Planned& place);
-  /// reach() of an heir as long as x is there.
-  double reach_beside(SiteId heir, SiteId x) { return dual_->reach_beside(heir, x); }
   void stay(SiteId x) { apply(dual_->stay(x)); }
 
   /// Distance over h to the nearest sample in space; with weights to the nearest of those that are first in

@@ -187,8 +187,7 @@ bool TileDomain::holds_vacancy(SiteId x, const Vacancy& vacancy) const {
 bool TileDomain::holds_heirs(const Vacancy& vacancy) {
   return std::ranges::all_of(vacancy.around, [&](SiteId y) {
     const auto holds = [&](double reach) { return holds_cell(y, reach, std::max(vacancy.power, reach)); };
-    return holds(domain_->dual().reach_bound(y)) ||
-           holds(vacancy.planned.valid() ? domain_->reach_beside(y, vacancy.planned) : domain_->reach(y));
+    return holds(domain_->dual().reach_bound(y)) || holds(domain_->reach(y));
   });
 }
 

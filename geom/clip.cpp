@@ -120,6 +120,12 @@ RoundedPoint Clipper::corner(FacetId facet, EdgeLabel label, SiteId owner, SiteI
   return meeting(facet, s);
 }
 
+RoundedPoint Clipper::corner_between(FacetId facet, SiteId owner, EdgeLabel before, EdgeLabel after) const {
+  if (!before.is_site() && !after.is_site()) return {mesh_.corner(facet, after.edge()), 0};
+  const EdgeLabel site = after.is_site() ? after : before, other = after.is_site() ? before : after;
+  return corner(facet, other, owner, site.site(), bisector_of(owner, site.site()));
+}
+
 RoundedPoint Clipper::meeting(FacetId facet, const std::array<SiteId, 3>& s) const {
   const auto [q0, q1, q2] = corners_of(facet);
   const RoundedPoint point =

@@ -165,6 +165,13 @@ class Clipper {
   /// clip() with the answer of classify() at hand.
   void cut(FacetPolygon& polygon, SiteId j, const Bisector& b, const std::vector<char>& beaten);
 
+  /// The values of a bisector at the corners of a facet.
+  LinearForm form_on(FacetId facet, const Bisector& b) const {
+    return linear_form(b, mesh_.corner(facet, 0), mesh_.corner(facet, 1), mesh_.corner(facet, 2));
+  }
+  /// The corner of the owner's polygon between edges with these labels: what clip() computes there.
+  RoundedPoint corner_between(FacetId facet, SiteId owner, EdgeLabel before, EdgeLabel after) const;
+
   /// The two halves of cut(): where, and the polygon with the new corners put in.
   static CutPlace place_of_cut(std::span<const PolygonCorner> corners, const std::vector<char>& beaten);
   static void cut(std::span<const PolygonCorner> old, const CutPlace& place, SiteId j,

@@ -72,17 +72,6 @@ void FacetCells::follow(SiteId first, FacetId t) {
   }
 }
 
-bool FacetCells::part_of(SiteId owner, FacetId t, FacetPolygon& polygon) {
-  clipper_.start(polygon, t, owner);
-  return clip(polygon);
-}
-
-void FacetCells::forget() {
-  for (const std::uint32_t place : places_known_) known_[place].owner = SiteId();
-  places_known_.clear();
-  stamp_of_.resize(sites_.size(), 0);
-}
-
 bool FacetCells::is_new(SiteId s) {
   if (stamp_of_[s] == stamp_) return false;
   stamp_of_[s] = stamp_;
@@ -129,7 +118,6 @@ FacetCells::Surroundings& FacetCells::surroundings(SiteId owner) {
   Surroundings& around = known_[owner.index() % known_.size()];
   if (around.owner == owner) return around;
   around.owner = owner;
-  places_known_.push_back(static_cast<std::uint32_t>(owner.index() % known_.size()));
   if (!(likely_radius_ > 0)) {
     const SiteId nearest = search_.nearest(sites_[owner].position, owner, SiteId()).site;
     if (nearest.valid())

@@ -30,12 +30,6 @@ class FacetCells {
   /// sites. There must be at least one site, and the facet must not be degenerate. Valid until the next call.
   std::span<const FacetPolygon> divide(FacetId t);
 
-  /// The part of one cell on the facet, if there is any. The polygon is worked on in any case.
-  bool part_of(SiteId owner, FacetId t, FacetPolygon& polygon);
-
-  /// Sites have come, gone or moved.
-  void forget();
-
   /// In all, around all owners: what the time depends on. For tests.
   std::size_t sites_looked_at() const { return sites_looked_at_; }
 
@@ -65,7 +59,6 @@ class FacetCells {
   Clipper clipper_;
   const NeighbourSource& search_;
   std::vector<Surroundings> known_;          ///< of site s in place s mod size, if of s at all
-  std::vector<std::uint32_t> places_known_;  ///< maybe some more than once
   double likely_radius_ = 0;                 ///< how far the next fragment will reach from its owner
   std::size_t sites_looked_at_ = 0;
   std::vector<FacetPolygon> found_;

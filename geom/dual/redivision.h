@@ -1,104 +1,120 @@
 #pragma once
-// The general way of an update: cells are clipped from nothing, by exact clipping (facet_cells.h), on the facets that
+// The general way of an update: cells are clipped from nothing, by exact clipping (cell_clipper.h), on the facets that
 // they meet. It needs no assumption on the surface, the sites or the cells, and is what the fast way (fast_way.h) is
 // held against.
 //
-// Removal of p. The circles of p go. On each facet, the part of p's cell is a convex polygon, and those who own
-// something of it now hang together there by common edges: from the sites on its border their polygons lead to all
-// others. The new circles are the corners of these polygons where p was nearer.
+// Removal of p. The circles of p go, and its cell is divided among the others (vacancy_division.h). The new circles are
+// the corners of their shares that p's cell did not have.
 //
-// Insertion of p. The new circles are the corners of p's cell. The circles that it beats go: they belong to sites of
-// which it takes something.
+// Insertion of p. The circles that it beats go: they belong to sites of which it takes something. The new circles are
+// the corners of p's cell.
+//
+// The edges of the diagram within the old cell, or around the new one, are put together facet by facet, as in chains.h.
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "geom/dual/cell_clipper.h"
 #include "geom/dual/state.h"
-#include "geom/facet_cells.h"
+#include "geom/dual/vacancy_division.h"
 
 namespace geom {
-
-/// Polygons of the diagram of the present sites, each clipped when it is asked for.
-class ClippedCells {
- public:
-  explicit ClippedCells(const DualState& state);
-
-  /// Forgets all: the sites are others.
-  void begin();
-  /// The part of a cell on a facet, empty if there is none. Valid until the next call.
-  std::span<const PolygonCorner> part(SiteId owner, FacetId t);
-  /// All owners on a facet.
-  std::vector<SiteId> owners(FacetId t);
-
- private:
-  struct Piece {
-    FacetId facet;
-    SiteId owner;
-    std::uint32_t begin, size, next;
-  };
-  static constexpr std::uint32_t none = 0xffffffffu;
-  static constexpr std::size_t num_buckets = 1024;
-
-  FacetCells cells_;
-  FacetPolygon polygon_;
-  std::vector<Piece> pieces_;
-  std::vector<PolygonCorner> corners_;
-  std::vector<std::uint32_t> buckets_;
-};
 
 /// One object serves all updates of a state.
 class Redivision {
  public:
   explicit Redivision(DualState& state);
 
-  /// Takes p out, or puts it in at a place: the tree and the neighbour source follow.
-  void remove(SiteId p, DualChange& change);
+  /// Plans the removal of p, which changes nothing. The plan holds until the next update.
+  void plan(SiteId p);
+  /// Of the plan: does any other site border the cell? The circles to be, in their order (circle_before()); those who win
+  /// something, ascending; bounds of the power in what p has, with p, and with p or without.
+  bool has_neighbours() const { return has_neighbours_; }
+  std::span<const EmptyCircle> circles() const { return found_; }
+  std::span<const SiteId> heirs() const { return heirs_; }
+  double reach() const { return reach_; }
+  double power() const { return power_; }
+  /// Carries it out: the tree and the neighbour source follow.
+  void remove(DualChange& change);
+
+  /// Puts p in at a place, likewise.
   void insert(SiteId p, const WeightedPoint3& point, DualChange& change);
   /// All circles, there being none, and all reaches.
   void build(int threads, DualChange& change);
 
-  /// After remove(): bounds of the power in what p had, with p, and with p or without.
-  double last_reach() const { return last_reach_; }
-  double last_power() const { return last_power_; }
-  /// Does any other site border the cell of p, which is in?
-  bool has_neighbours(SiteId p);
   /// The least bound of the power in the cell of p, which is in.
-  double reach(SiteId p);
-  /// Of what it would have if p, which was removed last, were there.
-  double reach_beside(SiteId heir, SiteId p);
-  /// The polygons of p, which is in.
-  void cell(SiteId p, std::vector<FacetPolygon>& out);
+  double reach(SiteId p) { return clipper_.clip(p, asked_); }
+  /// The polygons of p, which is in. Valid until the next call.
+  const CellPieces& cell(SiteId p) {
+    clipper_.clip(p, asked_);
+    return asked_;
+  }
 
  private:
-  /// An end of an edge of the diagram: the edge of this circle opposite to a site.
-  struct Side {
+  /// An end of an edge of the diagram, or of a part of it.
+  struct End {
+    enum Kind : char {
+      nowhere,  ///< a border of the surface
+      found,    ///< side of a circle to be: a place in found_
+      present,  ///< side of a circle that is there
+      own,      ///< a circle of the removed site, a place in star_, where the edge goes on outside
+      open      ///< a point on an edge of the surface, where it goes on: 3 smaller facet + edge
+    } kind = nowhere;
+    std::uint8_t side = 0;
+    std::int64_t place = 0;
+  };
+  struct Open {
+    std::int64_t point;
+    SiteId a, b;
+    End other;
+  };
+  struct OwnCircle {
+    CircleId id;
+    End inside;  ///< where the edge goes that comes in here
+  };
+  struct OpenSide {
     CircleId circle;
-    std::size_t side;
+    std::uint8_t side;
+    SiteId a, b;
   };
 
-  /// The facets where p, which is in, owns something, and the least bound of the power there (-infinity if it owns
-  /// nothing). `radius`: no location of its cell is farther from it.
-  double facets_of(SiteId p, double radius, std::vector<FacetId>& out);
-  void divide_vacancy(SiteId p, FacetId t, std::span<const SiteId> around, DualChange& change);
-  void add_corner(const DualState::Polygon& polygon, std::size_t corner);
-  void erase_beaten(SiteId p, std::span<const SiteId> rivals, DualChange& change);
-  void erase(CircleId c, DualChange& change);
-  void create_found(DualChange& change);
-  void connect(Side from);
-  Side other_end(Side from);
-  CircleId circle_at(FacetId t, SiteId a, SiteId b, SiteId c) const;
+  void add_segments(SiteId p, const CellPieces& pieces, const CellPieces::Piece& piece);
+  End end_at(SiteId p, FacetId t, SiteId a, SiteId b, EdgeLabel label) const;
+  End follow(const End& end, SiteId a, SiteId b);
+  void join(const End& one, const End& two, SiteId a, SiteId b);
+  End outside(std::size_t own) const;
+  void join_across();
+  void erase_beaten(SiteId p, DualChange& change);
+  bool is_beaten(const EmptyCircle& circle, SiteId p) const;
+  std::size_t create_found(DualChange& change);
+  void connect(const End& one, const End& two, std::size_t first_created, const DualChange& change);
+  void connect_outwards(SiteId p, std::size_t first_created, const DualChange& change);
+  void connect_outwards(const OpenSide& from, CircleId to);
+  CircleId circle_at(FacetId t, SiteId a, SiteId b, CircleId but) const;
+  CircleId other_end(const OpenSide& from) const;
+  bool is_taken(FacetId t, int edge, SiteId a, SiteId b, SiteId p) const;
 
   DualState& state_;
-  ClippedCells clipped_;
-  std::vector<FacetId> near_, facets_;
-  std::vector<SiteId> around_, rivals_;
-  std::vector<std::uint32_t> around_up_to_;  ///< of each facet
+  CellClipper clipper_;
+  VacancyDivision division_;
+  // The plan.
+  SiteId p_;
+  bool has_neighbours_ = false;
+  double reach_ = 0, power_ = 0;
+  CellPieces cell_;
   std::vector<EmptyCircle> found_;
-  std::vector<Side> open_;  ///< whose other end is not known
-  std::vector<char> beaten_;
-  FacetPolygon polygon_;
-  double last_power_ = 0, last_reach_ = 0;
+  std::vector<SiteId> heirs_;
+  std::vector<OwnCircle> star_;
+  std::vector<std::pair<End, End>> links_;
+  // Workspaces.
+  std::vector<Open> open_;
+  std::vector<OpenSide> cut_off_;   ///< sides of circles that have lost what was beyond
+  std::vector<OpenSide> outwards_;  ///< of new circles
+  std::vector<SiteId> rivals_, around_;
+  std::vector<CircleId> beaten_;
+  CellPieces asked_;
 };
 
 }  // namespace geom

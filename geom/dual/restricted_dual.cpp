@@ -82,6 +82,7 @@ const RestrictedDual::Change& RestrictedDual::remove(SiteId p) {
     ++ways_.fast_removals;
     fast_.remove(change_);
   } else {
+    redivision_.plan(p);
     remove_generally(p);
   }
   return change_;
@@ -89,7 +90,7 @@ const RestrictedDual::Change& RestrictedDual::remove(SiteId p) {
 
 void RestrictedDual::remove_generally(SiteId p) {
   ++ways_.general_removals;
-  redivision_.remove(p, change_);
+  redivision_.remove(change_);
   state_.set_shape(p, DualState::Shape::regular);
   forget_shapes();
 }
@@ -107,43 +108,40 @@ void RestrictedDual::forget_shapes() {
 
 std::optional<RestrictedDual::Plan> RestrictedDual::plan_removal(SiteId p) {
   begin();
-  is_carried_out_ = false;
+  is_general_ = false;
   if (fast_.plan(p)) return Plan{fast_.rim(), fast_.circles(), fast_.reach(), fast_.max_radius2()};
-  if (state_.types == CornerTypes::all || !has_cell(p) || !redivision_.has_neighbours(p)) return {};
-  return plan_generally(p);
+  if (state_.types == CornerTypes::all || !has_cell(p)) return {};
+  redivision_.plan(p);
+  if (!redivision_.has_neighbours()) return {};
+  is_general_ = true;
+  return general_plan();
 }
 
 RestrictedDual::Plan RestrictedDual::plan_exactly(SiteId p) {
-  if (is_carried_out_) return {heirs_, planned_, redivision_.last_reach(), redivision_.last_power()};
-  if (fast_.make_plan_exact())
+  if (!is_general_ && fast_.make_plan_exact())
     return {fast_.rim(), fast_.circles(), fast_.reach(), fast_.max_radius2()};
-  fast_.cancel();
-  return plan_generally(p);
-}
-
-/// By carrying it out.
-RestrictedDual::Plan RestrictedDual::plan_generally(SiteId p) {
-  is_carried_out_ = true;
-  remove_generally(p);
-  heirs_ = change_.cells;
-  planned_.clear();
-  for (const CircleId c : change_.circles_created) planned_.push_back(circle(c));
-  return {heirs_, planned_, redivision_.last_reach(), redivision_.last_power()};
-}
-
-const RestrictedDual::Change& RestrictedDual::stay(SiteId p) {
-  if (!is_carried_out_) {
+  if (!is_general_) {
     fast_.cancel();
-    return change_;
+    redivision_.plan(p);
+    is_general_ = true;
   }
-  insert_anyhow(p, state_.sites[p], state_.home[p], CircleId());
-  take_net_change();
+  return general_plan();
+}
+
+RestrictedDual::Plan RestrictedDual::general_plan() const {
+  return {redivision_.heirs(), redivision_.circles(), redivision_.reach(), redivision_.power()};
+}
+
+const RestrictedDual::Change& RestrictedDual::stay(SiteId) {
+  if (!is_general_) fast_.cancel();
   return change_;
 }
 
 const RestrictedDual::Change& RestrictedDual::move(SiteId p, const WeightedPoint3& point, FacetId home,
                                                    Target target) {
-  if (!is_carried_out_) {
+  if (is_general_) {
+    remove_generally(p);
+  } else {
     if (!target.circle.valid() && fast_.move_in_place(target.planned, point, change_)) {
       ++ways_.in_place;
       return change_;
@@ -186,13 +184,13 @@ double RestrictedDual::reach(SiteId p) {
   return reach;
 }
 
-double RestrictedDual::reach_beside(SiteId heir, SiteId p) {
-  return is_carried_out_ ? redivision_.reach_beside(heir, p) : reach(heir);
-}
-
 std::vector<FacetPolygon> RestrictedDual::cell(SiteId p) {
   std::vector<FacetPolygon> polygons;
-  redivision_.cell(p, polygons);
+  const CellPieces& cell = redivision_.cell(p);
+  for (const CellPieces::Piece& piece : cell.pieces) {
+    const std::span<const PolygonCorner> corners = cell.corners_of(piece);
+    polygons.push_back({piece.facet, p, {corners.begin(), corners.end()}});
+  }
   std::ranges::sort(polygons, {}, &FacetPolygon::facet);
   return polygons;
 }

@@ -68,8 +68,6 @@ class RestrictedDual {
   double reach_bound(SiteId p) const { return state_.reach[p]; }
   /// The least such bound, which then is reach_bound() too. Cost: the facets around p.
   double reach(SiteId p);
-  /// Of an heir while the removal of p is planned: of what it has as long as p is there.
-  double reach_beside(SiteId heir, SiteId p);
   /// The polygons of p's cell, ascending by facet. Cost: the facets around p.
   std::vector<FacetPolygon> cell(SiteId p);
   /// The site nearest to x in power, as NeighbourSource::nearest().
@@ -93,7 +91,7 @@ class RestrictedDual {
   void begin();
   void insert_anyhow(SiteId p, const WeightedPoint3& point, FacetId home, CircleId at);
   void remove_generally(SiteId p);
-  Plan plan_generally(SiteId p);
+  Plan general_plan() const;
   void forget_shapes();
   CircleId beaten_circle(const WeightedPoint3& point) const;
   void take_net_change();
@@ -103,10 +101,8 @@ class RestrictedDual {
   Redivision redivision_;
   Change change_;
   Ways ways_;
-  bool is_carried_out_ = false;     ///< the planned removal, as there was no plan without
+  bool is_general_ = false;         ///< the plan
   std::vector<CircleId> unlisted_;  ///< created and erased in the same change
-  std::vector<EmptyCircle> planned_;
-  std::vector<SiteId> heirs_;
 };
 
 }  // namespace geom

@@ -166,41 +166,6 @@ TEST_CASE("facet cells: the answer does not depend on the facets before") {
   }
 }
 
-TEST_CASE(
-    "facet cells: the part of one cell is that of the division, and sites that have moved are not "
-    "remembered") {
-  for (const fixtures::NamedSurface& surface : fixtures::surfaces()) {
-    CAPTURE(surface.name);
-    Sites sites = samples_with_weights(surface.mesh, 60, 0.3);
-    const std::vector<fpo::SurfaceSample> places = fpo::random_samples(surface.mesh, 200, 8);
-    const Clipper clipper(surface.mesh, sites.table, extent_of(surface.mesh));
-    FacetCells cells(surface.mesh, sites.table, clipper, sites.tree);
-    Rng rng(3);
-    FacetPolygon part;
-    for (int round = 0; round < 20; ++round) {
-      FacetCells fresh(surface.mesh, sites.table, clipper, sites.tree);
-      for (int query = 0; query < 30; ++query) {
-        const FacetId t(static_cast<std::size_t>(rng.below(surface.mesh.num_facets())));
-        const Found all = divided(fresh, t);
-        CHECK(same(divided(cells, t), all));
-        const SiteId owner = query % 2 == 0 ? all[rng.below(all.size())].owner
-                                            : SiteId(static_cast<std::size_t>(rng.below(60)));
-        const auto of_owner = std::ranges::find(all, owner, &FacetPolygon::owner);
-        REQUIRE(cells.part_of(owner, t, part) == (of_owner != all.end()));
-        if (of_owner == all.end()) continue;
-        std::rotate(part.corners.begin(), std::ranges::min_element(part.corners, {}, &PolygonCorner::edge),
-                    part.corners.end());
-        CHECK(same({part}, {*of_owner}));
-      }
-      const SiteId moves(static_cast<std::size_t>(rng.below(60)));
-      sites.tree.remove(moves);
-      sites.table[moves].position = places[rng.below(places.size())].position;
-      sites.tree.insert(moves, sites.table[moves]);
-      cells.forget();
-    }
-  }
-}
-
 TEST_CASE("facet cells: degenerate are facets whose corners lie on one line exactly") {
   const auto facet = [](const Vec3& a, const Vec3& b, const Vec3& c) {
     return TriMesh({a, b, c}, {{VertexId(0), VertexId(1), VertexId(2)}});

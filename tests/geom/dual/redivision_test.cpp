@@ -50,48 +50,7 @@ std::vector<fixtures::NamedSurface> all_surfaces() {
 
 }  // namespace
 
-TEST_CASE("redivision: divided facets have the pieces of brute force, and forget when they begin") {
-  for (const auto& [name, mesh] : all_surfaces()) {
-    CAPTURE(name);
-    const std::vector<fixtures::Placed> samples = fixtures::placed_samples(mesh, 30, 30, Weights::gentle, 6);
-    General g(mesh, samples, CornerTypes::c_only);
-    DividedFacets divided(g.state);
-    Rng rng(4);
-    for (int round = 0; round < 3; ++round) {
-      const oracle::BruteDiagram brute(mesh, g.state.sites, g.list());
-      divided.begin();
-      for (int query = 0; query < 40; ++query) {
-        const FacetId t(static_cast<std::size_t>(rng.below(mesh.num_facets())));
-        const DividedFacets::Range range = divided.of(t), again = divided.of(t);
-        CHECK(range.begin == again.begin);
-        CHECK(range.end == again.end);
-        std::size_t expected = 0;
-        for (const SiteId s : g.present) {
-          const auto at = brute.polygons().find({t, s});
-          const DividedFacets::Piece* const piece = divided.find(t, s);
-          REQUIRE((piece != nullptr) == (at != brute.polygons().end()));
-          FacetPolygon part;
-          REQUIRE(divided.has_part(s, t, part) == (piece != nullptr));
-          if (!piece) continue;
-          ++expected;
-          std::vector<EdgeLabel> a, b;
-          for (const PolygonCorner& c : divided.corners(*piece)) a.push_back(c.edge);
-          for (const PolygonCorner& c : at->second.corners) b.push_back(c.edge);
-          std::ranges::rotate(a, std::ranges::min_element(a));
-          std::ranges::rotate(b, std::ranges::min_element(b));
-          CHECK(a == b);
-        }
-        CHECK(range.end - range.begin == expected);
-      }
-      const SiteId moves(static_cast<std::size_t>(rng.below(30)));
-      g.begin();
-      g.redivision.remove(moves, g.change);
-      g.redivision.insert(moves, samples[(moves.index() + 7) % 30].point, g.change);
-    }
-  }
-}
-
-TEST_CASE("redivision: reaches are those of the cells, with and beside the site that was removed last") {
+TEST_CASE("redivision: reaches are those of the cells, and plans tell what the cell has and the hole will") {
   for (const auto& [name, mesh] : all_surfaces())
     for (const Weights weights : fixtures::all_weights)
       for (const CornerTypes types : {CornerTypes::c_only, CornerTypes::all}) {
@@ -113,22 +72,22 @@ TEST_CASE("redivision: reaches are those of the cells, with and beside the site 
           for (const auto& [key, polygon] : before.polygons())
             if (key.second == p)
               for (const PolygonCorner& c : polygon.corners) has_neighbours |= c.edge.is_site();
-          if (before.reach(p) > -infinity) CHECK(g.redivision.has_neighbours(p) == has_neighbours);
           g.begin();
-          g.redivision.remove(p, g.change);
+          g.redivision.plan(p);
+          CHECK(g.redivision.has_neighbours() == has_neighbours);
+          const double reach = g.redivision.reach(), power = g.redivision.power();
+          g.redivision.remove(g.change);
           g.present.erase(p);
           const oracle::BruteDiagram after(mesh, g.state.sites, g.list());
-          CHECK(is_close(g.redivision.last_reach(), before.reach(p)));
-          CHECK(g.redivision.last_power() >= g.redivision.last_reach());
+          CHECK(is_close(reach, before.reach(p)));
+          CHECK(power >= reach);
           Clipper clipper(mesh, g.state.sites, extent_of(mesh));
           for (const auto& [key, polygon] : after.polygons())
             for (std::size_t k = 0; k < polygon.corners.size(); ++k)
               if (clipper.beats_at(polygon, k, p, clipper.bisector_of(polygon.owner, p))) {
-                const double now = power(polygon.corners[k].point.position, g.state.sites[polygon.owner]);
-                CHECK(g.redivision.last_power() >= now - 1e-8 * (std::abs(now) + 1));
+                const double now = geom::power(polygon.corners[k].point.position, g.state.sites[polygon.owner]);
+                CHECK(power >= now - 1e-8 * (std::abs(now) + 1));
               }
-          for (const SiteId s : g.change.cells)
-            CHECK(is_close(g.redivision.reach_beside(s, p), before.reach(s)));
           for (const SiteId s : g.present)
             CHECK(g.state.reach[s] >= after.reach(s) - 1e-8 * (std::abs(after.reach(s)) + 1));
           g.begin();

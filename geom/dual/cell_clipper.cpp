@@ -1,0 +1,165 @@
+#include "geom/dual/cell_clipper.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace geom {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t many = 48;  // sites: the nearest few of them first
+
+}  // namespace
+
+double CellClipper::clip(SiteId p, CellPieces& out) {
+  around_.clear();
+  for (const CircleId c : state_.circles.of_site(p))
+    for (const SiteId s : state_.circles[c].sites)
+      if (s.valid() && s != p && std::ranges::find(around_, s) == around_.end()) around_.push_back(s);
+  return clip(p, state_.reach[p], around_, out);
+}
+
+// What is left after some sites is more than the cell. So whoever takes anything of it is found by the bound of the
+// power on what is left; but when that is more than the cell is known to have, it pays to look less far first.
+double CellClipper::clip(SiteId p, double power, std::span<const SiteId> around, CellPieces& out) {
+  out.clear();
+  const double radius = state_.distance_at(power, p);
+  if (!(radius > 0)) return -infinity;
+  if (stamp_of_.size() < state_.sites.size()) stamp_of_.resize(state_.sites.size(), 0);
+  stamp_of_[p] = ++stamp_;
+  others_.clear();
+  consider(p, around);
+  near_.clear();
+  state_.facets.near(state_.sites[p].position, radius, near_);
+  for (const FacetId t : near_)
+    if (state_.clipper.comes_near(t, state_.sites[p].position, radius) && cut(t, p, {}, 0)) out.add(polygon_);
+  for (double cap = power;;) {
+    const double left = bound(out);
+    if (out.pieces.empty()) return left;
+    const double seen = find_others(p, std::min(left, cap));
+    cut_pieces(p, out);
+    if (seen == left) return others_.empty() ? left : bound(out);
+    if (seen == cap) cap = infinity;
+  }
+}
+
+void CellClipper::consider(SiteId p, std::span<const SiteId> sites) {
+  for (const SiteId s : sites) {
+    stamp_of_[s] = stamp_;
+    others_.push_back({s, state_.clipper.bisector_of(p, s)});
+  }
+}
+
+/// All sites that were not considered and may take something of locations of at most that power; if they are too many,
+/// the nearest of them. Returns the power up to which that is so, -infinity if they are too many.
+double CellClipper::find_others(SiteId p, double power) {
+  const Vec3& center = state_.sites[p].position;
+  const double radius = state_.distance_at(power, p);
+  candidates_.clear();
+  state_.near({p, center, radius, power}, candidates_);
+  others_.clear();
+  std::erase_if(candidates_, [&](SiteId s) { return stamp_of_[s] == stamp_; });
+  if (candidates_.size() > many) {
+    const auto distance2 = [&](SiteId s) { return (state_.sites[s].position - center).squaredNorm(); };
+    std::ranges::nth_element(candidates_, candidates_.begin() + many / 4, {}, distance2);
+    candidates_.resize(many / 4);
+    consider(p, candidates_);
+    return -infinity;
+  }
+  for (const SiteId s : candidates_) {
+    const Bisector b = state_.clipper.bisector_of(p, s);
+    if (b(center) > b.error + b.length * radius * (1 + 1e-9)) continue;  // p is nearer in all of the ball
+    stamp_of_[s] = stamp_;
+    others_.push_back({s, b});
+  }
+  return power;
+}
+
+/// Leaves in polygon_ what others_ from the first one on leave to p of a polygon, or of the whole facet if there is none.
+/// False if that is nothing.
+bool CellClipper::cut(FacetId t, SiteId p, std::span<const PolygonCorner> corners, std::size_t first) {
+  cutting_.clear();
+  if (last_ < others_.size() && state_.clipper.compare_on_facet(t, others_[last_].bisector) == Clip::swallowed)
+    return false;
+  for (const Other& other : std::span(others_).subspan(first)) {
+    const Clip whole = state_.clipper.compare_on_facet(t, other.bisector);
+    if (whole == Clip::swallowed) {
+      last_ = static_cast<std::size_t>(&other - others_.data());
+      return false;
+    }
+    if (whole == Clip::cut) cutting_.push_back(&other);
+  }
+  if (corners.empty()) {
+    const RoughPolygon::Outcome outcome = cut_roughly(t, p);
+    if (outcome == RoughPolygon::Outcome::swallowed) return false;
+    if (outcome != RoughPolygon::Outcome::unsure) return true;
+    state_.clipper.start(polygon_, t, p);
+  } else {
+    polygon_.facet = t;
+    polygon_.owner = p;
+    polygon_.corners.assign(corners.begin(), corners.end());
+  }
+  for (const Other* other : cutting_) {
+    const Clip outcome =
+        state_.clipper.classify_corners(t, p, polygon_.corners, other->site, other->bisector, beaten_);
+    if (outcome == Clip::swallowed) return false;
+    if (outcome == Clip::cut) state_.clipper.cut(polygon_, other->site, other->bisector, beaten_);
+  }
+  return true;
+}
+
+RoughPolygon::Outcome CellClipper::cut_roughly(FacetId t, SiteId p) {
+  using Outcome = RoughPolygon::Outcome;
+  rough_.start();
+  for (const Other* other : cutting_) {
+    const Outcome outcome =
+        rough_.clip(EdgeLabel::bisector(other->site), state_.clipper.form_on(t, other->bisector));
+    if (outcome == Outcome::swallowed || outcome == Outcome::unsure) return outcome;
+  }
+  const std::size_t n = rough_.size();
+  polygon_.facet = t;
+  polygon_.owner = p;
+  polygon_.corners.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const EdgeLabel before = rough_.label(previous_corner(k, n)), after = rough_.label(k);
+    polygon_.corners[k] = {state_.clipper.corner_between(t, p, before, after), after};
+  }
+  return Outcome::cut;
+}
+
+/// Cuts all pieces by others_, and forgets these if they take nothing.
+void CellClipper::cut_pieces(SiteId p, CellPieces& cell) {
+  bool is_touched = false;
+  for (std::size_t i = 0; i < cell.pieces.size(); ++i) {
+    const CellPieces::Piece piece = cell.pieces[i];
+    const std::span<const PolygonCorner> corners = cell.corners_of(piece);
+    const auto takes_part = [&](const Other& other) {
+      return state_.clipper.classify(piece.facet, p, corners, other.site, other.bisector, beaten_) !=
+             Clip::untouched;
+    };
+    const auto first = std::ranges::find_if(others_, takes_part);
+    if (first == others_.end()) {
+      if (is_touched) spare_.add(piece, corners);
+      continue;
+    }
+    if (!is_touched) {
+      is_touched = true;
+      spare_.clear();
+      for (std::size_t k = 0; k < i; ++k) spare_.add(cell.pieces[k], cell.corners_of(cell.pieces[k]));
+    }
+    if (cut(piece.facet, p, corners, static_cast<std::size_t>(first - others_.begin()))) spare_.add(polygon_);
+  }
+  if (is_touched)
+    std::swap(spare_, cell);
+  else
+    others_.clear();
+}
+
+double CellClipper::bound(const CellPieces& cell) const {
+  double power = -infinity;
+  for (const CellPieces::Piece& piece : cell.pieces)
+    power = std::max(power, state_.clipper.bound_power(piece.facet, piece.owner, cell.corners_of(piece)));
+  return power;
+}
+
+}  // namespace geom
