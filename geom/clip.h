@@ -134,8 +134,9 @@ class Clipper {
   /// Asks the memory for what that reads.
   void prefetch_facet(FacetId facet) const { prefetch(balls_->data() + facet.index()); }
 
-  /// The center of that ball.
+  /// That ball.
   const Vec3& middle(FacetId facet) const { return (*balls_)[facet].center; }
+  double radius(FacetId facet) const { return (*balls_)[facet].radius; }
 
   /// An upper bound of the power, to the owner, of the locations in the polygon.
   double bound_power(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners) const;

@@ -1,6 +1,7 @@
 #pragma once
 // Which facets come near a location: boxes about runs of a space-filling curve.
 
+#include <functional>
 #include <vector>
 
 #include "geom/trimesh.h"
@@ -16,6 +17,9 @@ class FacetTree {
   /// Appends all facets that have a point within that distance of x, and some more. Cost: those, times the logarithm
   /// of F at most.
   void near(const Vec3& x, double distance, std::vector<FacetId>& out) const;
+  /// The same but for facets in balls (center, radius) of which is_of_no_use says so.
+  using OfNoUse = std::function<bool(const Vec3&, double)>;
+  void near_but(const Vec3& x, double distance, const OfNoUse& is_of_no_use, std::vector<FacetId>& out) const;
 
  private:
   struct Box {
@@ -24,7 +28,8 @@ class FacetTree {
   };
   static constexpr std::size_t arity = 4;
 
-  void descend(std::size_t level, std::size_t node, double limit2, const Vec3& x,
+  template <class Skip>
+  void descend(std::size_t level, std::size_t node, double limit2, const Vec3& x, const Skip& is_of_no_use,
                std::vector<FacetId>& out) const;
 
   std::vector<FacetId> order_;

@@ -106,15 +106,19 @@ Chart::Gain Chart::most_gain(int count, double radius, double weight, double hea
 }
 
 // In the plane of the bisector let w be the horizontal direction and m' the one across, tilted from m by psi,
-// tan(psi) = |a| / |e_h|. There the surface has slope at most k = s / (cos(psi) cos(phi)). On a chord with components
-// (t, z) a path of such slopes is farthest off at |t| (1 +- |z| / (k |t|)) / 2, by (k^2 t^2 - z^2) / (2 k |t|).
+// tan(psi) = |a| / |e_h|. A normal within s of m, at an angle b around it, gives the surface the slope s cos(b) /
+// (cos(psi) - s sin(b) sin(psi)) there: at most k = s / (cos(psi) cos(phi)), where sin(phi) = s tan(psi). On a chord with
+// components (t, z) a path of such slopes is farthest off at |t| (1 +- |z| / (k |t|)) / 2, by (k^2 t^2 - z^2) /
+// (2 k |t|); that place of the chord is |z| / (2 k) times its length over |t| from the middle.
 double Chart::farthest2(int first, int second, const Vec3& from, const Vec3& to) const {
   const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second);
   const double ex = x_[i] - x_[j], ey = y_[i] - y_[j], ez = z_[i] - z_[j];
   const double h2 = ex * ex + ey * ey, e2 = h2 + ez * ez;
   const Vec3 chord = to - from;
   const double rise = chord.dot(m_), rise2 = rise * rise * e2 / h2, length2 = chord.squaredNorm();
-  const double steep2 = slope2_ * (e2 / h2) / std::max(1 - slope2_ * ez * ez / h2, small);
+  const double cosine2 = 1 - slope2_ * ez * ez / h2;  // of phi
+  if (!(cosine2 > small)) return std::numeric_limits<double>::infinity();
+  const double steep2 = slope2_ * (e2 / h2) / cosine2;
   const double along2 = std::max(length2 - rise2, small * length2);
   const double off = (steep2 * along2 - rise2) / (2 * std::sqrt(steep2 * along2));
   const double shift = 0.5 * std::sqrt(length2 * rise2 / (steep2 * along2));

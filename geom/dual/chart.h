@@ -1,17 +1,19 @@
 #pragma once
 // A few sites near a place on a sheet of the surface: where their cells are those of the plane, but for bends.
 //
-// Let the surface near be the graph of a function h with slope at most s < 1 over a convex part W of a plane (sheets.h).
-// "Horizontal" is along that plane, m its normal. A bisector is where a plane of space meets the surface, and the
-// three bisectors of three sites meet where a line does, their axis.
+// Let the surface near be the graph of a function h over a convex part W of a plane (sheets.h). "Horizontal" is along that
+// plane, m its normal; u, v are directions along it such that the gradient of h is within su and sv of 0 along them,
+// and at most s in all, s < 1. A bisector is where a plane of space meets the surface, and the three bisectors of three
+// sites meet where a line does, their axis.
 //
 //   (1) For sites i, j let e = p_j - p_i, with horizontal part e_h and height a. From z to z' on the surface the lead of i
-//       over j changes by -2 (e_h + a t).(z' - z)_h, where |t| <= s. If s|a| < |e_h|, then the lead falls all the way in
-//       direction e_h, and the bisector is a curve of slope at most tan(phi) over the normal of e_h,
-//       sin(phi) = s|a| / |e_h|. Where j has a lead over i it has one up to the end of W, in one direction.
-//   (2) If the axis of i, j, k is steep, more than s above its horizontal part, then it meets the surface at most once: on
-//       the bisector of i and j, k begins or ceases to be nearer once at most. So it is if the axis is far, farther from
-//       a place than all that is spoken of.
+//       over j changes by -2 (e_h + a t).(z' - z)_h, with t an average of gradients. If |e_u| > su |a| or |e_v| > sv |a|,
+//       it falls all the way in direction u, -u, v or -v: where j has a lead over i it keeps one in that direction, up to
+//       the end of W.
+//   (2) If z and z' are both on the axis of i, j, k, then z' - z is along n = e x e', so its rise is n_z / |n_h| of its run.
+//       If |n_z| > su |n_u| + sv |n_v|, the surface is nowhere so steep that way: the axis meets it at most once, and on
+//       the bisector of i and j, k begins or ceases to be nearer once at most. Never, if the axis is far: farther from a
+//       place than all that is spoken of.
 //
 // A chart is simple if (1) holds for all pairs and (2) for all triples. Let edges of a division be drawn between circles
 // that are known to be empty, each on the bisector of the two sites that the circles share.
@@ -28,11 +30,9 @@
 // Insertion of p: the edges around it are a closed curve of the lengths between its circles, and what it surrounds belongs
 // to p. That it has p inside, and that p has nothing beyond: see sheets.h.
 //
-// How far is an edge from p_i? Between two of its points, of distance L, it is off their chord by at most L tan(phi) in
-// direction e_h: up to the middle it is bound by the cone from one end, and from there by that from the other. Its height
-// is off that of the chord by at most L s / cos(phi). Distances grow along horizontal lines, hence the farthest location of
-// a cell is on its border (t^2 + h^2 has derivative at least 2t (1 - s^2)), and on the chord and beside it the bound is
-// convex up to the middle: the farthest is an end, or at most L (sin(phi) + s) / cos(phi) more than the middle.
+// How far is what a site has? Distances grow along horizontal lines (t^2 + h^2 has derivative at least 2t (1 - s^2)), so
+// the farthest location of a cell, or of a part of it, is on its border. An edge runs in the plane of the bisector; how far
+// it can be off the chord between two of its points follows from s (farthest2).
 //
 // Rounding: coordinates here are off by some 1e-15 of the largest distance of two sites, and the code asks for a
 // millionth more than the bounds say, and for 1e-9 of the largest where a difference is small.

@@ -14,6 +14,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double more = 1 + 1e-9;  // for the rounding of distances
 constexpr double ampler = 1.15;    // a cell than its corners
 constexpr double bend = 1.1;       // of an edge does not matter
+constexpr double widest = 2;       // in radii of a cell: the distance for which a sheet is made
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -154,6 +155,7 @@ bool FastWay::enclose_on_sheet(double distance, double elsewhere) {
     chart_.replace(size(), frame_.offset(self_), frame_.constant(self_));
   } else {
     distance = std::max(distance, elsewhere);
+    if (distance > widest * state_.distance_at(cell_reach_, p_)) return false;  // there is hardly a sheet
     const Sheet* sheet = sheets_.around(p_, site.position, distance);
     if (!sheet) return false;
     chart_sites(*sheet);
@@ -253,12 +255,19 @@ bool FastWay::has_one_component(double distance) {
   const Vec3& p = state_.sites[p_].position;
   link_.clear();
   for (int j = 0; j < size(); ++j) link_.push_back({frame_.offset(j), frame_.constant(j)});
-  const Sheet* sheet = sheets_.around(p_, p, distance);
-  if (sheet && Sheets::has_one_component(*sheet, state_.distance_at(cell_reach_, p_), link_)) return true;
+  const double own = state_.distance_at(cell_reach_, p_);
+  const Sheet* sheet = distance > widest * own ? sheets_.known(p_) : sheets_.around(p_, p, distance);
+  if (sheet && sheet->covers(p, distance) && Sheets::has_one_component(*sheet, own, link_)) return true;
   others_.clear();
   cell_power_ = distance * distance - state_.sites[p_].weight;
-  return std::ranges::all_of(sheets_.facets_within(p, distance), [&](FacetId t) {
-    return flood_.meets(t) || !state_.clipper.comes_near(t, p, distance) || owns_nothing_of(t);
+  const auto is_lost = [&](const Vec3& center, double radius) {
+    return frame_.is_behind(Vec3(0, 0, 0), 0, center - p, radius, Frame::nobody);
+  };
+  facets_.clear();
+  state_.facets.near_but(p, distance, is_lost, facets_);
+  return std::ranges::all_of(facets_, [&](FacetId t) {
+    return flood_.meets(t) || !state_.clipper.comes_near(t, p, distance) ||
+           is_lost(state_.clipper.middle(t), state_.clipper.radius(t)) || owns_nothing_of(t);
   });
 }
 

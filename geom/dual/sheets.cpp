@@ -2,19 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace geom {
 namespace {
 
-constexpr double cell_size = 0.5;            // of a list's radius
 constexpr double radii[] = {1.6, 1.25, 1.08};  // R, in distances that are to be covered: one after the other
-constexpr double nearly_there = 0.3;         // of that distance
+constexpr double nearly_there = 0.3, nearly_so = 0.85;  // of a distance for which there is no sheet
 constexpr double more = 1 + 1e-6;
 constexpr double steepest = 0.7075;  // cosine: a slope less than 1
 constexpr double flat_enough = 0.98;
 constexpr int axis_rounds = 8;
-constexpr std::size_t most_listed = 1 << 25;  // then they are made anew
 
 /// Does the triangle come within that distance of the origin? Rounded.
 bool comes_within(double limit2, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) {
@@ -47,17 +44,19 @@ const Sheet* Sheets::around(SiteId site, const Vec3& x, double distance) {
   if (site.index() >= of_site_.size()) of_site_.resize(site.index() + 1);
   OfSite& known = of_site_[site];
   if (known.sheet.covers(x, distance)) return &known.sheet;
-  if (known.tried > 0 && known.sheet.width < 0 && known.tried < radii[2] * 1.25 * distance &&
-      (x - known.sheet.center).norm() < nearly_there * distance)
+  if (distance > nearly_so * known.failed && (x - known.failed_at).norm() < nearly_there * distance)
     return nullptr;
   gathered_.clear();
   facets_.near(x, radii[0] * distance * more, gathered_);
   for (const double factor : radii) {
-    known.tried = factor * distance;
-    known.sheet = sheet_among_gathered(x, known.tried);
-    if (known.sheet.covers(x, distance)) return &known.sheet;
+    const Sheet found = sheet_among_gathered(x, factor * distance);
+    if (!found.covers(x, distance)) continue;
+    known.sheet = found;
+    known.failed = std::numeric_limits<double>::infinity();
+    return &known.sheet;
   }
-  known.sheet.width = -1;
+  known.failed = distance;
+  known.failed_at = x;
   return nullptr;
 }
 
@@ -67,35 +66,6 @@ bool Sheets::has_one_component(const Sheet& sheet, double radius, std::span<cons
     const double size = q.offset.squaredNorm();
     return q.lead > 1e-9 * size && q.lead > factor * std::abs(q.offset.dot(sheet.axis)) + 1e-9 * size;
   });
-}
-
-std::span<const FacetId> Sheets::facets_within(const Vec3& p, double distance) {
-  int exponent = 0;
-  const double mantissa = std::frexp(distance, &exponent);
-  const auto step = static_cast<int>(std::ceil(4 * std::log2(mantissa) - 1e-6));
-  Key key{4 * exponent + step, {}};  // levels a factor 2^(1/4) apart
-  const double radius = std::exp2(0.25 * key.level) * more, size = cell_size * radius;
-  Vec3 middle;
-  for (int i = 0; i < 3; ++i) {
-    const double cell = std::floor(p[i] / size);
-    key.cell[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(cell);
-    middle[i] = (cell + 0.5) * size;
-  }
-  const auto [place, is_new] = places_.try_emplace(key, List{0, 0});
-  if (is_new) {
-    near_.clear();
-    facets_.near(middle, (radius + 0.5 * std::numbers::sqrt3 * size) * more, near_);
-    if (lists_.size() + near_.size() > most_listed) {
-      places_.clear();
-      lists_.clear();
-    }
-    const auto first = static_cast<std::int32_t>(lists_.size());
-    lists_.insert(lists_.end(), near_.begin(), near_.end());
-    places_[key] = {first, static_cast<std::int32_t>(lists_.size())};
-  }
-  const List& list = places_[key];
-  return std::span(lists_).subspan(static_cast<std::size_t>(list.first),
-                                   static_cast<std::size_t>(list.last - list.first));
 }
 
 Sheet Sheets::sheet_in(const Vec3& center, double radius) {

@@ -10,13 +10,14 @@
 // |h| <= s t, and the squared distance t^2 + h^2 grows, its derivative being at least 2t (1 - s^2): so a walk that
 // has left B does not come back. The walks in all directions cover a part A of S in B that is open (they can be
 // turned a little) and closed in the interior of B (a limit of walks is one that stays in B, for distances grow). By (3)
-// S in B is connected, so A is all of it. In particular S in B lies once above each location within R / sqrt(1 + s^2)
-// of p0, horizontally.
+// S in B is connected, so A is all of it. Let H bound the height |h| of the facets that meet B, as far as they lie within
+// R of p0 horizontally; H <= s R. A walk leaves B at t^2 + h^2 = R^2, so not before the width W = sqrt(R^2 - H^2): S in B
+// lies once above each location within W of p0, horizontally.
 //
 // Now let p be on S at distance r from p0, and a part K of the cell of p known that has p inside: near p, bounded by the
 // bisectors of sites q ("link"), all within distance r_K of p. Let z be a location of S at distance at most
-// D <= R / sqrt(1 + s^2) - r of p that is nearest to p of all sites. The straight horizontal line from p to z stays within
-// R / sqrt(1 + s^2) of p0, hence S has one path above it, from p to z. Let d = q - p, a = d.m its height and d_h its
+// D <= W - r of p that is nearest to p of all sites. The straight horizontal line from p to z stays within W of p0, hence
+// S has one path above it, from p to z. Let d = q - p, a = d.m its height and d_h its
 // horizontal part, and for each q of the link g(t) = c - 2 d.(z(t) - p), c = |d|^2 - (w_q - w_p) > 0, the lead of p over q on
 // the path, in direction u:
 //
@@ -33,8 +34,8 @@
 // normals are not, make no sheet); the code asks for a millionth more than the bounds say.
 
 #include <array>
+#include <limits>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
 #include "geom/facet_tree.h"
@@ -46,11 +47,11 @@ namespace geom {
 struct Sheet {
   Vec3 center{0, 0, 0};  ///< p0
   Vec3 axis{0, 0, 1};
-  Vec3 u{1, 0, 0};    ///< across, the direction of most slopes
-  double slope = 0;   ///< s
-  double slope_u = 0, slope_v = 0;  ///< of its components along u and m x u
-  double height = 0;  ///< of the surface above p0, or below, in the ball
-  double width = -1;  ///< sqrt(R^2 - height^2); negative: the surface is no sheet there
+  Vec3 u{1, 0, 0};                  ///< across, the direction of most slopes
+  double slope = 0;                 ///< s
+  double slope_u = 0, slope_v = 0;  ///< the components of the gradient along u and m x u are at most that
+  double height = 0;                ///< H
+  double width = -1;                ///< W; negative: the surface is no sheet there
 
   /// Does what was said of D hold for p?
   bool covers(const Vec3& p, double distance) const {
@@ -58,8 +59,7 @@ struct Sheet {
   }
 };
 
-/// Sheets, made where they are asked for and kept, one for each site; and lists of the facets near, one for each cell of
-/// a grid whose size follows the radius.
+/// Sheets, made where they are asked for and kept, one for each site.
 class Sheets {
  public:
   /// Keeps references.
@@ -80,32 +80,14 @@ class Sheets {
     double lead;
   };
   static bool has_one_component(const Sheet& sheet, double radius, std::span<const Neighbour> link);
-  /// All facets that come within that distance of p, and more. Valid until the next call of any of these.
-  std::span<const FacetId> facets_within(const Vec3& p, double distance);
-
   /// What the ball of that radius about a location on the surface is, at that center.
   Sheet sheet_in(const Vec3& center, double radius);
 
  private:
   struct OfSite {
     Sheet sheet;
-    double tried = 0;  ///< the least radius of a ball about the center; 0: there was none
-  };
-  struct List {
-    std::int32_t first, last;
-  };
-  struct Key {
-    std::int32_t level;
-    std::array<std::int32_t, 3> cell;
-    bool operator==(const Key&) const = default;
-  };
-  struct Hash {
-    std::size_t operator()(const Key& k) const {
-      std::uint64_t x = static_cast<std::uint32_t>(k.level);
-      for (const std::int32_t c : k.cell)
-        x = (x ^ static_cast<std::uint32_t>(c)) * 0x9e3779b97f4a7c15u, x ^= x >> 29;
-      return x;
-    }
+    double failed = std::numeric_limits<double>::infinity();  ///< a distance for which there was none
+    Vec3 failed_at{0, 0, 0};
   };
   Sheet sheet_among_gathered(const Vec3& center, double radius);
   void find_slopes(Sheet& sheet, double radius);
@@ -114,8 +96,6 @@ class Sheets {
   const TriMesh& mesh_;
   const FacetTree& facets_;
   Table<SiteId, OfSite> of_site_;
-  std::unordered_map<Key, List, Hash> places_;
-  std::vector<FacetId> lists_;
   std::vector<FacetId> gathered_, near_, stack_;  // workspaces
   std::vector<Vec3> normals_;
   Table<FacetId, std::uint32_t> stamp_of_;
