@@ -14,7 +14,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double more = 1 + 1e-9;  // for the rounding of distances
 constexpr double ampler = 1.15;    // a cell than its corners
 constexpr double bend = 1.1;       // of an edge does not matter
-constexpr double widest = 2;       // in radii of a cell: the distance for which a sheet is made
+constexpr double widest = 1.35;       // in radii of a cell: the distance for which a sheet is made
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
