@@ -58,8 +58,8 @@ class FacetCells {
   const Clipper::Sites& sites_;
   Clipper clipper_;
   const NeighbourSource& search_;
-  std::vector<Surroundings> known_;          ///< of site s in place s mod size, if of s at all
-  double likely_radius_ = 0;                 ///< how far the next fragment will reach from its owner
+  std::vector<Surroundings> known_;  ///< of site s in place s mod size, if of s at all
+  double likely_radius_ = 0;         ///< how far the next fragment will reach from its owner
   std::size_t sites_looked_at_ = 0;
   std::vector<FacetPolygon> found_;
   std::size_t num_found_ = 0;

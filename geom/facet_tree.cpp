@@ -49,7 +49,8 @@ FacetTree::FacetTree(const TriMesh& mesh, std::vector<FacetId> order) : order_(s
 void FacetTree::near(const Vec3& x, double distance, std::vector<FacetId>& out) const {
   if (!(distance >= 0)) return;
   const double limit2 = distance * distance * (1 + 1e-9);
-  descend(levels_.size() - 1, 0, limit2, x, [](const Box&) { return false; }, out);
+  descend(
+      levels_.size() - 1, 0, limit2, x, [](const Box&) { return false; }, out);
 }
 
 void FacetTree::near_but(const Vec3& x, double distance, const OfNoUse& is_of_no_use,

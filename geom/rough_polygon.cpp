@@ -46,7 +46,8 @@ RoughPolygon::Outcome RoughPolygon::clip(EdgeLabel label, const LinearForm& form
   const auto line = static_cast<std::uint32_t>(num_lines_);
   const std::uint32_t leaving = corners_[kept - 1].line, entering = corners_[size_ - 1].line;
   lines_[num_lines_++] = {label, {f0, f1, f2}, form.error, largest};
-  if (!meet(leaving, line, corners_[kept]) || !meet(line, entering, corners_[kept + 1])) return Outcome::unsure;
+  if (!meet(leaving, line, corners_[kept]) || !meet(line, entering, corners_[kept + 1]))
+    return Outcome::unsure;
   corners_[kept].line = line;
   corners_[kept + 1].line = entering;
   size_ = kept + 2;

@@ -107,7 +107,8 @@ void SiteGrid::move(SiteId s, const Vec3& from, const Vec3& to) {
 void SiteGrid::near(const Vec3& center, double distance, std::vector<SiteId>& out) const {
   const double far = distance + slack_;
   const auto limit2 = static_cast<float>(far * far * (1 + 1e-5));
-  const auto x = static_cast<float>(center.x()), y = static_cast<float>(center.y()), z = static_cast<float>(center.z());
+  const auto x = static_cast<float>(center.x()), y = static_cast<float>(center.y()),
+             z = static_cast<float>(center.z());
   const std::int64_t x0 = coordinate(center.x() - far), x1 = coordinate(center.x() + far),
                      y0 = coordinate(center.y() - far), y1 = coordinate(center.y() + far),
                      z0 = coordinate(center.z() - far), z1 = coordinate(center.z() + far);

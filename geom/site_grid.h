@@ -31,7 +31,7 @@ class SiteGrid {
   struct Bucket {
     std::uint64_t key = 0;
     std::uint32_t size = 0;
-    std::uint32_t overflow = 0;  ///< place of another bucket of the same cell, or 0
+    std::uint32_t overflow = 0;                ///< place of another bucket of the same cell, or 0
     std::array<float, in_cell> x{}, y{}, z{};  ///< rounded
     std::array<SiteId, in_cell> sites;
     void set(std::uint32_t i, const Vec3& position, SiteId s);

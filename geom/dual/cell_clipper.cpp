@@ -79,7 +79,8 @@ double CellClipper::find_others(SiteId p, double power) {
 /// False if that is nothing.
 bool CellClipper::cut(FacetId t, SiteId p, std::span<const PolygonCorner> corners, std::size_t first) {
   cutting_.clear();
-  if (last_ < others_.size() && state_.clipper.compare_on_facet(t, others_[last_].bisector) == Clip::swallowed)
+  if (last_ < others_.size() &&
+      state_.clipper.compare_on_facet(t, others_[last_].bisector) == Clip::swallowed)
     return false;
   for (const Other& other : std::span(others_).subspan(first)) {
     const Clip whole = state_.clipper.compare_on_facet(t, other.bisector);

@@ -25,8 +25,8 @@ Lead lead_at(const Vec3& z, const WeightedPoint3& left, const WeightedPoint3& ri
 
 // It leaves a facet where, along the facet's border, the left site becomes the nearer one: from u to v. Across, the edge
 // runs from v to u, and the third corner w tells which of the two others is next.
-TracedEdge::Extent extent_of_edge(const TriMesh& mesh, const WeightedPoint3& left, const WeightedPoint3& right,
-                                  const TracedEdge& edge) {
+TracedEdge::Extent extent_of_edge(const TriMesh& mesh, const WeightedPoint3& left,
+                                  const WeightedPoint3& right, const TracedEdge& edge) {
   const TracedEdge::Extent unknown{std::numeric_limits<double>::infinity(), Vec3(0, 0, 0)};
   const Vec3 start = edge.start - left.position, end = edge.end - left.position;
   TracedEdge::Extent extent{std::max(start.squaredNorm(), end.squaredNorm()), Vec3(0, 0, 0)};
@@ -42,7 +42,9 @@ TracedEdge::Extent extent_of_edge(const TriMesh& mesh, const WeightedPoint3& lef
       std::array<Lead, 3> lead;
       for (std::size_t i = 0; i < 3; ++i)
         if (lead[i] = lead_at(mesh.position(corners[i]), left, right); !lead[i].is_certain()) return unknown;
-      const auto leaves = [&](std::size_t i) { return lead[i].value < 0 && lead[i == 2 ? 0 : i + 1].value > 0; };
+      const auto leaves = [&](std::size_t i) {
+        return lead[i].value < 0 && lead[i == 2 ? 0 : i + 1].value > 0;
+      };
       while (e < 3 && !leaves(static_cast<std::size_t>(e))) ++e;
       if (e == 3) return unknown;
       at_u = lead[static_cast<std::size_t>(e)];

@@ -11,12 +11,13 @@ struct TracedEdge {
   Vec3 start, end;
 
   struct Extent {
-    double far2;      ///< a bound of the squared distance from the left site; infinite if a decision is not certain
+    double
+        far2;  ///< a bound of the squared distance from the left site; infinite if a decision is not certain
     Vec3 twice_area;  ///< that the edge sweeps out, seen from there
   };
 };
 /// Cost: the facets on the way, of which there must not be very many.
-TracedEdge::Extent extent_of_edge(const TriMesh& mesh, const WeightedPoint3& left, const WeightedPoint3& right,
-                                  const TracedEdge& edge);
+TracedEdge::Extent extent_of_edge(const TriMesh& mesh, const WeightedPoint3& left,
+                                  const WeightedPoint3& right, const TracedEdge& edge);
 
 }  // namespace geom

@@ -19,7 +19,11 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 FastWay::FastWay(DualState& state)
-    : state_(state), frame_(state.mesh), flood_(state.mesh, frame_), sheets_(state.mesh, state.facets), strangers_(state) {}
+    : state_(state),
+      frame_(state.mesh),
+      flood_(state.mesh, frame_),
+      sheets_(state.mesh, state.facets),
+      strangers_(state) {}
 
 // --- removal -------------------------------------------------------------------------------------
 
@@ -311,8 +315,7 @@ bool FastWay::bound_hole() {
 /// from facet to facet.
 double FastWay::farthest2(const Edge& edge, double enough) const {
   const Vec3 d = frame_.offset(edge.left);
-  if (edge.from == edge.to)
-    return std::max((edge.start - d).squaredNorm(), (edge.end - d).squaredNorm());
+  if (edge.from == edge.to) return std::max((edge.start - d).squaredNorm(), (edge.end - d).squaredNorm());
   const int left = edge.left == self_ ? size() : edge.left;
   const double bound = chart_.farthest2(left, edge.right, edge.start - d, edge.end - d);
   if (bound <= enough) return bound;
@@ -343,7 +346,8 @@ bool FastWay::trace_hole() {
   reach_ = radius2 * more - site.weight;
   max_radius2_ = reach_;
   for (const Triangle& triangle : triangles_)
-    max_radius2_ = std::max(max_radius2_, power(triangle.point.position, state_.sites[rim_[at(triangle.corners[0])]]));
+    max_radius2_ =
+        std::max(max_radius2_, power(triangle.point.position, state_.sites[rim_[at(triangle.corners[0])]]));
   for (const Flood::Corner& corner : flood_.corners()) {
     const double weight = state_.sites[rim_[at(corner.site)]].weight;
     const double far =

@@ -11,7 +11,8 @@
 //
 // The guess is proven for the hole, and then for the new cell: where the surface is a sheet of small slope by looking at
 // the sites alone (chart.h), else by tracing the cells over the facets that they meet (flood.h), where sites beyond the
-// rim are tested at all corners found. A second component is excluded by the shape of the surface (sheets.h). The cells of the others are then right, too: they change in the hole and in the new cell only.
+// rim are tested at all corners found. A second component is excluded by the shape of the surface (sheets.h). The cells
+// of the others are then right, too: they change in the hole and in the new cell only.
 //
 // What no tracing from circles would see are cells that no circle leads to, or that have several borders. A site is
 // called regular if its cell is known to be connected, with one border, a closed curve through all of its circles.
@@ -104,9 +105,9 @@ class FastWay {
   bool bound_hole();
   void raise_by_hole();
   struct Edge {
-    int left, right;       ///< sites of the frame
-    FacetId from, to;      ///< of its ends
-    Vec3 start, end;       ///< from the frame's origin
+    int left, right;   ///< sites of the frame
+    FacetId from, to;  ///< of its ends
+    Vec3 start, end;   ///< from the frame's origin
   };
   double farthest2(const Edge& edge, double enough) const;
   bool trace_hole();
@@ -139,8 +140,8 @@ class FastWay {
   Flood flood_;
   Sheets sheets_;
   Strangers strangers_;
-  Sheet sheet_;            ///< of the chart
-  bool on_sheet_ = false;  ///< the chart is simple, and what is proven is proven there
+  Sheet sheet_;                 ///< of the chart
+  bool on_sheet_ = false;       ///< the chart is simple, and what is proven is proven there
   bool hole_on_sheet_ = false;  ///< that of the plan was proven there
 
   SiteId p_;
@@ -152,11 +153,12 @@ class FastWay {
   std::vector<Triangle> triangles_;
   std::vector<EmptyCircle> circles_;
   double reach_ = 0, max_radius2_ = 0;
-  double range_ = 0;  ///< who owns something of the hole is that near to p_
+  double range_ = 0;                 ///< who owns something of the hole is that near to p_
   std::vector<StarCorner> corners_;  ///< of a new cell
   double cell_reach_ = 0;
   double kept_radius_ = 0;  ///< strangers are kept for a ball of that radius
-  std::vector<double> arc_before_, arc_;  ///< bounds of the power on p_'s edge with a rim site: of the old cell, the new one
+  std::vector<double> arc_before_,
+      arc_;                ///< bounds of the power on p_'s edge with a rim site: of the old cell, the new one
   double cell_power_ = 0;  ///< no location of a second component has more
   std::vector<CircleId> conflict_;
   std::vector<FacetId> starts_;

@@ -14,7 +14,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double more = 1 + 1e-9;  // for the rounding of distances
 constexpr double ampler = 1.15;    // a cell than its corners
 constexpr double bend = 1.1;       // of an edge does not matter
-constexpr double widest = 1.35;       // in radii of a cell: the distance for which a sheet is made
+constexpr double widest = 1.35;    // in radii of a cell: the distance for which a sheet is made
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -41,7 +41,8 @@ bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, Dua
     flood_.clear();
     starts_.clear();
     for (const CircleId s : star_) starts_.push_back(state_.circles[s].facet);
-    const double least_distance = (state_.distance_at(reach_before, p_) + d.norm()) * more;  // H is in this ball
+    const double least_distance =
+        (state_.distance_at(reach_before, p_) + d.norm()) * more;  // H is in this ball
     return prove_new_cell(home, least_distance, star_);
   };
   if (!is_proven()) {
@@ -211,13 +212,13 @@ bool FastWay::no_stranger_in_cell(double radius) {
   const WeightedPoint3& site = state_.sites[p_];
   kept_radius_ = radius;
   strangers_.find_rivals(p_, site.position, radius);
-  strangers_.keep_near(frame_, p_, rim_, {site.position - frame_.origin().position, radius},
-                       self_);
+  strangers_.keep_near(frame_, p_, rim_, {site.position - frame_.origin().position, radius}, self_);
   const auto is_p_nearest = [&](const Vec3& z, double off) {
     return strangers_.are_beyond(z, power(z, site), off);
   };
   return std::ranges::all_of(
-             corners_, [&](const StarCorner& c) { return is_p_nearest(c.point.position, c.point.tolerance); }) &&
+             corners_,
+             [&](const StarCorner& c) { return is_p_nearest(c.point.position, c.point.tolerance); }) &&
          std::ranges::all_of(flood_.corners(), [&](const Flood::Corner& c) {
            return is_p_nearest(c.y + frame_.origin().position, c.tolerance);
          });

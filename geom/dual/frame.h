@@ -83,9 +83,9 @@ class Frame {
 
   struct Vertex : Values {
     VertexId id;
-    bool has_signs;           ///< these are known:
-    bool sure;                ///< of the signs of all g_i
-    std::uint32_t beaten_by;  ///< bit i: g_i < 0
+    bool has_signs;                                ///< these are known:
+    bool sure;                                     ///< of the signs of all g_i
+    std::uint32_t beaten_by;                       ///< bit i: g_i < 0
     bool owned() const { return beaten_by == 0; }  ///< the origin is nearest
   };
   /// The values at a vertex of the surface; valid until begin(). A reference is, until the next call.
@@ -139,7 +139,7 @@ class Frame {
   const TriMesh& mesh_;
   WeightedPoint3 origin_{{0, 0, 0}, 0};
   int size_ = 0;
-  double largest2_ = 0, largest_ = 0, heaviest_ = 0;  ///< |d|^2, |d|, |dw|
+  double largest2_ = 0, largest_ = 0, heaviest_ = 0;             ///< |d|^2, |d|, |dw|
   alignas(64) double dx_[most], dy_[most], dz_[most], c_[most];  ///< beyond size_: no site, at infinity
   Reused<Vertex> vertices_;
   Table<VertexId, Slot> slot_of_;  ///< if that slot says so, too

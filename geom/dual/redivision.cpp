@@ -19,8 +19,7 @@ bool has_side(const EmptyCircle& circle, SiteId a, SiteId b) {
 
 }  // namespace
 
-Redivision::Redivision(DualState& state)
-    : state_(state), clipper_(state), division_(state) {}
+Redivision::Redivision(DualState& state) : state_(state), clipper_(state), division_(state) {}
 
 // --- removal -------------------------------------------------------------------------------------
 
@@ -32,7 +31,8 @@ void Redivision::plan(SiteId p) {
   links_.clear();
   open_.clear();
   reach_ = clipper_.clip(p, cell_);
-  has_neighbours_ = std::ranges::any_of(cell_.corners, [](const PolygonCorner& c) { return c.edge.is_site(); });
+  has_neighbours_ =
+      std::ranges::any_of(cell_.corners, [](const PolygonCorner& c) { return c.edge.is_site(); });
   for (const CircleId c : state_.circles.of_site(p)) star_.push_back({c, {}});
   power_ = reach_;
   if (state_.num_sites == 1) return division_.clear();
@@ -74,8 +74,8 @@ void Redivision::remove(DualChange& change) {
 // Whoever loses something to p is among the rivals. So no location of the new cell has more power than the farthest
 // of their cells.
 void Redivision::insert(SiteId p, const WeightedPoint3& point, DualChange& change) {
-  const SiteId hint = state_.paper && state_.num_sites > 0 ? state_.tree.nearest(point.position, SiteId()).site
-                                                           : SiteId();
+  const SiteId hint =
+      state_.paper && state_.num_sites > 0 ? state_.tree.nearest(point.position, SiteId()).site : SiteId();
   state_.admit(p, point);
   if (state_.paper) state_.paper->insert(p, point, hint);
   state_.enter(p);
@@ -192,7 +192,8 @@ void Redivision::add_segments(SiteId p, const CellPieces& pieces, const CellPiec
     const End two = end_at(p, piece.facet, first, second, corners[next_corner(k, n)].edge);
     const End start = follow(one, first, second);
     if (start.kind == End::open && two.kind == End::open && start.place == two.place)  // a closed curve
-      std::erase_if(open_, [&](const Open& o) { return o.point == two.place && o.a == first && o.b == second; });
+      std::erase_if(open_,
+                    [&](const Open& o) { return o.point == two.place && o.a == first && o.b == second; });
     else
       join(start, follow(two, first, second), first, second);
   }
@@ -217,7 +218,8 @@ Redivision::End Redivision::end_at(SiteId p, FacetId t, SiteId a, SiteId b, Edge
   const FacetId across = state_.mesh.across(t, label.edge());
   const int e = across.valid() ? same_edge(state_.mesh, t, label.edge(), across) : -1;
   if (e < 0) return {};
-  return {End::open, 0, t < across ? 3 * std::int64_t{t.value} + label.edge() : 3 * std::int64_t{across.value} + e};
+  return {End::open, 0,
+          t < across ? 3 * std::int64_t{t.value} + label.edge() : 3 * std::int64_t{across.value} + e};
 }
 
 /// Where the part of the edge that ends at the same point begins, if it is known already.
@@ -257,7 +259,8 @@ Redivision::End Redivision::outside(std::size_t own) const {
   if (!beyond.valid()) return {};
   for (std::size_t k = 0; k < star_.size(); ++k)
     if (star_[k].id == beyond) return {End::own, 0, static_cast<std::int64_t>(k)};
-  const std::size_t side = state_.circles[beyond].opposite(circle.sites[i == 0 ? 1 : 0], circle.sites[i == 2 ? 1 : 2]);
+  const std::size_t side =
+      state_.circles[beyond].opposite(circle.sites[i == 0 ? 1 : 0], circle.sites[i == 2 ? 1 : 2]);
   return {End::present, static_cast<std::uint8_t>(side), beyond.value};
 }
 
@@ -265,7 +268,8 @@ Redivision::End Redivision::outside(std::size_t own) const {
 /// come back.
 void Redivision::join_across() {
   const auto go_on = [&](End end, bool is_inside) {
-    for (std::size_t steps = 0; end.kind == End::own && steps <= star_.size(); ++steps, is_inside = !is_inside) {
+    for (std::size_t steps = 0; end.kind == End::own && steps <= star_.size();
+         ++steps, is_inside = !is_inside) {
       const auto own = static_cast<std::size_t>(end.place);
       end = is_inside ? outside(own) : star_[own].inside;
     }
@@ -279,9 +283,11 @@ void Redivision::join_across() {
   }
 }
 
-void Redivision::connect(const End& one, const End& two, std::size_t first_created, const DualChange& change) {
+void Redivision::connect(const End& one, const End& two, std::size_t first_created,
+                         const DualChange& change) {
   const auto circle_of = [&](const End& end) {
-    return end.kind == End::found     ? change.circles_created[first_created + static_cast<std::size_t>(end.place)]
+    return end.kind == End::found
+               ? change.circles_created[first_created + static_cast<std::size_t>(end.place)]
            : end.kind == End::present ? CircleId(static_cast<std::size_t>(end.place))
                                       : CircleId();
   };
@@ -353,7 +359,9 @@ CircleId Redivision::other_end(const OpenSide& from) const {
     }
     int exit = -1;
     for (int e = 0; e < 3; ++e) {
-      if (e == entry || is_b[static_cast<std::size_t>(e)] == is_b[static_cast<std::size_t>(e == 2 ? 0 : e + 1)]) continue;
+      if (e == entry ||
+          is_b[static_cast<std::size_t>(e)] == is_b[static_cast<std::size_t>(e == 2 ? 0 : e + 1)])
+        continue;
       if (entry < 0 && is_taken(t, e, a, b, p)) continue;
       exit = e;
     }
@@ -370,7 +378,8 @@ CircleId Redivision::other_end(const OpenSide& from) const {
 bool Redivision::is_taken(FacetId t, int edge, SiteId a, SiteId b, SiteId p) const {
   const EdgeLabel label = EdgeLabel::facet_edge(edge);
   const RoundedPoint point = state_.clipper.corner(t, label, a, b, state_.clipper.bisector_of(a, b));
-  return state_.clipper.beats_at({t, a, label, EdgeLabel::bisector(b), point}, p, state_.clipper.bisector_of(a, p));
+  return state_.clipper.beats_at({t, a, label, EdgeLabel::bisector(b), point}, p,
+                                 state_.clipper.bisector_of(a, p));
 }
 
 }  // namespace geom

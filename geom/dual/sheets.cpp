@@ -89,7 +89,8 @@ Sheet Sheets::sheet_among_gathered(const Vec3& center, double radius) {
     if (!(length2 > 1e-16 * ab.squaredNorm() * ac.squaredNorm()))
       return place;  // a needle: its normal is off by more than 1e-7
     normals_.push_back(n / std::sqrt(length2));
-    if (normals_.back().dot(normals_.front()) < 0) return place;  // more than 45 degrees from any axis, one of them
+    if (normals_.back().dot(normals_.front()) < 0)
+      return place;  // more than 45 degrees from any axis, one of them
     axis += normals_.back();
     near_.push_back(t);
   }
@@ -140,8 +141,10 @@ void Sheets::find_slopes(Sheet& sheet, double radius) {
       low = std::min(low, height);
       high = std::max(high, height);
     }
-    const double middle = (mesh_.corner(near_[i], 0) - sheet.center).dot(n) * z;  // of its plane, above the center
-    sheet.height = std::max({sheet.height, std::min(high, middle + slope * radius), -std::max(low, middle - slope * radius)});
+    const double middle =
+        (mesh_.corner(near_[i], 0) - sheet.center).dot(n) * z;  // of its plane, above the center
+    sheet.height = std::max(
+        {sheet.height, std::min(high, middle + slope * radius), -std::max(low, middle - slope * radius)});
   }
   for (double* value : {&sheet.slope_u, &sheet.slope_v, &sheet.slope}) *value = more * *value + 1e-9;
   sheet.height = more * sheet.height + 1e-9 * radius;

@@ -91,8 +91,9 @@ void DualState::irregular_rivals(SiteId p, std::vector<SiteId>& out) {
   } else {
     const auto old = static_cast<std::ptrdiff_t>(out.size());
     tree.rivals(sites[p], out);
-    out.erase(std::remove_if(out.begin() + old, out.end(), [&](SiteId s) { return shape(s) == Shape::regular; }),
-              out.end());
+    out.erase(
+        std::remove_if(out.begin() + old, out.end(), [&](SiteId s) { return shape(s) == Shape::regular; }),
+        out.end());
   }
 }
 

@@ -7,8 +7,8 @@
 namespace geom {
 namespace {
 
-constexpr double more = 1 + 1e-9;   // for the rounding of distances
-constexpr double ampler = 2.5;      // in radii of the vacancy: what is found will do for the new cell, too
+constexpr double more = 1 + 1e-9;  // for the rounding of distances
+constexpr double ampler = 2.5;     // in radii of the vacancy: what is found will do for the new cell, too
 
 }  // namespace
 
@@ -73,7 +73,8 @@ bool Strangers::are_beyond(const Vec3& point, double power, double off) const {
   return std::ranges::all_of(kept_, [&](const Stranger& stranger) {
     const WeightedPoint3& site = state_.sites[stranger.site];
     const double there2 = (point - site.position).squaredNorm(), r2 = std::abs(power) + there2;
-    const double bound = 0x1p-47 * (r2 + std::abs(site.weight)) + 4 * more * off * std::sqrt(r2 + std::abs(site.weight));
+    const double bound =
+        0x1p-47 * (r2 + std::abs(site.weight)) + 4 * more * off * std::sqrt(r2 + std::abs(site.weight));
     return there2 - site.weight - power > bound;
   });
 }

@@ -82,7 +82,8 @@ void VacancyDivision::find_winners(std::span<const PolygonCorner> corners) {
   for (const Heir k : winners_)
     for (std::size_t i = 0; i < n; ++i) {
       const Bisector& b = before_p_[k];
-      const double lead = b(corners[i].point.position), error = b.error + b.length * corners[i].point.tolerance;
+      const double lead = b(corners[i].point.position),
+                   error = b.error + b.length * corners[i].point.tolerance;
       leads_[k * n + i] = {lead - error, lead + error};
     }
   std::erase_if(winners_, [&](Heir k) {
@@ -157,7 +158,8 @@ void VacancyDivision::set_corners(FacetId t, std::span<const PolygonCorner> corn
       for (std::size_t i = shares_.pieces.size(); !known && i > 0 && shares_.pieces[i - 1].facet == t; --i) {
         const EdgeLabel other = EdgeLabel::bisector(shares_.pieces[i - 1].owner);
         if (other == before || other == after)
-          known = find_corner(shares_.corners_of(shares_.pieces[i - 1]), own, other == before ? after : before);
+          known =
+              find_corner(shares_.corners_of(shares_.pieces[i - 1]), own, other == before ? after : before);
       }
     }
     polygon_.corners[k] = {known ? *known : state_.clipper.corner_between(t, owner, before, after), after};
@@ -165,7 +167,8 @@ void VacancyDivision::set_corners(FacetId t, std::span<const PolygonCorner> corn
 }
 
 /// The corner between edges with these labels, in whichever order; null if there is none.
-const RoundedPoint* VacancyDivision::find_corner(std::span<const PolygonCorner> corners, EdgeLabel one, EdgeLabel two) {
+const RoundedPoint* VacancyDivision::find_corner(std::span<const PolygonCorner> corners, EdgeLabel one,
+                                                 EdgeLabel two) {
   EdgeLabel before = corners.back().edge;
   for (const PolygonCorner& corner : corners) {
     if ((before == one && corner.edge == two) || (before == two && corner.edge == one)) return &corner.point;
@@ -180,7 +183,8 @@ void VacancyDivision::for_rivals(std::size_t winner, Visit visit) const {
   const std::size_t n = num_labels_;
   if (winner < n) {
     for (std::size_t step = 1; step <= n / 2; ++step)
-      if (!visit(winners_[(winner + step) % n]) || (2 * step != n && !visit(winners_[(winner + n - step) % n])))
+      if (!visit(winners_[(winner + step) % n]) ||
+          (2 * step != n && !visit(winners_[(winner + n - step) % n])))
         return;
   } else {
     for (std::size_t i = 0; i < n; ++i)
@@ -260,17 +264,21 @@ void VacancyDivision::group_new_corners() {
 /// Is j nearer than the heirs at some new corner?
 bool VacancyDivision::is_missing(SiteId j) {
   return std::ranges::any_of(groups_, [&](const Group& group) {
-    const std::span<const NewCorner> corners = std::span(new_corners_).subspan(group.begin, group.end - group.begin);
+    const std::span<const NewCorner> corners =
+        std::span(new_corners_).subspan(group.begin, group.end - group.begin);
     return !is_behind(state_.sites[j], state_.sites[corners.front().corner.owner], group) &&
            std::ranges::any_of(corners, [&](const NewCorner& at) { return beats_at(j, at); });
   });
 }
 
 /// Is j farther than the owner in all of the ball?
-bool VacancyDivision::is_behind(const WeightedPoint3& j, const WeightedPoint3& owner, const Group& ball) const {
+bool VacancyDivision::is_behind(const WeightedPoint3& j, const WeightedPoint3& owner,
+                                const Group& ball) const {
   const double far = geom::power(ball.center, j), near = geom::power(ball.center, owner), lead = far - near;
-  if (lead <= 1e-8 * (std::abs(far) + std::abs(near) + std::abs(j.weight) + std::abs(owner.weight))) return false;
-  return lead * lead > 4 * ball.radius * ball.radius * (1 + 1e-6) * (j.position - owner.position).squaredNorm();
+  if (lead <= 1e-8 * (std::abs(far) + std::abs(near) + std::abs(j.weight) + std::abs(owner.weight)))
+    return false;
+  return lead * lead >
+         4 * ball.radius * ball.radius * (1 + 1e-6) * (j.position - owner.position).squaredNorm();
 }
 
 /// The lead of the owner over j is off by some ulps of what it is made of, and by the tolerance of the corner times its

@@ -62,7 +62,8 @@ class VacancyDivision {
   bool is_dominated(Heir k, Heir by, std::size_t num_corners) const;
   void add_share(FacetId t, std::span<const PolygonCorner> corners, std::size_t winner);
   void set_corners(FacetId t, std::span<const PolygonCorner> corners, SiteId owner);
-  static const RoundedPoint* find_corner(std::span<const PolygonCorner> corners, EdgeLabel one, EdgeLabel two);
+  static const RoundedPoint* find_corner(std::span<const PolygonCorner> corners, EdgeLabel one,
+                                         EdgeLabel two);
   template <class Visit>
   void for_rivals(std::size_t winner, Visit visit) const;
   void note_new_corners(std::size_t first_share);
@@ -73,9 +74,7 @@ class VacancyDivision {
   bool is_behind(const WeightedPoint3& j, const WeightedPoint3& owner, const Group& ball) const;
   bool beats_at(SiteId j, const NewCorner& at) const;
   const Bisector& between(Heir k, Heir h);
-  Heir index_of(SiteId s) const {
-    return static_cast<Heir>(std::ranges::find(heirs_, s) - heirs_.begin());
-  }
+  Heir index_of(SiteId s) const { return static_cast<Heir>(std::ranges::find(heirs_, s) - heirs_.begin()); }
 
   /// The power less that to p at a corner of the piece in hand is between these.
   struct Lead {
@@ -87,9 +86,10 @@ class VacancyDivision {
   std::vector<SiteId> heirs_;
   std::vector<Bisector> before_p_;  ///< of p and each heir
   std::vector<std::optional<Bisector>> between_;
-  std::vector<Lead> leads_;          ///< of each heir at each corner
-  std::vector<double> least_;        ///< of each heir, of these
-  std::vector<Heir> winners_;      ///< on the piece in hand, maybe some that win nothing; the labels first, in cyclic order
+  std::vector<Lead> leads_;    ///< of each heir at each corner
+  std::vector<double> least_;  ///< of each heir, of these
+  std::vector<Heir>
+      winners_;  ///< on the piece in hand, maybe some that win nothing; the labels first, in cyclic order
   std::size_t num_labels_ = 0;
   CellPieces shares_;
   std::vector<NewCorner> new_corners_;
