@@ -84,7 +84,12 @@ double SurfaceDomain::weight_at(SiteId x) const {
   return geom::snapped((weight_share_[x] - (equal_weights() ? 1 : 0)) * full_weight(x), weight_unit);
 }
 
-void SurfaceDomain::expect(SiteId) {}
+void SurfaceDomain::expect(SiteId x) {
+  dual_->expect(x, 4);
+  for (int i = 0; i < 3; ++i)
+    if (const SiteId y = expected_[static_cast<std::size_t>(i)]; y.valid()) dual_->expect(y, 3 - i);
+  expected_ = {x, expected_[0], expected_[1]};
+}
 
 double SurfaceDomain::separation(SiteId x) { return dual_->nearest(samples_[x].position, x).radius2; }
 

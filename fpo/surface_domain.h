@@ -6,6 +6,7 @@
 // weight is a squared length), or 0 if the sizing is uniform (or on request): equal weights do nothing. The weight is that of
 // the sample's own place: it changes as the sample moves.
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <span>
@@ -134,6 +135,7 @@ class SurfaceDomain final : public Domain {
   std::unique_ptr<geom::NeighbourSource> paper_;  ///< Engine::triangulation
   std::unique_ptr<geom::RestrictedDual> dual_;
   geom::IndexedHeap<CircleId, CircleOrder> circles_;
+  std::array<SiteId, 3> expected_;  ///< the samples that are next, the last one first
   const geom::RestrictedDual::Change* last_change_ = nullptr;
   SiteId near_removed_;       ///< a sample near the removed one if that had no cell
   std::vector<SiteId> link_;  // workspace

@@ -59,12 +59,6 @@ double Clipper::bound_power(FacetId facet, SiteId site, std::span<const PolygonC
   return result;
 }
 
-double Clipper::bound_circle(FacetId facet, SiteId site, std::span<const PolygonCorner> corners) const {
-  const double weight = sites_[site].weight;
-  const double distance2 = bound_power(facet, site, corners) + weight, beyond = 2 * most_tolerance();
-  return distance2 + beyond * (2 * std::sqrt(std::max(distance2, 0.0)) + beyond) - weight;
-}
-
 bool Clipper::beats_exactly(const CellCorner& corner, SiteId j) const {
   const auto& [facet, owner, before, after, point] = corner;
   if (before.is_site() && after.is_site())

@@ -19,7 +19,6 @@
 #include "geom/clip_predicates.h"
 #include "geom/construct.h"
 #include "geom/ids.h"
-#include "geom/prefetch.h"
 #include "geom/trimesh.h"
 
 namespace geom {
@@ -131,9 +130,6 @@ class Clipper {
     return (x - ball.center).squaredNorm() <= far * far;
   }
 
-  /// Asks the memory for what that reads.
-  void prefetch_facet(FacetId facet) const { prefetch(balls_->data() + facet.index()); }
-
   /// That ball.
   const Vec3& middle(FacetId facet) const { return (*balls_)[facet].center; }
   double radius(FacetId facet) const { return (*balls_)[facet].radius; }
@@ -143,10 +139,6 @@ class Clipper {
   double bound_power(const FacetPolygon& polygon) const {
     return bound_power(polygon.facet, polygon.owner, polygon.corners);
   }
-
-  /// An upper bound of the power at the rounded center of any circle there: the center may lie outside of the
-  /// polygon by what a corner's place is uncertain.
-  double bound_circle(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners) const;
 
   /// Which corners j takes: none, some, all. O(corners). Fills `beaten` where the answer is `cut`.
   Clip classify_corners(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners, SiteId j,

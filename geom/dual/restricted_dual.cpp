@@ -166,6 +166,19 @@ void RestrictedDual::take_net_change() {
   unlisted_.insert(unlisted_.end(), passing.begin(), passing.end());
 }
 
+void RestrictedDual::expect(SiteId p, int calls) const {
+  if (calls >= 4) return state_.circles.prefetch_list(p), prefetch(&state_.sites[p]);
+  if (calls == 3) return state_.circles.prefetch_members(p);
+  for (const CircleId c : circles_of(p)) {
+    if (calls == 2) state_.circles.prefetch(c);
+    if (calls != 1) continue;
+    for (const SiteId s : circle(c).sites)
+      if (s.valid()) prefetch(&state_.sites[s]), state_.circles.prefetch_list(s);
+    for (const CircleId beyond : circle(c).beyond)
+      if (beyond.valid()) state_.circles.prefetch(beyond);
+  }
+}
+
 // --- questions -----------------------------------------------------------------------------------
 
 void RestrictedDual::link(SiteId p, std::vector<SiteId>& out) const {

@@ -1,6 +1,6 @@
 #pragma once
 // What the restricted dual is made of: the surface, the sites, and the empty circles that follow from them. Its
-// operations (redivision.h, move.h) share it.
+// operations (redivision.h, fast_way.h) share it.
 
 #include <span>
 #include <vector>
@@ -90,7 +90,6 @@ struct DualState {
   Table<VertexId, FacetId> first_facet;  ///< CornerTypes::all only: where a vertex's circle is registered
   Table<SiteId, FacetId> home;           ///< a facet with the location of the site, or none
   std::size_t num_sites = 0;             ///< that are in
-  std::size_t num_irregular = 0;         ///< of these; see fast_way.h
 
   /// What is known of a site's cell (fast_way.h).
   enum class Shape : char { regular, irregular, unknown };
