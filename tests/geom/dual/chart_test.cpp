@@ -288,6 +288,45 @@ TEST_CASE("chart: between two locations on it a bisector is no farther than the 
   CHECK(farther_than_ends > 40);
 }
 
+// Three places, each pair of which is no steeper than the slope: there is a surface through them.
+TEST_CASE("chart: a bisector on the worst surface there may be is no farther than the bound") {
+  Rng rng(13);
+  std::size_t nearly = 0;
+  for (int draw = 0; draw < 20000; ++draw) {
+    Sheet sheet;
+    sheet.axis = fixtures::random_vector(rng).normalized();
+    sheet.u = sheet.axis.unitOrthogonal();
+    sheet.slope = sheet.slope_u = sheet.slope_v = rng.uniform(0.05, 0.99);
+    const Vec3& m = sheet.axis;
+    const Vec3 i = fixtures::random_vector(rng), j = i + fixtures::random_vector(rng), e = j - i;
+    const double a = e.dot(m), flat = (e - a * m).norm();
+    if (sheet.slope * std::abs(a) > 0.98 * flat) continue;
+    // In the plane of the bisector: level, and up.
+    const Vec3 level = m.cross(e).normalized(), up = level.cross(e).normalized() * (e.cross(level).dot(m) > 0 ? -1 : 1);
+    const auto is_allowed = [&](const Vec3& step) {
+      return std::abs(step.dot(m)) <= sheet.slope * (step - step.dot(m) * m).norm();
+    };
+    double steep = 0;  // the steepest path there
+    for (double step = 64; step > 1e-9; step /= 2)
+      if (is_allowed(level + (steep + step) * up)) steep += step;
+    const double length = rng.uniform(0.1, 1), rise = length * steep * rng.uniform(-1, 1);
+    const Vec3 from = fixtures::random_vector(rng), to = from + length * level + rise * up;
+    Chart chart;
+    chart.begin(sheet);
+    chart.add(i, i.squaredNorm());
+    chart.add(j, j.squaredNorm());
+    const double way = 0.5 * (length + rise / steep);  // up as steeply as may be, then down
+    const Vec3 top = from + way * (level + 0.9999 * steep * up);
+    CHECK(is_allowed(top - from));
+    // Seen from where the top is farthest off.
+    const Vec3 eye = top - rng.uniform(1, 20) * (top - 0.5 * (from + to)) - 0.01 * fixtures::random_vector(rng);
+    const double bound = chart.farthest2(0, 1, from - eye, to - eye);
+    CHECK((top - eye).squaredNorm() <= bound);
+    nearly += (top - eye).squaredNorm() > 0.95 * bound;
+  }
+  CHECK(nearly > 1000);
+}
+
 TEST_CASE("chart: what sites all around leave of the sheet's power, and how far off who is nearer may be") {
   std::size_t scenes = 0;
   double tightest = 0;
@@ -338,6 +377,48 @@ TEST_CASE("chart: what sites all around leave of the sheet's power, and how far 
   });
   CHECK(scenes > 100);
   CHECK(tightest > 0.95);
+}
+
+// Any place that is not higher than the slope allows.
+TEST_CASE("chart: what sites all around leave on the worst surface there may be") {
+  Rng rng(14);
+  double tightest = 0;
+  for (int draw = 0; draw < 4000; ++draw) {
+    Sheet sheet;
+    sheet.slope = sheet.slope_u = sheet.slope_v = rng.uniform(0, 0.99);
+    const double weight = rng.uniform(-0.3, 0.3), radius = rng.uniform(0.2, 1);
+    const int n = 3 + static_cast<int>(rng.below(4));
+    Chart chart;
+    chart.begin(sheet);
+    std::vector<Site> sites;
+    std::vector<double> angles;
+    const double lift = rng.below(2) == 0 ? 0 : 1, turned = rng.uniform(0, 6.3);
+    double heaviest = weight;
+    for (int j = 0; j < n; ++j) {
+      angles.push_back(turned + 2 * std::numbers::pi * (j + lift * rng.uniform(-0.1, 0.1)) / n);
+      const Vec3 d(std::cos(angles.back()), std::sin(angles.back()), lift * rng.uniform(-0.9, 0.9));
+      const double own = weight + lift * rng.uniform(-0.1, 0.1);
+      heaviest = std::max(heaviest, own);
+      sites.push_back({d, d.squaredNorm() - (own - weight)});
+      chart.add(d, sites.back().c);
+    }
+    chart.add(Vec3(0, 0, 0), 0);
+    const Chart::Gain gain = chart.most_gain(n, radius, weight, heaviest);
+    REQUIRE(gain.power < std::numeric_limits<double>::infinity());
+    for (std::size_t j = 0; j < sites.size(); ++j) {
+      const double next = j + 1 < angles.size() ? angles[j + 1] : angles[0] + 2 * std::numbers::pi;
+      const double angle = 0.5 * (angles[j] + next) + rng.uniform(-0.05, 0.05);
+      for (const double height : {-sheet.slope, 0.0, sheet.slope}) {
+        const Vec3 z = radius * Vec3(std::cos(angle), std::sin(angle), height).normalized();
+        double power = std::numeric_limits<double>::infinity();
+        for (const Site& s : sites) power = std::min(power, z.squaredNorm() - weight + s.at(z));
+        CHECK(power <= gain.power);
+        tightest = std::max(tightest, (power + weight) / (gain.power + weight));
+        if (power + heaviest > 0) CHECK(z.norm() + std::sqrt(power + heaviest) <= gain.range);
+      }
+    }
+  }
+  CHECK(tightest > 0.99);
 }
 
 TEST_CASE("chart: sites that do not surround the origin, or run clockwise, leave no bound") {
