@@ -104,12 +104,13 @@ TEST_CASE("strangers: who is not kept owns nothing of the hole") {
   for_scenes(150, [&](Scene& scene, std::span<const Placed>) {
     Frame frame(scene.state.mesh);
     for (const SiteId p : scene.present) {
-      const std::vector<SiteId> rim = scene.link(p);
+      std::vector<SiteId> rim = scene.link(p);
       if (rim.size() < 3 || rim.size() + 1 > Frame::most) continue;
+      if (rng.below(2) == 0) rim.resize(1 + rng.below(2));  // then there are many others
       frame.begin(scene.state.sites[p]);
       for (const SiteId r : rim) frame.add(scene.state.sites[r]);
       const double radius = scene.state.distance_at(scene.state.reach[p], p) * rng.uniform(0.8, 1.5);
-      const double most = scene.state.reach[p] + radius * radius * rng.uniform(0, 2);
+      const double most = scene.state.reach[p] + radius * radius * rng.uniform(0, 9);
       const Vec3& center = scene.state.sites[p].position;
       if (rng.below(2) == 0) scene.strangers.forget();  // else what is known may do
       const double range = radius + scene.state.distance_at(most);
@@ -173,9 +174,9 @@ TEST_CASE("strangers: the power of rivals is at least the reach of everyone who 
       all.push_back(p);
       const oracle::BruteDiagram after(mesh, scene.state.sites, all);
       const double radius = scene.state.distance_at(after.reach(p), p);
-      for (const bool forgets : {true, false}) {
-        if (forgets) scene.strangers.forget();
-        scene.strangers.find_rivals(p, x.point.position, forgets ? radius : 0.3 * radius);
+      for (const double part : {1.0, 0.1, 0.0}) {  // of the cell: few are found then
+        if (part > 0) scene.strangers.forget();
+        scene.strangers.find_rivals(p, x.point.position, part * radius);
         const double most = scene.strangers.power_of_rivals(p, *who.begin());
         ++asked;
         double needed = -infinity;
