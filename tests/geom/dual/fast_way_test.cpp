@@ -258,6 +258,31 @@ TEST_CASE("fast way: a plan changes nothing, and tells what the hole will have")
   CHECK(exact > n / 2);
 }
 
+TEST_CASE("fast way: the quick bounds of a plan are no less than the least ones, and not much larger") {
+  std::size_t exact = 0, quick = 0;
+  for (const Weights weights : {Weights::none, Weights::gentle}) {
+    const TriMesh sphere = make_shape("sphere", 8);
+    const std::size_t n = 600;
+    Parts parts(sphere, fixtures::placed_samples(sphere, n, n, weights, 6));
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!parts.fast.plan(SiteId(i))) continue;
+      const double reach = parts.fast.reach(), most = parts.fast.max_radius2();
+      for (const EmptyCircle& c : parts.fast.circles()) CHECK(c.radius2 <= most);
+      if (parts.fast.make_plan_exact()) {
+        ++exact;
+        const double least = parts.fast.reach(), least_of_hole = parts.fast.max_radius2();
+        quick += most > least_of_hole * (1 + 1e-6);
+        CHECK(reach >= least * (1 - 1e-9));
+        CHECK(most >= least_of_hole * (1 - 1e-9));
+        CHECK(reach <= 1.5 * least + 0.01);
+      }
+      parts.fast.cancel();
+    }
+  }
+  CHECK(exact > 600);
+  CHECK(quick > 100);
+}
+
 // What is on the other side of a gap, and nearer to a part of the hole than all around it.
 TEST_CASE("fast way: a stranger that owns something is not overlooked") {
   for (const double gap : {1e-9, 0.01, 0.05, 0.3}) {
