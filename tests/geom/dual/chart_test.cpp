@@ -64,7 +64,8 @@ struct Surface {
     if (!(sheet.width > 0)) return {};
     Scene scene{sheet, sheet.u, sheet.axis.cross(sheet.u), sheet.axis, ball, 0.98 * sheet.width, {}};
     for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
-      const Triangle corners{mesh.corner(t, 0) - origin, mesh.corner(t, 1) - origin, mesh.corner(t, 2) - origin};
+      const Triangle corners{mesh.corner(t, 0) - origin, mesh.corner(t, 1) - origin,
+                             mesh.corner(t, 2) - origin};
       if (closest_point(Vec3(0, 0, 0), corners).distance2 < ball * ball) scene.facets.push_back(corners);
     }
     return scene;
@@ -83,7 +84,8 @@ std::deque<Surface> curved_surfaces() {
   all.emplace_back(fixtures::sheet(20, 1, waves, 0.2));
   all.emplace_back(fixtures::blob(6));
   for (fixtures::NamedSurface& s : fixtures::hard_surfaces())
-    if (s.name == "saddle" || s.name == "steep saddle" || s.name == "frame") all.emplace_back(std::move(s.mesh));
+    if (s.name == "saddle" || s.name == "steep saddle" || s.name == "frame")
+      all.emplace_back(std::move(s.mesh));
   return all;
 }
 
@@ -130,7 +132,8 @@ std::optional<int> crossings(const Scene& scene, const Site& i, const Site& j, c
     const double least = std::min({sign * lambda[0], sign * lambda[1], sign * lambda[2]});
     if (least < -1e-9 * most) continue;
     if (least < 1e-9 * most) return {};
-    const Vec3 hit = (lambda[0] * t[0] + lambda[1] * t[1] + lambda[2] * t[2]) / (lambda[0] + lambda[1] + lambda[2]);
+    const Vec3 hit =
+        (lambda[0] * t[0] + lambda[1] * t[1] + lambda[2] * t[2]) / (lambda[0] + lambda[1] + lambda[2]);
     count += hit.norm() <= scene.radius;
   }
   return count;
@@ -218,7 +221,8 @@ TEST_CASE("chart: in a simple one an axis of three sites meets the sheet once at
     for (std::size_t i = 0; i < trial.sites.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
         for (std::size_t k = 0; k < j; ++k)
-          if (const std::optional<int> times = crossings(scene, trial.sites[i], trial.sites[j], trial.sites[k])) {
+          if (const std::optional<int> times =
+                  crossings(scene, trial.sites[i], trial.sites[j], trial.sites[k])) {
             CHECK(*times <= 1);
             met += *times == 1;
           }
@@ -271,7 +275,8 @@ TEST_CASE("chart: between two locations on it a bisector is no farther than the 
         if ((to - from).norm() < 1e-3 * scene.radius) continue;
         const double away = rng.below(2) == 0 ? 2 : 10;
         const Vec3 eye = rng.below(3) != 0 ? away * scene.radius * fixtures::random_vector(rng) : a.d;
-        const double bound = trial.chart.farthest2(static_cast<int>(i), static_cast<int>(j), from - eye, to - eye);
+        const double bound =
+            trial.chart.farthest2(static_cast<int>(i), static_cast<int>(j), from - eye, to - eye);
         const auto along = [&](const Vec3& z) { return e.x() * scene.y(z) - e.y() * scene.x(z); };
         const auto [first, last] = std::minmax({along(from), along(to)});
         const double ends2 = std::max((from - eye).squaredNorm(), (to - eye).squaredNorm());
@@ -302,7 +307,8 @@ TEST_CASE("chart: a bisector on the worst surface there may be is no farther tha
     const double a = e.dot(m), flat = (e - a * m).norm();
     if (sheet.slope * std::abs(a) > 0.98 * flat) continue;
     // In the plane of the bisector: level, and up.
-    const Vec3 level = m.cross(e).normalized(), up = level.cross(e).normalized() * (e.cross(level).dot(m) > 0 ? -1 : 1);
+    const Vec3 level = m.cross(e).normalized(),
+               up = level.cross(e).normalized() * (e.cross(level).dot(m) > 0 ? -1 : 1);
     const auto is_allowed = [&](const Vec3& step) {
       return std::abs(step.dot(m)) <= sheet.slope * (step - step.dot(m) * m).norm();
     };
@@ -319,7 +325,8 @@ TEST_CASE("chart: a bisector on the worst surface there may be is no farther tha
     const Vec3 top = from + way * (level + 0.9999 * steep * up);
     CHECK(is_allowed(top - from));
     // Seen from where the top is farthest off.
-    const Vec3 eye = top - rng.uniform(1, 20) * (top - 0.5 * (from + to)) - 0.01 * fixtures::random_vector(rng);
+    const Vec3 eye =
+        top - rng.uniform(1, 20) * (top - 0.5 * (from + to)) - 0.01 * fixtures::random_vector(rng);
     const double bound = chart.farthest2(0, 1, from - eye, to - eye);
     CHECK((top - eye).squaredNorm() <= bound);
     nearly += (top - eye).squaredNorm() > 0.95 * bound;
@@ -339,7 +346,8 @@ TEST_CASE("chart: what sites all around leave of the sheet's power, and how far 
     for (int j = 0; j < n; ++j) {
       const double angle = turned + 2 * std::numbers::pi * (j + rng.uniform(-0.2, 0.2)) / n;
       const double far = scene.radius * rng.uniform(0.3, 1.5);
-      const Vec3 d = scene.from_plane(far * std::cos(angle), far * std::sin(angle), far * rng.uniform(-0.3, 0.3));
+      const Vec3 d =
+          scene.from_plane(far * std::cos(angle), far * std::sin(angle), far * rng.uniform(-0.3, 0.3));
       const double own = weight == 0 ? 0 : scene.radius * scene.radius * rng.uniform(-0.3, 0.3);
       sites.push_back({d, d.squaredNorm() - (own - weight)});
       heaviest = std::max(heaviest, own);

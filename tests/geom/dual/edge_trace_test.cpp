@@ -123,8 +123,10 @@ TEST_CASE("edge trace: as far from its sites as the edge's corners are, and no f
           continue;
         const Edge& truth = all.at({left, right});
         const TracedEdge edge = scene.edge_of(circle, left);
-        if (!is_one_way(scene.dual.dual().mesh(), truth.facets)) continue;  // or there is another one, or it is long
-        const double far2 = extent_of_edge(scene.dual.dual().mesh(), scene.site(left), scene.site(right), edge).far2;
+        if (!is_one_way(scene.dual.dual().mesh(), truth.facets))
+          continue;  // or there is another one, or it is long
+        const double far2 =
+            extent_of_edge(scene.dual.dual().mesh(), scene.site(left), scene.site(right), edge).far2;
         REQUIRE(far2 < infinity);
         ++edges;
         CHECK(far2 >= truth.far2 * (1 - 1e-9));
@@ -161,7 +163,8 @@ TEST_CASE("edge trace: the edges of a cell's border sweep out its area") {
   CHECK(cells > 1000);
 }
 
-TEST_CASE("edge trace: facets that are turned round on the way, borders and ends that are not met leave it open") {
+TEST_CASE(
+    "edge trace: facets that are turned round on the way, borders and ends that are not met leave it open") {
   const TriMesh sphere = make_shape("sphere", 6), turned = fixtures::with_facets_turned(sphere);
   const Scene scene(sphere, 30, Weights::none);
   const auto all = bisectors(scene);
@@ -189,7 +192,8 @@ TEST_CASE("edge trace: facets that are turned round on the way, borders and ends
       const auto is_met = [&](FacetId t) {
         int left_nearer = 0;
         for (int i = 0; i < 3; ++i)
-          left_nearer += power(sphere.corner(t, i), scene.site(left)) < power(sphere.corner(t, i), scene.site(right));
+          left_nearer +=
+              power(sphere.corner(t, i), scene.site(left)) < power(sphere.corner(t, i), scene.site(right));
         return left_nearer > 0 && left_nearer < 3;
       };
       elsewhere.to = FacetId(0);

@@ -320,7 +320,9 @@ TEST_CASE("fast way: a stranger that owns something is not overlooked") {
 }
 
 // Whatever their cells.
-TEST_CASE("fast way: an irregular site is not taken out; who is put in must reach all circles that such a one may lose") {
+TEST_CASE(
+    "fast way: an irregular site is not taken out; who is put in must reach all circles that such a one may "
+    "lose") {
   const TriMesh flat = fixtures::sheet(
       9, 1, [](double, double) { return 0.0; }, 0.2);
   const std::vector<Placed> samples = ring(flat, 0.15);
@@ -345,7 +347,8 @@ TEST_CASE("fast way: an irregular site is not taken out; who is put in must reac
   CHECK(change.circles_erased.empty());
   CHECK(!parts.state.tree.contains(p));
   parts.state.set_reach(hidden, -std::numeric_limits<double>::infinity());
-  for (const SiteId loser : circle.sites) parts.set_regular(loser, false);  // all of their circles are looked at
+  for (const SiteId loser : circle.sites)
+    parts.set_regular(loser, false);  // all of their circles are looked at
   CHECK(parts.fast.insert(p, {circle.center, 0}, circle.facet, at, change));
   CHECK(parts.is_regular(p));
   for (const SiteId loser : circle.sites) CHECK(!parts.is_regular(loser));

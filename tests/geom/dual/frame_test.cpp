@@ -282,9 +282,11 @@ TEST_CASE("frame: a site that comes after locations has the values there that it
   Rng rng(6);
   for (int draw = 0; draw < 60; ++draw) {
     const int n = 2 + static_cast<int>(rng.below(Frame::most - 1));
-    const std::vector<WeightedPoint3> points = fixtures::draw(fixtures::Hardship::none, n + 7, rng.below(2) == 0, rng);
+    const std::vector<WeightedPoint3> points =
+        fixtures::draw(fixtures::Hardship::none, n + 7, rng.below(2) == 0, rng);
     std::vector<Vec3> places;
-    for (std::size_t i = static_cast<std::size_t>(n) + 1; i < points.size(); ++i) places.push_back(points[i].position);
+    for (std::size_t i = static_cast<std::size_t>(n) + 1; i < points.size(); ++i)
+      places.push_back(points[i].position);
     const TriMesh mesh = mesh_of(places);
     Frame frame(mesh), fresh(mesh);
     frame.begin(points[0]);
@@ -320,16 +322,18 @@ TEST_CASE("frame: who is behind others in a ball is nearest nowhere there, by ex
       frame.begin(origin);
       for (const WeightedPoint3& s : sites) frame.add(s);
       const double radius = (stranger.position - origin.position).norm() * rng.uniform(0, 0.6);
-      const int first = rng.below(2) == 0 ? Frame::nobody : static_cast<int>(rng.below(static_cast<std::uint64_t>(n)));
+      const int first =
+          rng.below(2) == 0 ? Frame::nobody : static_cast<int>(rng.below(static_cast<std::uint64_t>(n)));
       const bool with_origin = rng.below(2) == 0;
-      if (!frame.is_behind(Frame::offset(stranger, origin), Frame::constant(stranger, origin), Vec3(0, 0, 0), radius,
-                           with_origin ? none : first)) {
+      if (!frame.is_behind(Frame::offset(stranger, origin), Frame::constant(stranger, origin), Vec3(0, 0, 0),
+                           radius, with_origin ? none : first)) {
         ++not_behind;
         continue;
       }
       ++behind;
       for (int sample = 0; sample < 12; ++sample) {
-        const Vec3 z = origin.position + 0.999 * radius * rng.uniform() * fixtures::random_vector(rng).normalized();
+        const Vec3 z =
+            origin.position + 0.999 * radius * rng.uniform() * fixtures::random_vector(rng).normalized();
         const Exact exact(z, origin, sites);
         Rational least = with_origin ? Rational(0.0) : exact(0);
         for (int i = 0; i < n; ++i)

@@ -54,8 +54,8 @@ struct Scene {
 
 template <class Visit>
 void for_scenes(std::size_t n, Visit visit) {
-  for (const TriMesh& mesh :
-       {fixtures::torus(1, 0.4, {16, 10, true, true, 0.2}), fixtures::box(Vec3(1, 0.8, 0.02), 3), fixtures::blob(4)})
+  for (const TriMesh& mesh : {fixtures::torus(1, 0.4, {16, 10, true, true, 0.2}),
+                              fixtures::box(Vec3(1, 0.8, 0.02), 3), fixtures::blob(4)})
     for (const Weights weights : fixtures::all_weights) {
       CAPTURE(static_cast<int>(weights));
       const std::vector<Placed> samples = fixtures::placed_samples(mesh, n + 40, n, weights, 23);
@@ -168,7 +168,8 @@ TEST_CASE("strangers: the power of rivals is at least the reach of everyone who 
       std::set<SiteId> who;
       for (const auto& [key, polygon] : before.polygons())
         for (std::size_t k = 0; k < polygon.corners.size(); ++k)
-          if (clipper.beats_at(polygon, k, p, clipper.bisector_of(polygon.owner, p))) who.insert(polygon.owner);
+          if (clipper.beats_at(polygon, k, p, clipper.bisector_of(polygon.owner, p)))
+            who.insert(polygon.owner);
       if (who.empty()) continue;
       std::vector<SiteId> all = scene.present;
       all.push_back(p);
@@ -238,7 +239,9 @@ TEST_CASE("strangers: none is said to be beyond a location who is as near") {
 TEST_CASE("strangers: a heavy owner's power is not known to the last bit" * doctest::should_fail()) {
   const TriMesh flat = fixtures::sheet(4, 1, [](double, double) { return 0.0; });
   const Vec3 z(0.5, 0.5, 0);
-  const auto place = [&](double x, double y, double weight) { return Placed{{Vec3(x, y, 0), weight}, FacetId()}; };
+  const auto place = [&](double x, double y, double weight) {
+    return Placed{{Vec3(x, y, 0), weight}, FacetId()};
+  };
   Scene scene(flat, {place(0.01, 0.5, 0.24), place(0.5, 0.51, 0), place(0.2, 0.2, 0), place(0.2, 0.8, 0),
                      place(0.8, 0.5, 0)});
   const SiteId owner(0), stranger(1), p(4);
