@@ -20,6 +20,7 @@ using namespace geom;
 using fixtures::Placed;
 using fixtures::Weights;
 using oracle::KnownCircle;
+using Shape = DualState::Shape;
 
 namespace {
 
@@ -30,24 +31,26 @@ struct Parts {
     for (std::size_t i = 0; i < samples.size(); ++i) {
       state.admit(SiteId(i), samples[i].point);
       state.home[SiteId(i)] = samples[i].home;
-      state.tree.insert(SiteId(i), samples[i].point);
+      state.enter(SiteId(i));
       present.insert(SiteId(i));
     }
     state.num_sites = samples.size();
     DualChange change;
     redivision.build(1, change);
-    for (const SiteId s : present) state.set_regular(s, fast.certify(s));
+    look_again();
   }
 
   bool remove(SiteId p) {
     DualChange change;
     const bool is_fast = fast.plan(p);
-    if (is_fast)
+    if (is_fast) {
       fast.remove(change);
-    else
-      redivision.remove(p, change);
+    } else {
+      redivision.plan(p);
+      redivision.remove(change);
+      state.set_shape(p, Shape::regular);
+    }
     present.erase(p);
-    if (!is_fast) state.set_regular(p, true);
     finish(change, is_fast);
     return is_fast;
   }
@@ -66,8 +69,13 @@ struct Parts {
   void finish(const DualChange& change, bool is_fast) {
     state.circles.recycle(change.circles_erased);
     if (is_fast) return;
-    for (const SiteId s : present) state.set_regular(s, fast.certify(s));
+    look_again();
   }
+  void look_again() {
+    for (const SiteId s : present) fast.certify(s);
+  }
+  bool is_regular(SiteId s) const { return state.shape(s) == Shape::regular; }
+  void set_regular(SiteId s, bool value) { state.set_shape(s, value ? Shape::regular : Shape::irregular); }
 
   std::vector<SiteId> present_list() const { return {present.begin(), present.end()}; }
   CircleId any_circle(Rng& rng, SiteId near) const {
@@ -89,11 +97,11 @@ std::size_t check_regular(const Parts& parts) {
   const oracle::BruteDiagram brute(parts.state.mesh, parts.state.sites, parts.present_list());
   std::size_t regular = 0;
   for (const SiteId s : parts.present) {
-    if (!parts.state.is_regular(s)) continue;
+    if (!parts.is_regular(s)) continue;
     ++regular;
     CHECK_MESSAGE(brute.is_simple(s), "site " << s.value);
   }
-  CHECK(regular + parts.state.num_irregular == parts.present.size());
+  CHECK(regular + parts.state.not_regular().size() == parts.present.size());
   return regular;
 }
 
@@ -101,6 +109,18 @@ std::vector<fixtures::NamedSurface> all_surfaces() {
   std::vector<fixtures::NamedSurface> all = fixtures::hard_surfaces();
   for (fixtures::NamedSurface& s : fixtures::surfaces()) all.push_back(std::move(s));
   return all;
+}
+
+/// The most power of those left, at corners of their cells that p would own.
+double power_in_hole(const TriMesh& mesh, const Clipper::Sites& sites, const oracle::BruteDiagram& without,
+                     SiteId p) {
+  Clipper clipper(mesh, sites, extent_of(mesh));
+  double most = -std::numeric_limits<double>::infinity();
+  for (const auto& [key, polygon] : without.polygons())
+    for (std::size_t k = 0; k < polygon.corners.size(); ++k)
+      if (clipper.beats_at(polygon, k, p, clipper.bisector_of(polygon.owner, p)))
+        most = std::max(most, power(polygon.corners[k].point.position, sites[polygon.owner]));
+  return most;
 }
 
 /// On a flat square, but for what is given; the middle site is in a ring of six.
@@ -199,7 +219,8 @@ TEST_CASE("fast way: a plan changes nothing, and tells what the hole will have")
   const TriMesh torus = fixtures::torus(1, 0.4, {24, 14, true, true, 0.2});
   const std::size_t n = 120;
   Parts parts(torus, fixtures::placed_samples(torus, n, n, Weights::gentle, 4));
-  std::size_t plans = 0;
+  std::size_t plans = 0, exact = 0;
+  const oracle::BruteDiagram present(torus, parts.state.sites, parts.present_list());
   for (std::size_t i = 0; i < n; ++i) {
     const SiteId p(i);
     const std::size_t before = parts.state.circles.size();
@@ -214,6 +235,18 @@ TEST_CASE("fast way: a plan changes nothing, and tells what the hole will have")
     std::vector<SiteId> others = parts.present_list();
     std::erase(others, p);
     const oracle::BruteDiagram brute(torus, parts.state.sites, others);
+    const double reach = parts.fast.reach(), most = parts.fast.max_radius2();
+    CHECK(reach >= present.reach(p) * (1 - 1e-9));
+    const double in_hole = power_in_hole(torus, parts.state.sites, brute, p);
+    CHECK(most >= in_hole * (1 - 1e-9));
+    for (const EmptyCircle& c : parts.fast.circles()) CHECK(c.radius2 <= most);
+    if (parts.fast.make_plan_exact()) {
+      ++exact;
+      CHECK(parts.fast.reach() <= reach * (1 + 1e-6));
+      CHECK(parts.fast.max_radius2() <= most * (1 + 1e-6));
+      CHECK(parts.fast.reach() == doctest::Approx(present.reach(p)).epsilon(1e-6));
+      CHECK(parts.fast.max_radius2() == doctest::Approx(std::max(in_hole, present.reach(p))).epsilon(1e-6));
+    }
     for (const EmptyCircle& c : parts.fast.circles()) {
       CHECK(c.radius2 <= parts.fast.max_radius2());
       const std::vector<KnownCircle> on_facet = brute.circles_on(c.facet, CornerTypes::c_only);
@@ -222,6 +255,32 @@ TEST_CASE("fast way: a plan changes nothing, and tells what the hole will have")
     parts.fast.cancel();
   }
   CHECK(plans > n / 2);
+  CHECK(exact > n / 2);
+}
+
+TEST_CASE("fast way: the quick bounds of a plan are no less than the least ones, and not much larger") {
+  std::size_t exact = 0, quick = 0;
+  for (const Weights weights : {Weights::none, Weights::gentle}) {
+    const TriMesh sphere = make_shape("sphere", 8);
+    const std::size_t n = 600;
+    Parts parts(sphere, fixtures::placed_samples(sphere, n, n, weights, 6));
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!parts.fast.plan(SiteId(i))) continue;
+      const double reach = parts.fast.reach(), most = parts.fast.max_radius2();
+      for (const EmptyCircle& c : parts.fast.circles()) CHECK(c.radius2 <= most);
+      if (parts.fast.make_plan_exact()) {
+        ++exact;
+        const double least = parts.fast.reach(), least_of_hole = parts.fast.max_radius2();
+        quick += most > least_of_hole * (1 + 1e-6);
+        CHECK(reach >= least * (1 - 1e-9));
+        CHECK(most >= least_of_hole * (1 - 1e-9));
+        CHECK(reach <= 1.5 * least + 0.01);
+      }
+      parts.fast.cancel();
+    }
+  }
+  CHECK(exact > 600);
+  CHECK(quick > 100);
 }
 
 // What is on the other side of a gap, and nearer to a part of the hole than all around it.
@@ -261,33 +320,38 @@ TEST_CASE("fast way: a stranger that owns something is not overlooked") {
 }
 
 // Whatever their cells.
-TEST_CASE("fast way: an irregular site is not taken out, and nothing is put in where one may lose") {
+TEST_CASE(
+    "fast way: an irregular site is not taken out; who is put in must reach all circles that such a one may "
+    "lose") {
   const TriMesh flat = fixtures::sheet(
       9, 1, [](double, double) { return 0.0; }, 0.2);
   const std::vector<Placed> samples = ring(flat, 0.15);
   Parts parts(flat, samples);
-  REQUIRE(parts.state.is_regular(SiteId(0)));
+  REQUIRE(parts.is_regular(SiteId(0)));
   REQUIRE(parts.fast.plan(SiteId(0)));
   parts.fast.cancel();
-  parts.state.set_regular(SiteId(0), false);
+  parts.set_regular(SiteId(0), false);
   CHECK(!parts.fast.plan(SiteId(0)));
-  parts.state.set_regular(SiteId(0), true);
+  parts.set_regular(SiteId(0), true);
   const CircleId at = parts.state.circles.of_site(SiteId(0)).front();
   const EmptyCircle circle = parts.state.circles[at];
-  const SiteId p(samples.size());
-  for (const SiteId loser : {circle.sites[0], circle.sites[1], circle.sites[2]}) {
-    std::vector<SiteId> changed;
-    for (const SiteId s : parts.present)
-      if (!parts.state.is_regular(s)) parts.state.set_regular(s, true), changed.push_back(s);
-    parts.state.set_regular(loser, false);
-    DualChange change;
-    CHECK(!parts.fast.insert(p, {circle.center, 0}, circle.facet, at, change));
-    CHECK(change.circles_created.empty());
-    CHECK(change.circles_erased.empty());
-    CHECK(!parts.state.tree.contains(p));
-    parts.state.set_regular(loser, true);
-    for (const SiteId s : changed) parts.state.set_regular(s, false);
-  }
+  const SiteId hidden(samples.size()), p(samples.size() + 1);
+  parts.insert(hidden, {{samples[0].point.position + Vec3(0.001, 0, 0), -0.1}, FacetId()}, CircleId());
+  REQUIRE(parts.state.circles.of_site(hidden).empty());
+  // It has a cell somewhere, maybe, that no circle leads to.
+  parts.set_regular(hidden, false);
+  parts.state.set_reach(hidden, 0.5);
+  DualChange change;
+  CHECK(!parts.fast.insert(p, {circle.center, 0}, circle.facet, at, change));
+  CHECK(change.circles_created.empty());
+  CHECK(change.circles_erased.empty());
+  CHECK(!parts.state.tree.contains(p));
+  parts.state.set_reach(hidden, -std::numeric_limits<double>::infinity());
+  for (const SiteId loser : circle.sites)
+    parts.set_regular(loser, false);  // all of their circles are looked at
+  CHECK(parts.fast.insert(p, {circle.center, 0}, circle.facet, at, change));
+  CHECK(parts.is_regular(p));
+  for (const SiteId loser : circle.sites) CHECK(!parts.is_regular(loser));
 }
 
 TEST_CASE("fast way: without a home, at a circle that is not beaten, or with all corners, nothing is done") {
@@ -304,7 +368,7 @@ TEST_CASE("fast way: without a home, at a circle that is not beaten, or with all
   CHECK(!parts.fast.insert(p, {circle.center, 0}, FacetId(0), at, change));  // far from its home
   CHECK(change.circles_created.empty());
   CHECK(parts.state.num_sites == samples.size());
-  for (const SiteId s : parts.present) parts.state.set_regular(s, true);
+  for (const SiteId s : parts.present) parts.set_regular(s, true);
   CHECK(parts.fast.insert(p, {circle.center, 0}, circle.facet, at, change));  // else it is the rule
   CHECK(parts.state.num_sites == samples.size() + 1);
   CHECK(change.circles_created.size() == change.circles_erased.size() + 2);
@@ -312,6 +376,7 @@ TEST_CASE("fast way: without a home, at a circle that is not beaten, or with all
   FastWay fast(all);
   all.admit(SiteId(0), samples[0].point);
   CHECK(!fast.plan(SiteId(0)));
-  CHECK(!fast.certify(SiteId(0)));
+  fast.certify(SiteId(0));
+  CHECK(all.shape(SiteId(0)) == Shape::irregular);
   CHECK(!fast.insert(SiteId(1), samples[1].point, samples[1].home, CircleId(), change));
 }

@@ -33,6 +33,27 @@ std::vector<KnownCircle> circles_if_built(const MirroredDual& d, int threads) {
   return fresh.known_circles();
 }
 
+/// Equal to a dual of the same sites that is built at once, whose reaches are the least bounds.
+void check_by_rebuild(MirroredDual& d) {
+  MirroredDual fresh(d.dual().mesh(), true, d.types());
+  const std::vector<SiteId> present = d.present();
+  std::vector<Placed> samples;
+  for (const SiteId p : present) samples.push_back(d.placed(p));
+  fresh.build(samples);
+  REQUIRE(present.back().index() + 1 == present.size());  // the ids are the same
+  REQUIRE(d.known_circles() == fresh.known_circles());
+  d.dual().check();
+  for (const SiteId p : present) {
+    CAPTURE(p.value);
+    REQUIRE(d.dual().has_cell(p) == fresh.dual().has_cell(p));
+    if (!d.dual().has_cell(p)) continue;
+    const double reach = fresh.dual().reach(p);
+    const double slack = 1e-8 * (std::abs(reach) + std::abs(d.sites()[p].weight));
+    REQUIRE(fresh.dual().reach_bound(p) <= reach + slack);
+    REQUIRE(d.dual().reach_bound(p) >= reach - slack);
+  }
+}
+
 /// Places with ties of all kinds: multiples of 1/4 on a box of whole sides.
 std::vector<Placed> lattice_on(const TriMesh& box, double weight) {
   std::vector<Placed> pool;
@@ -197,6 +218,44 @@ TEST_CASE("restricted dual: local updates equal a rebuild after each of hundreds
       }
       check_by_brute_force(walk.d);
     }
+}
+
+// Where all is fast, and where little is: bounds that were once raised or lowered wrongly would stay so for a while.
+TEST_CASE(
+    "restricted dual: after each of many moves circles are those of a rebuild, and reaches bound the cells") {
+  const auto waves = [](double x, double y) { return 0.06 * std::sin(9 * x) * std::cos(8 * y); };
+  const std::pair<const char*, TriMesh> surfaces[] = {
+      {"torus", fixtures::torus(1, 0.4, {24, 14, true, true, 0.2})},
+      {"sphere", make_shape("sphere", 5)},
+      {"double torus", make_shape("double-torus", 12)},
+      {"thin plate", fixtures::box(Vec3(1, 0.8, 0.01), 5)},
+      {"waves", fixtures::sheet(14, 1, waves, 0.2)},
+      {"cube", fixtures::box(Vec3(1, 1, 1), 4)}};
+  std::size_t fast = 0, in_place = 0, general = 0;
+  for (const auto& [name, mesh] : surfaces)
+    for (const Weights weights : {Weights::none, Weights::gentle, Weights::hiding})
+      for (const std::size_t n : {25u, 80u}) {
+        CAPTURE(std::string(name));
+        CAPTURE(static_cast<int>(weights));
+        CAPTURE(n);
+        DualWalk walk(mesh, {.num_sites = n, .weights = weights, .keeps_number = true, .seed = n});
+        walk.build();
+        walk.spread(1);
+        for (int step = 0; step < 100; ++step) {
+          CAPTURE(step);
+          if (step % 3 != 0)  // else bounds that are too large may hide one that is not raised
+            for (const SiteId p : walk.d.present()) walk.d.dual().reach(p);
+          walk.step();
+          check_by_rebuild(walk.d);
+        }
+        const RestrictedDual::Ways& ways = walk.d.dual().ways();
+        fast += ways.fast_removals + ways.fast_insertions;
+        in_place += ways.in_place;
+        general += ways.general_insertions;
+      }
+  CHECK(fast > 2000);
+  CHECK(in_place > 100);
+  CHECK(general > 100);
 }
 
 // Small steps keep most edges, large ones few.

@@ -26,7 +26,7 @@ namespace {
 struct Place {
   explicit Place(TriMesh surface)
       : mesh(std::move(surface)), facets(mesh, facets_along_curve(mesh)), sheets(mesh, facets) {}
-  bool is_graph(const Vec3& p, double radius) { return sheets.around(p, radius).width >= 0; }
+  bool is_graph(const Vec3& p, double radius) { return sheets.sheet_in(p, radius).width >= 0; }
   TriMesh mesh;
   FacetTree facets;
   Sheets sheets;
@@ -36,9 +36,10 @@ std::array<Vec3, 3> corners(const TriMesh& mesh, FacetId t) {
   return {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
 }
 
-/// How often the line through x along the axis meets the surface within that distance of the center. None if it comes too
-/// near to an edge to tell.
-int crossings(const TriMesh& mesh, const Vec3& x, const Vec3& axis, const Vec3& center, double radius) {
+/// How often the line through x along the axis meets the surface within that distance of the center, which is never
+/// higher than told. -1 if it comes too near to an edge to tell.
+int crossings(const TriMesh& mesh, const Vec3& x, const Sheet& sheet, double radius) {
+  const Vec3 &axis = sheet.axis, &center = sheet.center;
   const Vec3 u = axis.unitOrthogonal(), v = axis.cross(u);
   int count = 0;
   for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
@@ -59,6 +60,7 @@ int crossings(const TriMesh& mesh, const Vec3& x, const Vec3& axis, const Vec3& 
     }
     if (least < -1e-9 || (hit - center).norm() > radius * (1 + 1e-9)) continue;
     if (least < 1e-9) return -1;
+    CHECK(std::abs((hit - center).dot(axis)) <= sheet.height);
     ++count;
   }
   return count;
@@ -73,16 +75,23 @@ std::size_t check_graphs(Place& place, Rng& rng, int queries) {
     const double s = rng.uniform(), r = rng.uniform() * (1 - s);
     const Vec3 p = a + s * (b - a) + r * (c - a);
     const double radius = place.mesh.diagonal() * std::pow(10, rng.uniform(-2.5, -0.3));
-    const Sheets::Sheet& sheet = place.sheets.around(p, radius);
+    const Sheet sheet = place.sheets.sheet_in(p, radius);
     if (sheet.width < 0) continue;
     ++graphs;
+    CHECK(sheet.center == p);
     CHECK(sheet.slope < 1);
     CHECK(sheet.axis.norm() == doctest::Approx(1));
-    const double ball = sheet.width * std::sqrt(1 + sheet.slope * sheet.slope);
+    CHECK(sheet.u.norm() == doctest::Approx(1));
+    CHECK(std::abs(sheet.u.dot(sheet.axis)) < 1e-12);
+    CHECK(std::hypot(sheet.width, sheet.height) <= radius);
+    const double ball = radius;
+    const Vec3 across = sheet.axis.cross(sheet.u);
     for (FacetId f(0); f.index() < place.mesh.num_facets(); f = FacetId(f.value + 1)) {
       if (closest_point(sheet.center, corners(place.mesh, f)).distance2 > ball * ball) continue;
       const Vec3 n = place.mesh.normal(f).normalized();
       CHECK(n.dot(sheet.axis) * std::sqrt(1 + sheet.slope * sheet.slope) >= 1 - 1e-6);
+      CHECK(std::abs(n.dot(sheet.u)) <= sheet.slope_u * n.dot(sheet.axis));
+      CHECK(std::abs(n.dot(across)) <= sheet.slope_v * n.dot(sheet.axis));
       for (int e = 0; e < 3; ++e) {  // no edge without a facet beyond
         const Vec3 &from = place.mesh.corner(f, e), &to = place.mesh.corner(f, (e + 1) % 3);
         if (closest_point(sheet.center, {from, to, to}).distance2 < ball * ball * (1 - 1e-9))
@@ -95,18 +104,18 @@ std::size_t check_graphs(Place& place, Rng& rng, int queries) {
       const double angle = 2 * std::numbers::pi * rng.uniform(),
                    far = sheet.width * 0.999 * std::sqrt(rng.uniform());
       const Vec3 x = sheet.center + far * (std::cos(angle) * u + std::sin(angle) * v);
-      const int times = crossings(place.mesh, x, sheet.axis, sheet.center, ball);
+      const int times = crossings(place.mesh, x, sheet, ball);
       CHECK((times == 1 || times == -1));
     }
   }
   return graphs;
 }
 
-/// The components of a cell, each with its facets, neighbours and its least distance from the site.
+/// The components of a cell, each with its facets, neighbours and its least and its greatest distance from the site.
 struct Component {
   std::set<FacetId> facets;
   std::set<SiteId> link;
-  double distance = std::numeric_limits<double>::infinity();
+  double distance = std::numeric_limits<double>::infinity(), farthest = 0;
 };
 std::vector<Component> components_of(const TriMesh& mesh, const oracle::BruteDiagram& brute, const Vec3& at,
                                      SiteId p) {
@@ -124,6 +133,7 @@ std::vector<Component> components_of(const TriMesh& mesh, const oracle::BruteDia
       component.facets.insert(t);
       const std::vector<PolygonCorner>& polygon = brute.polygons().at({t, p}).corners;
       for (std::size_t k = 0; k < polygon.size(); ++k) {
+        component.farthest = std::max(component.farthest, (polygon[k].point.position - at).norm());
         if (k >= 2) {
           const std::array<Vec3, 3> piece{polygon[0].point.position, polygon[k - 1].point.position,
                                           polygon[k].point.position};
@@ -167,10 +177,12 @@ void check_components(Place& place, std::size_t n, Weights weights, std::uint64_
       const Vec3 d = sites[q].position - at;
       link.push_back({d, d.squaredNorm() - (sites[q].weight - sites[p].weight)});
     }
+    const double known = 1.0000001 * own->farthest;
     const double spacing = std::sqrt(place.mesh.area() / static_cast<double>(n));
     for (const double distance : {0.1 * spacing, 0.5 * spacing, spacing, 2 * spacing, 5 * spacing}) {
       ++count.asked;
-      if (!place.sheets.has_one_component(at, distance, link)) continue;
+      const Sheet* const sheet = place.sheets.around(p, at, std::max(distance, known));
+      if (!sheet || !Sheets::has_one_component(*sheet, known, link)) continue;
       ++count.said;
       for (const Component& c : components)
         if (&c != &*own) CHECK(c.distance > distance);
@@ -269,8 +281,12 @@ TEST_CASE("sheets: a slope of one, an edge of a cube, a cone's tip are no graph;
     // A roof: normals at an angle to each other of twice that of the slope.
     Place roof(fixtures::sheet(20, 1, [&](double x, double) { return slope * std::abs(x - 0.5); }));
     CHECK(roof.is_graph(Vec3(0.5, 0.5, 0), 0.1) == (slope < 1));
-    if (slope < 1)
-      CHECK(roof.sheets.around(Vec3(0.5, 0.5, 0), 0.1).slope == doctest::Approx(slope).epsilon(0.05));
+    if (slope > 1) continue;
+    const Sheet sheet = roof.sheets.sheet_in(Vec3(0.5, 0.5, 0), 0.1);
+    CHECK(sheet.slope == doctest::Approx(slope).epsilon(0.05));
+    CHECK(sheet.slope_u == doctest::Approx(slope).epsilon(0.05));
+    CHECK(std::abs(sheet.u.x()) > 0.99);  // the direction of most slopes
+    CHECK(sheet.slope_v < 0.05);
   }
   Place cube(fixtures::box(Vec3(1, 1, 1), 10));
   CHECK(cube.is_graph(Vec3(0.5, 0.5, 0), 0.2));
@@ -320,7 +336,9 @@ TEST_CASE("sheets: neighbours without a lead, and steep ones, leave it open") {
       slope(fixtures::sheet(20, 1, [](double x, double) { return 0.4 * std::abs(x - 0.5); }));
   const Vec3 middle(0.5, 0.5, 0);
   const auto says = [&](Place& place, const Vec3& offset, double lead) {
-    return place.sheets.has_one_component(middle, 0.1, std::array{Sheets::Neighbour{offset, lead}});
+    const Sheet* const known = place.sheets.around(SiteId(0), middle, 0.1);
+    REQUIRE(known);
+    return Sheets::has_one_component(*known, 0.1, std::array{Sheets::Neighbour{offset, lead}});
   };
   CHECK(says(sheet, Vec3(0.1, 0, 0), 0.01));
   CHECK(!says(sheet, Vec3(0.1, 0, 0), 0));
@@ -328,22 +346,50 @@ TEST_CASE("sheets: neighbours without a lead, and steep ones, leave it open") {
   CHECK(!says(sheet, Vec3(0.1, 0, 0), 1e-12));
   CHECK(says(sheet, Vec3(0, 0, 0.1), 0.01));  // flat: no lead is won back
   CHECK(says(slope, Vec3(0.1, 0, 0), 0.01));
-  CHECK(!says(slope, Vec3(0, 0, 0.1), 0.01));  // less than 4 s |a| D
+  CHECK(!says(slope, Vec3(0, 0, 0.1), 0.01));  // less than 4 s |a| r_K
   CHECK(says(slope, Vec3(0, 0, 0.1), 0.03));
-  CHECK(sheet.sheets.has_one_component(middle, 0.1, {}));
-  CHECK(!sheet.sheets.has_one_component(middle, 1.0, {}));
+  CHECK(!sheet.sheets.around(SiteId(1), middle, 1.0));
 }
 
-TEST_CASE("sheets: places are shared") {
+TEST_CASE("sheets: those of a site are kept, and made anew where they do not do") {
   Place sphere(make_shape("sphere", 6));
   Rng rng(5);
-  for (int query = 0; query < 5000; ++query)
-    sphere.sheets.around(fixtures::random_vector(rng).normalized(), rng.uniform(0.2, 0.25));
-  CHECK(sphere.sheets.num_places() < 4000);
-  const std::size_t before = sphere.sheets.num_places();
-  const Vec3 p = Vec3(0.3, 0.5, 0.9).normalized();
-  const Sheets::Sheet first = sphere.sheets.around(p, 0.2), second = sphere.sheets.around(p, 0.2);
-  CHECK(first.width == second.width);
-  CHECK(first.center == second.center);
-  CHECK(sphere.sheets.num_places() <= before + 1);
+  const SiteId p(3);
+  CHECK(!sphere.sheets.known(p));
+  for (int step = 0; step < 300; ++step) {
+    const Vec3 x = Vec3(0.3 + rng.uniform(-0.1, 0.1), 0.5, 0.9).normalized();
+    const double distance = rng.uniform(0.05, 0.25);
+    const Sheet* const before = sphere.sheets.known(p);
+    const bool will_do = before && before->covers(x, distance);
+    const Vec3 center = before ? before->center : Vec3(0, 0, 0);
+    const Sheet* const sheet = sphere.sheets.around(p, x, distance);
+    REQUIRE(sheet);
+    CHECK(sheet->covers(x, distance));
+    CHECK(sheet->center == (will_do ? center : x));
+    CHECK(sphere.sheets.known(p) == sheet);
+    CHECK(!sphere.sheets.known(SiteId(4)));
+  }
+  // Where there is none it is not made up, and afterwards again found where there is one.
+  CHECK(!sphere.sheets.around(p, Vec3(0, 0, 1), 3.0));
+  CHECK(!sphere.sheets.known(p));
+  CHECK(!sphere.sheets.around(p, Vec3(0, 0, 1), 2.9));
+  CHECK(sphere.sheets.around(p, Vec3(0, 0, 1), 0.1));
+}
+
+TEST_CASE("sheets: the facets within a distance are all there") {
+  for (const TriMesh& mesh : {make_shape("sphere", 6), fixtures::torus(1, 0.4, {24, 14, true, true, 0.2})}) {
+    Place place(mesh);
+    Rng rng(7);
+    for (int query = 0; query < 60; ++query) {
+      const Vec3 p = place.mesh.corner(FacetId(static_cast<std::size_t>(rng.below(mesh.num_facets()))), 0) +
+                     0.1 * fixtures::random_vector(rng);
+      const double distance = mesh.diagonal() * std::pow(10, rng.uniform(-2.5, -0.5));
+      const std::span<const FacetId> found = place.sheets.facets_within(p, distance);
+      const std::set<FacetId> all(found.begin(), found.end());
+      for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
+        const double far2 = closest_point(p, corners(mesh, t)).distance2;
+        if (far2 <= distance * distance) CHECK(all.contains(t));
+      }
+    }
+  }
 }

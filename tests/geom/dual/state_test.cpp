@@ -1,7 +1,9 @@
 #include "geom/dual/state.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "doctest.h"
 #include "geom/check.h"
@@ -56,26 +58,39 @@ TEST_CASE("dual state: a circle's center is in the box of its facet, and snapped
   }
 }
 
-TEST_CASE("dual state: irregular sites are counted; a site outside of the mesh's box is a bug") {
+TEST_CASE("dual state: sites that are not regular are listed; a site outside of the mesh's box is a bug") {
+  using Shape = DualState::Shape;
   const TriMesh cube = fixtures::box(Vec3(1, 1, 1), 1);
   DualState state(cube, CornerTypes::c_only, nullptr);
-  for (std::size_t i = 0; i < 5; ++i) state.admit(SiteId(i), {Vec3(0.1, 0.2, 0), 0});
-  for (std::size_t i = 0; i < 5; ++i) CHECK(state.is_regular(SiteId(i)));
-  CHECK(state.num_irregular == 0);
-  state.set_regular(SiteId(2), false);
-  state.set_regular(SiteId(2), false);
-  state.set_regular(SiteId(4), false);
-  CHECK(state.num_irregular == 2);
-  state.set_regular(SiteId(2), true);
-  state.set_regular(SiteId(3), true);
-  CHECK(state.num_irregular == 1);
+  const auto listed = [&] {
+    std::vector<SiteId> list(state.not_regular().begin(), state.not_regular().end());
+    std::ranges::sort(list);
+    return list;
+  };
+  for (std::size_t i = 0; i < 5; ++i) {
+    state.admit(SiteId(i), {Vec3(0.1, 0.2, 0), 0});
+    state.enter(SiteId(i));
+  }
+  for (std::size_t i = 0; i < 5; ++i) CHECK(state.shape(SiteId(i)) == Shape::regular);
+  CHECK(listed().empty());
+  state.set_shape(SiteId(2), Shape::irregular);
+  state.set_shape(SiteId(2), Shape::irregular);
+  state.set_shape(SiteId(4), Shape::unknown);
+  CHECK(state.shape(SiteId(2)) == Shape::irregular);
+  CHECK(state.shape(SiteId(4)) == Shape::unknown);
+  CHECK(listed() == std::vector{SiteId(2), SiteId(4)});
+  state.set_shape(SiteId(4), Shape::irregular);
+  CHECK(listed() == std::vector{SiteId(2), SiteId(4)});
+  state.set_shape(SiteId(2), Shape::regular);
+  state.set_shape(SiteId(3), Shape::regular);
+  CHECK(listed() == std::vector{SiteId(4)});
   CHECK_THROWS_AS(state.admit(SiteId(0), {Vec3(0.5, 1.1, 0.5), 0}), Bug);
-  state.tree.insert(SiteId(0), state.sites[SiteId(0)]);
   state.set_reach(SiteId(0), 2);
   state.raise_reach(SiteId(0), 1);
   CHECK(state.reach[SiteId(0)] == 2);
   state.raise_reach(SiteId(0), 3);
   CHECK(state.reach[SiteId(0)] == 3);
+  CHECK(state.largest_reach() >= 3);
 }
 
 TEST_CASE("dual state: a mesh without facets is bad input") {

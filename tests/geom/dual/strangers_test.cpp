@@ -1,0 +1,263 @@
+// Who is left out of what the fast way looks at, and what is said of the others, against all sites.
+
+#include "geom/dual/strangers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "doctest.h"
+#include "geom/dual/redivision.h"
+#include "geom/rng.h"
+#include "geom/shapes.h"
+#include "tests/fixtures/hard_surfaces.h"
+#include "tests/fixtures/placed_samples.h"
+#include "tests/fixtures/weighted_points.h"
+#include "tests/oracle/restricted_dual_oracle.h"
+
+using namespace geom;
+using fixtures::Placed;
+using fixtures::Weights;
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A diagram of samples, searched in a grid if that can be.
+struct Scene {
+  Scene(const TriMesh& mesh, const std::vector<Placed>& samples)
+      : state(mesh, CornerTypes::c_only, nullptr), strangers(state), redivision(state) {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      state.admit(SiteId(i), samples[i].point);
+      state.enter(SiteId(i));
+      present.emplace_back(i);
+    }
+    state.num_sites = samples.size();
+    state.choose_search();
+    DualChange change;
+    redivision.build(1, change);
+  }
+  std::vector<SiteId> link(SiteId p) const {
+    std::set<SiteId> link;
+    for (const CircleId c : state.circles.of_site(p))
+      for (const SiteId s : state.circles[c].sites)
+        if (s.valid() && s != p) link.insert(s);
+    return {link.begin(), link.end()};
+  }
+  double power_to(SiteId s, const Vec3& z) const { return power(z, state.sites[s]); }
+  DualState state;
+  Strangers strangers;
+  Redivision redivision;
+  std::vector<SiteId> present;
+};
+
+template <class Visit>
+void for_scenes(std::size_t n, Visit visit) {
+  for (const TriMesh& mesh : {fixtures::torus(1, 0.4, {16, 10, true, true, 0.2}),
+                              fixtures::box(Vec3(1, 0.8, 0.02), 3), fixtures::blob(4)})
+    for (const Weights weights : fixtures::all_weights) {
+      CAPTURE(static_cast<int>(weights));
+      const std::vector<Placed> samples = fixtures::placed_samples(mesh, n + 40, n, weights, 23);
+      Scene scene(mesh, {samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(n)});
+      visit(scene, std::span(samples).subspan(n));
+    }
+}
+
+Vec3 in_ball(const Vec3& center, double radius, Rng& rng) {
+  Vec3 v = fixtures::random_vector(rng);
+  while (v.norm() > 1) v = fixtures::random_vector(rng);
+  return center + 0.999 * radius * v;
+}
+
+/// Who is not kept, is nowhere in the ball nearer than all of these, where their power is at most that.
+struct Kept {
+  WeightedPoint3 origin;  ///< of the frame
+  std::vector<SiteId> frame;
+  Vec3 center;
+  double radius, most_power;
+};
+void check_kept(const Scene& scene, SiteId p, const Kept& asked, Rng& rng, std::size_t& dropped) {
+  std::set<SiteId> told(asked.frame.begin(), asked.frame.end());
+  told.insert(p);
+  for (const Strangers::Stranger& s : scene.strangers.kept()) {
+    CHECK(told.insert(s.site).second);
+    CHECK(s.d == Frame::offset(scene.state.sites[s.site], asked.origin));
+    CHECK(s.c == Frame::constant(scene.state.sites[s.site], asked.origin));
+  }
+  dropped += scene.present.size() - told.size();
+  for (int sample = 0; sample < 60; ++sample) {
+    const Vec3 z = in_ball(asked.center, asked.radius, rng);
+    double least = infinity;
+    for (const SiteId s : asked.frame) least = std::min(least, scene.power_to(s, z));
+    if (least > asked.most_power) continue;
+    for (const SiteId s : scene.present)
+      if (!told.contains(s)) CHECK(scene.power_to(s, z) > least);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("strangers: who is not kept owns nothing of the hole") {
+  Rng rng(1);
+  std::size_t dropped = 0, kept = 0;
+  for_scenes(150, [&](Scene& scene, std::span<const Placed>) {
+    Frame frame(scene.state.mesh);
+    for (const SiteId p : scene.present) {
+      std::vector<SiteId> rim = scene.link(p);
+      if (rim.size() < 3 || rim.size() + 1 > Frame::most) continue;
+      if (rng.below(2) == 0) rim.resize(1 + rng.below(2));  // then there are many others
+      frame.begin(scene.state.sites[p]);
+      for (const SiteId r : rim) frame.add(scene.state.sites[r]);
+      const double radius = scene.state.distance_at(scene.state.reach[p], p) * rng.uniform(0.8, 1.5);
+      const double most = scene.state.reach[p] + radius * radius * rng.uniform(0, 9);
+      const Vec3& center = scene.state.sites[p].position;
+      if (rng.below(2) == 0) scene.strangers.forget();  // else what is known may do
+      const double range = radius + scene.state.distance_at(most);
+      scene.strangers.find_heirs({p, center, radius, most}, rng.below(2) == 0 ? range : infinity);
+      scene.strangers.keep_near(frame, p, rim, {Vec3(0, 0, 0), radius}, Frame::nobody);
+      kept += scene.strangers.kept().size();
+      check_kept(scene, p, {scene.state.sites[p], rim, center, radius, most}, rng, dropped);
+    }
+  });
+  CHECK(dropped > 10000);
+  CHECK(kept > 1000);
+}
+
+TEST_CASE("strangers: who is not kept owns nothing near a site, at its place or another") {
+  Rng rng(2);
+  std::size_t dropped = 0, kept = 0;
+  for_scenes(150, [&](Scene& scene, std::span<const Placed>) {
+    Frame frame(scene.state.mesh);
+    for (const SiteId p : scene.present) {
+      std::vector<SiteId> rim = scene.link(p), all = rim;
+      if (rim.size() < 3 || rim.size() + 1 > Frame::most) continue;
+      const WeightedPoint3 old = scene.state.sites[p];
+      frame.begin(old);
+      for (const SiteId r : rim) frame.add(scene.state.sites[r]);
+      const double radius = scene.state.distance_at(scene.state.reach[p], p);
+      const bool has_moved = rng.below(2) == 0;
+      if (has_moved) {
+        scene.state.sites[p].position = in_ball(old.position, 0.5 * radius, rng);
+        frame.add_late(scene.state.sites[p]);
+      }
+      const Vec3 center = scene.state.sites[p].position;
+      if (rng.below(2) == 0) scene.strangers.forget();
+      scene.strangers.find_rivals(p, center, radius);
+      const int self = has_moved ? frame.size() - 1 : Frame::none;
+      scene.strangers.keep_near(frame, p, rim, {center - old.position, radius}, self);
+      kept += scene.strangers.kept().size();
+      all.push_back(p);
+      check_kept(scene, p, {old, all, center, radius, infinity}, rng, dropped);
+      scene.state.sites[p] = old;
+    }
+  });
+  CHECK(dropped > 5000);
+  CHECK(kept > 1000);
+}
+
+TEST_CASE("strangers: the power of rivals is at least the reach of everyone who loses something") {
+  std::size_t losers = 0, least_is_enough = 0, asked = 0;
+  for_scenes(60, [&](Scene& scene, std::span<const Placed> newcomers) {
+    const TriMesh& mesh = scene.state.mesh;
+    const SiteId p(scene.present.size());
+    const oracle::BruteDiagram before(mesh, scene.state.sites, scene.present);
+    for (const Placed& x : newcomers) {
+      scene.state.admit(p, x.point);
+      Clipper clipper(mesh, scene.state.sites, extent_of(mesh));
+      std::set<SiteId> who;
+      for (const auto& [key, polygon] : before.polygons())
+        for (std::size_t k = 0; k < polygon.corners.size(); ++k)
+          if (clipper.beats_at(polygon, k, p, clipper.bisector_of(polygon.owner, p)))
+            who.insert(polygon.owner);
+      if (who.empty()) continue;
+      std::vector<SiteId> all = scene.present;
+      all.push_back(p);
+      const oracle::BruteDiagram after(mesh, scene.state.sites, all);
+      const double radius = scene.state.distance_at(after.reach(p), p);
+      for (const double part : {1.0, 0.1, 0.0}) {  // of the cell: few are found then
+        if (part > 0) scene.strangers.forget();
+        scene.strangers.find_rivals(p, x.point.position, part * radius);
+        const double most = scene.strangers.power_of_rivals(p, *who.begin());
+        ++asked;
+        double needed = -infinity;
+        for (const SiteId s : who) {
+          ++losers;
+          needed = std::max(needed, scene.state.reach[s]);
+        }
+        CHECK(most >= needed - 1e-9 * (std::abs(needed) + std::abs(x.point.weight)));
+        double largest = -infinity;
+        for (const SiteId s : scene.present) largest = std::max(largest, scene.state.reach[s]);
+        least_is_enough += most < largest;
+      }
+    }
+  });
+  CHECK(losers > 1000);
+  CHECK(5 * least_is_enough > asked);  // it is not merely that of all
+}
+
+TEST_CASE("strangers: none is said to be beyond a location who is as near") {
+  Rng rng(4);
+  std::size_t beyond = 0, ties = 0;
+  for_scenes(150, [&](Scene& scene, std::span<const Placed>) {
+    Frame frame(scene.state.mesh);
+    for (const SiteId p : scene.present) {
+      const std::vector<SiteId> rim = scene.link(p);
+      if (rim.size() < 3 || rim.size() + 1 > Frame::most) continue;
+      frame.begin(scene.state.sites[p]);
+      for (const SiteId r : rim) frame.add(scene.state.sites[r]);
+      const Vec3& center = scene.state.sites[p].position;
+      const double radius = scene.state.distance_at(scene.state.reach[p], p);
+      scene.strangers.forget();
+      scene.strangers.find_rivals(p, center, 2 * radius);
+      scene.strangers.keep_near(frame, p, rim, {Vec3(0, 0, 0), 2 * radius}, Frame::nobody);
+      for (int sample = 0; sample < 10; ++sample) {
+        const Vec3 truth = in_ball(center, 2 * radius, rng);
+        const SiteId owner = rim[rng.below(rim.size())];
+        const double off = rng.below(2) == 0 ? 0 : radius * std::pow(10, rng.uniform(-14, -1));
+        const Vec3 known = truth + 0.999 * off * fixtures::random_vector(rng).normalized();
+        double least = infinity;
+        for (const Strangers::Stranger& s : scene.strangers.kept())
+          least = std::min(least, scene.power_to(s.site, truth));
+        const bool says = scene.strangers.are_beyond(known, scene.power_to(owner, known), off);
+        beyond += says;
+        if (says) CHECK(least > scene.power_to(owner, truth));
+        if (least == infinity) continue;
+        // As near as that, or nearer.
+        ++ties;
+        CHECK(!scene.strangers.are_beyond(truth, least, 0));
+        CHECK(!scene.strangers.are_beyond(truth, least + std::abs(least), 0));
+        CHECK(scene.strangers.are_beyond(truth, least - 1e-6, 0));
+      }
+    }
+  });
+  CHECK(beyond > 1000);
+  CHECK(ties > 1000);
+}
+
+// The bound does not know the owner's weight, nor how far its site is.
+TEST_CASE("strangers: a heavy owner's power is not known to the last bit" * doctest::should_fail()) {
+  const TriMesh flat = fixtures::sheet(4, 1, [](double, double) { return 0.0; });
+  const Vec3 z(0.5, 0.5, 0);
+  const auto place = [&](double x, double y, double weight) {
+    return Placed{{Vec3(x, y, 0), weight}, FacetId()};
+  };
+  Scene scene(flat, {place(0.01, 0.5, 0.24), place(0.5, 0.51, 0), place(0.2, 0.2, 0), place(0.2, 0.8, 0),
+                     place(0.8, 0.5, 0)});
+  const SiteId owner(0), stranger(1), p(4);
+  Frame frame(flat);
+  frame.begin(scene.state.sites[p]);
+  const std::vector<SiteId> rim{owner, SiteId(2), SiteId(3)};
+  for (const SiteId r : rim) frame.add(scene.state.sites[r]);
+  scene.strangers.find_rivals(p, scene.state.sites[p].position, 0.5);
+  scene.strangers.keep_near(frame, p, rim, {z - scene.state.sites[p].position, 0.01}, Frame::nobody);
+  REQUIRE(scene.strangers.kept().size() == 1);
+  Rng rng(5);
+  for (int sample = 0; sample < 1000; ++sample) {
+    const double off = 1e-4 * rng.uniform();
+    const Vec3 known = z + 1e-3 * Vec3(rng.uniform(-1, 1), rng.uniform(-1, 1), 0);
+    const Vec3 truth = known + 0.999 * off * Vec3(rng.uniform(-1, 1), rng.uniform(-1, 1), 0).normalized();
+    if (scene.strangers.are_beyond(known, scene.power_to(owner, known), off))
+      CHECK(scene.power_to(stranger, truth) > scene.power_to(owner, truth));
+  }
+}
