@@ -68,7 +68,8 @@ class Chart {
     double power, range;
   };
   Gain most_gain(int count, double radius, double weight, double heaviest) const;
-  /// A bound, squared, of the distance of an edge of i and j from the origin of two locations on it; (1) holds.
+  /// A bound, squared, of the distance of an edge of i and j from the origin of two locations on it. Infinite unless
+  /// s|a| < |e_h|, which is a little more than (1) asks.
   double farthest2(int i, int j, const Vec3& from, const Vec3& to) const;
 
  private:

@@ -365,7 +365,7 @@ bool FastWay::no_stranger_in_hole() {
   strangers_.find_heirs(hole, on_sheet_ ? range_ : infinity);
   strangers_.keep_near(frame_, p_, rim_, {Vec3(0, 0, 0), radius}, Frame::nobody);
   const auto is_empty = [&](const Vec3& z, int nearest, double off) {
-    return strangers_.are_beyond(z, power(z, state_.sites[rim_[at(nearest)]]), off);
+    return strangers_.are_beyond(z, state_.sites[rim_[at(nearest)]], off);
   };
   return std::ranges::all_of(triangles_,
                              [&](const Triangle& t) {

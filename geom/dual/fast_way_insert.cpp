@@ -213,9 +213,7 @@ bool FastWay::no_stranger_in_cell(double radius) {
   kept_radius_ = radius;
   strangers_.find_rivals(p_, site.position, radius);
   strangers_.keep_near(frame_, p_, rim_, {site.position - frame_.origin().position, radius}, self_);
-  const auto is_p_nearest = [&](const Vec3& z, double off) {
-    return strangers_.are_beyond(z, power(z, site), off);
-  };
+  const auto is_p_nearest = [&](const Vec3& z, double off) { return strangers_.are_beyond(z, site, off); };
   return std::ranges::all_of(
              corners_,
              [&](const StarCorner& c) { return is_p_nearest(c.point.position, c.point.tolerance); }) &&

@@ -67,15 +67,16 @@ void Strangers::keep_near(const Frame& frame, SiteId p, std::span<const SiteId> 
 }
 
 // Powers are off by a few units of their terms; where the point is off by at most `off`, the lead moves by 2 off times
-// the distance of the two sites, which is at most the sum of their distances from the point, each of them at most
-// 1/2 (distance^2 / r + r).
-bool Strangers::are_beyond(const Vec3& point, double power, double off) const {
+// the distance of the two sites, which is at most the sum of their distances from the point.
+bool Strangers::are_beyond(const Vec3& point, const WeightedPoint3& owner, double off) const {
+  const double here2 = (point - owner.position).squaredNorm();
   return std::ranges::all_of(kept_, [&](const Stranger& stranger) {
     const WeightedPoint3& site = state_.sites[stranger.site];
-    const double there2 = (point - site.position).squaredNorm(), r2 = std::abs(power) + there2;
+    const double there2 = (point - site.position).squaredNorm(), both2 = here2 + there2;
+    const double terms = both2 + std::abs(site.weight) + std::abs(owner.weight);
     const double bound =
-        0x1p-47 * (r2 + std::abs(site.weight)) + 4 * more * off * std::sqrt(r2 + std::abs(site.weight));
-    return there2 - site.weight - power > bound;
+        0x1p-47 * terms + 3 * off * std::sqrt(both2);  // the sum is at most sqrt(2) times the root
+    return (there2 - site.weight) - (here2 - owner.weight) > bound;
   });
 }
 

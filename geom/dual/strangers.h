@@ -38,8 +38,8 @@ class Strangers {
   };
   void keep_near(const Frame& frame, SiteId p, std::span<const SiteId> rim, const Ball& ball, int first);
   std::span<const Stranger> kept() const { return kept_; }
-  /// Is none of them as near to the point, which has that power, as that says? `off`: at most so far is the point off.
-  bool are_beyond(const Vec3& point, double power, double off) const;
+  /// Is the owner nearer to the point than all of them? `off`: at most so far is the point off.
+  bool are_beyond(const Vec3& point, const WeightedPoint3& owner, double off) const;
 
  private:
   bool knows(const Vec3& x, double distance) const {

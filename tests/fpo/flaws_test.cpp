@@ -56,8 +56,7 @@ TEST_CASE("flaws: followed through removals, insertions and moves at once, they 
       flaws.try_all_again();
       const CircleId worst = flaws.take_worst(), expected = fresh.take_worst();
       REQUIRE(worst.valid() == expected.valid());
-      if (worst.valid())
-        CHECK(domain.dual().circle(worst).sites == domain.dual().circle(expected).sites);
+      if (worst.valid()) CHECK(domain.dual().circle(worst).sites == domain.dual().circle(expected).sites);
     }
   }
 }

@@ -114,3 +114,30 @@ TEST_CASE("facet tree: no facet is within a negative distance, or one that is no
   CHECK(near(of_one, Vec3(0, 0, 2), 2).size() == 1);
   CHECK(near(of_one, Vec3(0, 0, 2), 1.9).empty());
 }
+
+TEST_CASE("facet tree: only facets in balls that are of no use are left out") {
+  Rng rng(8);
+  for (const auto& [name, mesh] : fixtures::hard_surfaces()) {
+    CAPTURE(name);
+    const FacetTree tree(mesh, facets_along_curve(mesh));
+    for (int query = 0; query < 20; ++query) {
+      const FacetId t(static_cast<std::size_t>(rng.below(mesh.num_facets())));
+      const Vec3 x = mesh.corner(t, 0), normal = fixtures::random_vector(rng).normalized();
+      const double distance = mesh.diagonal() * std::pow(10, rng.uniform(-2, 0));
+      const auto height = [&](const Vec3& z) { return normal.dot(z - x); };
+      std::vector<FacetId> found;
+      tree.near_but(
+          x, distance, [&](const Vec3& z, double radius) { return height(z) > radius; }, found);
+      std::ranges::sort(found);
+      CHECK(std::ranges::adjacent_find(found) == found.end());
+      std::size_t above = 0;
+      for (const FacetId f : near(tree, x, distance)) {
+        bool is_above = true;
+        for (int i = 0; i < 3; ++i) is_above &= height(mesh.corner(f, i)) > 0;
+        above += is_above;
+        if (!is_above) CHECK(std::ranges::binary_search(found, f));
+      }
+      CHECK(found.size() + above >= near(tree, x, distance).size());
+    }
+  }
+}

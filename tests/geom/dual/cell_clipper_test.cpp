@@ -43,7 +43,8 @@ TEST_CASE("cell clipper: a cell has the polygons of the divided facets, whoever 
       FacetCells facets(mesh, state.sites, state.clipper, state.tree);
       std::vector<std::vector<FacetPolygon>> expected(n);
       for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
-        for (const FacetPolygon& polygon : facets.divide(t)) expected[polygon.owner.index()].push_back(polygon);
+        for (const FacetPolygon& polygon : facets.divide(t))
+          expected[polygon.owner.index()].push_back(polygon);
       CellClipper clipper(state);
       CellPieces cell;
       Rng rng(5);

@@ -85,7 +85,8 @@ TEST_CASE("redivision: reaches are those of the cells, and plans tell what the c
           for (const auto& [key, polygon] : after.polygons())
             for (std::size_t k = 0; k < polygon.corners.size(); ++k)
               if (clipper.beats_at(polygon, k, p, clipper.bisector_of(polygon.owner, p))) {
-                const double now = geom::power(polygon.corners[k].point.position, g.state.sites[polygon.owner]);
+                const double now =
+                    geom::power(polygon.corners[k].point.position, g.state.sites[polygon.owner]);
                 CHECK(power >= now - 1e-8 * (std::abs(now) + 1));
               }
           for (const SiteId s : g.present)
