@@ -184,30 +184,20 @@ void SiteTree::rivals(SiteId p, std::vector<SiteId>& out) const {
 }
 
 void SiteTree::rivals(const WeightedPoint3& own, std::vector<SiteId>& out) const {
+  rivals_beyond(nothing, own, out);
+}
+
+void SiteTree::rivals_beyond(double least, const WeightedPoint3& own, std::vector<SiteId>& out) const {
+  if (nodes_[NodeId(0)].max_reach <= least) return;
   const auto limit2_of = [&](double reach, double weight) {
     const double rho2 = reach + own.weight;
-    return rho2 < 0 ? -1 : limit2(root(rho2) + root(reach + weight));
+    return reach <= least || rho2 < 0 ? -1 : limit2(root(rho2) + root(reach + weight));
   };
   visit(
       own.position, [&](const Node& node) { return limit2_of(node.max_reach, node.max_weight); },
       [&](const Entry& e, double distance2) {
         if (distance2 <= limit2_of(e.reach, e.weight)) out.push_back(e.site);
       });
-}
-
-double SiteTree::largest_rival_reach(const WeightedPoint3& p, double floor) const {
-  double largest = floor;
-  if (nodes_[NodeId(0)].max_reach <= largest) return largest;
-  const auto limit2_of = [&](double reach, double weight) {
-    const double rho2 = reach + p.weight;
-    return reach <= largest || rho2 < 0 ? -1 : limit2(root(rho2) + root(reach + weight));
-  };
-  visit(
-      p.position, [&](const Node& node) { return limit2_of(node.max_reach, node.max_weight); },
-      [&](const Entry& e, double distance2) {
-        if (distance2 <= limit2_of(e.reach, e.weight)) largest = std::max<double>(largest, e.reach);
-      });
-  return largest;
 }
 
 void SiteTree::heirs(const Vacancy& vacancy, std::vector<SiteId>& out) const {

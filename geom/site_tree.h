@@ -36,8 +36,8 @@ class SiteTree final : public NeighbourSource {
   void rivals(SiteId p, std::vector<SiteId>& out) const override;
   /// Of a site that is not in, or was elsewhere.
   void rivals(const WeightedPoint3& p, std::vector<SiteId>& out) const;
-  /// The farthest reach of any of those, or `floor` if that is more.
-  double largest_rival_reach(const WeightedPoint3& p, double floor) const;
+  /// Those of them whose reach is more.
+  void rivals_beyond(double reach, const WeightedPoint3& p, std::vector<SiteId>& out) const;
   void heirs(const Vacancy& vacancy, std::vector<SiteId>& out) const override;
   void set_reach(SiteId j, double max_radius2) override;
   Nearest nearest(const Vec3& x, SiteId without, SiteId hint = SiteId()) const override;

@@ -65,6 +65,21 @@ bool Chart::is_simple_with(int last, double radius) const {
   return true;
 }
 
+bool Chart::is_monotone(int first, int second) const {
+  const std::size_t i = at(first), j = at(second);
+  const double least = small * largest_, rise = std::abs(z_[i] - z_[j]);
+  return std::abs(x_[i] - x_[j]) > rise * slope_u_ + least ||
+         std::abs(y_[i] - y_[j]) > rise * slope_v_ + least;
+}
+
+bool Chart::meets_axis_once(int first, int second, int third, double radius) const {
+  const std::size_t i = at(first), j = at(second), k = at(third);
+  const Vec3 e(x_[i] - x_[k], y_[i] - y_[k], z_[i] - z_[k]), f(x_[j] - x_[k], y_[j] - y_[k], z_[j] - z_[k]);
+  const Vec3 n = e.cross(f).cwiseAbs();
+  return n.z() > slope_u_ * n.x() + slope_v_ * n.y() + 4 * small * largest_ * largest_ ||
+         is_far(first, second, third, radius);
+}
+
 // The axis is where 2 e.y = f and 2 e'.y = f' for e = d_i - d_k, f = c_i - c_k, and e', f' of j: its place next to the
 // origin is ((f e' - f' e) x n) / (2 |n|^2) with n = e x e', so |f e' - f' e| = 2 |n| times its distance.
 bool Chart::is_far(int first, int second, int third, double radius) const {

@@ -61,6 +61,9 @@ class Chart {
   /// (1) and (2) for all pairs and triples with that site and those before it. `radius`: all that is spoken of is that
   /// near to the origin.
   bool is_simple_with(int k, double radius) const;
+  /// (1) for two, and (2) for three of the sites.
+  bool is_monotone(int i, int j) const;
+  bool meets_axis_once(int i, int j, int k, double radius) const;
   /// Of the sites before the last, in counterclockwise order around that one, the origin, whose cell is in the ball of that
   /// radius: bounds of the power to the nearest of them there, and of the distance of a site that may be nearer there, if
   /// its weight is at most that of the heaviest. Infinite if they do not surround it.

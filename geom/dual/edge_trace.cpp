@@ -5,21 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "geom/dual/lead.h"
+
 namespace geom {
 namespace {
 
 constexpr std::size_t most_facets = 32;
-
-/// Of the left site over the right one, with a bound of its error: a few units of the distances' squares.
-struct Lead {
-  double value, error;
-  bool is_certain() const { return std::abs(value) > error; }
-};
-Lead lead_at(const Vec3& z, const WeightedPoint3& left, const WeightedPoint3& right) {
-  const double l2 = (z - left.position).squaredNorm(), r2 = (z - right.position).squaredNorm();
-  const double dw = right.weight - left.weight;
-  return {r2 - l2 - dw, 0x1p-49 * (r2 + l2 + std::abs(dw))};
-}
 
 }  // namespace
 
@@ -33,15 +24,15 @@ TracedEdge::Extent extent_of_edge(const TriMesh& mesh, const WeightedPoint3& lef
   FacetId t = edge.from;
   Vec3 last = start;
   VertexId u, v;
-  Lead at_u{0, 0}, at_v{0, 0};
+  Sure at_u{0, 0}, at_v{0, 0};
   for (std::size_t step = 0; t != edge.to; ++step) {
     if (step == most_facets || !t.valid()) return unknown;
     const TriMesh::Facet& corners = mesh.facet(t);
     int e = 0;
     if (step == 0) {
-      std::array<Lead, 3> lead;
+      std::array<Sure, 3> lead;
       for (std::size_t i = 0; i < 3; ++i)
-        if (lead[i] = lead_at(mesh.position(corners[i]), left, right); !lead[i].is_certain()) return unknown;
+        if (lead[i] = lead_of(left, right, mesh.position(corners[i]), 0); !lead[i].certain()) return unknown;
       const auto leaves = [&](std::size_t i) {
         return lead[i].value < 0 && lead[i == 2 ? 0 : i + 1].value > 0;
       };
@@ -53,8 +44,8 @@ TracedEdge::Extent extent_of_edge(const TriMesh& mesh, const WeightedPoint3& lef
       std::size_t w = 0;  // the corner that is neither u nor v; before it comes u
       while (corners[w] == u || corners[w] == v) ++w;
       if (corners[w == 0 ? 2 : w - 1] != u) return unknown;  // the facet is turned round
-      const Lead at_w = lead_at(mesh.position(corners[w]), left, right);
-      if (!at_w.is_certain()) return unknown;
+      const Sure at_w = lead_of(left, right, mesh.position(corners[w]), 0);
+      if (!at_w.certain()) return unknown;
       e = static_cast<int>(at_w.value > 0 ? (w == 0 ? 2 : w - 1) : w);  // from u to w, or from w to v
       (at_w.value > 0 ? at_v : at_u) = at_w;
     }

@@ -23,6 +23,7 @@ FastWay::FastWay(DualState& state)
       frame_(state.mesh),
       flood_(state.mesh, frame_),
       sheets_(state.mesh, state.facets),
+      losses_(state, sheets_),
       strangers_(state) {}
 
 // --- removal -------------------------------------------------------------------------------------
@@ -292,13 +293,10 @@ bool FastWay::bound_hole() {
   const auto facet = [&](int j) { return state_.circles[star_[at(j)]].facet; };
   double corner2 = 0, own2 = 0;
   for (int j = 0; j < size(); ++j) corner2 = std::max(corner2, corner(j).squaredNorm());
-  arc_before_.clear();
   for (int j = 0; j < size(); ++j) {
     const int i = previous(j);
     const Edge arc{self_, j, facet(i), facet(j), corner(i), corner(j)};
-    const double far2 = with_tolerance(farthest2(arc, bend * corner2));
-    arc_before_.push_back(far2 - site.weight);
-    own2 = std::max(own2, far2);
+    own2 = std::max(own2, with_tolerance(farthest2(arc, bend * corner2)));
   }
   reach_ = std::min(reach_, own2 - site.weight);
   const double own = state_.distance_at(reach_, p_);
@@ -425,14 +423,13 @@ void FastWay::remove(DualChange& change) {
   std::ranges::sort(change.cells);
 }
 
-/// What the rim has now of the hole is bounded by the old border and the new edges. Across the side from a to b of a
+/// What the rim has now of the hole is bounded by the old border, which it reached before, and the new edges. Across the side from a to b of a
 /// triangle the edge has b on its left.
 void FastWay::raise_by_hole() {
   if (!hole_on_sheet_) {
     for (const SiteId r : rim_) state_.raise_reach(r, max_radius2_);
     return;
   }
-  for (int j = 0; j < size(); ++j) state_.raise_reach(rim_[at(j)], arc_before_[at(j)]);
   for (int i = 0; i < static_cast<int>(triangles_.size()); ++i)
     for (int e = 0; e < 3; ++e) {
       const Triangle& triangle = triangles_[at(i)];

@@ -39,6 +39,7 @@
 #include "geom/dual/chart.h"
 #include "geom/dual/edge_trace.h"
 #include "geom/dual/flood.h"
+#include "geom/dual/losses.h"
 #include "geom/dual/sheets.h"
 #include "geom/dual/state.h"
 #include "geom/dual/strangers.h"
@@ -114,15 +115,17 @@ class FastWay {
   bool no_stranger_in_hole();
   bool is_simple_with_strangers(double radius);
   bool prove_new_cell(FacetId home, double least_distance, std::span<const CircleId> reached);
+  void find_far_rivals(double distance);
+  double distance_to_search(double near, std::span<const CircleId> reached);
   bool find_star_corners();
   double power_bound_at_corners() const;
   void raise_reaches(const WeightedPoint3& old, double reach_before);
-  bool enclose_on_sheet(double distance, double elsewhere);
+  bool chart_around(double distance);
+  bool enclose_on_sheet(double distance);
   bool trace_cell(FacetId home);
   bool no_stranger_in_cell(double radius);
   bool is_regular(SiteId p);
   bool may_beat_unreached(std::span<const CircleId> reached);
-  Sure lead_at(const EmptyCircle& circle) const;
   bool has_one_component(double distance);
   bool owns_nothing_of(FacetId t);
   bool keep_part(const Vec3& d, double c, double size);
@@ -139,12 +142,14 @@ class FastWay {
   Chart chart_;
   Flood flood_;
   Sheets sheets_;
+  Losses losses_;
   Strangers strangers_;
   Sheet sheet_;                 ///< of the chart
   bool on_sheet_ = false;       ///< the chart is simple, and what is proven is proven there
   bool hole_on_sheet_ = false;  ///< that of the plan was proven there
 
   SiteId p_;
+  WeightedPoint3 old_;           ///< p_ as its circles have it
   int self_ = Frame::none;       ///< the number of p_ in the frame; in the chart it comes after the rim
   std::vector<SiteId> rim_;      ///< counterclockwise
   std::vector<CircleId> star_;   ///< of p and places j, j + 1 of the rim
@@ -156,10 +161,9 @@ class FastWay {
   double range_ = 0;                 ///< who owns something of the hole is that near to p_
   std::vector<StarCorner> corners_;  ///< of a new cell
   double cell_reach_ = 0;
-  double kept_radius_ = 0;  ///< strangers are kept for a ball of that radius
-  std::vector<double> arc_before_,
-      arc_;                ///< bounds of the power on p_'s edge with a rim site: of the old cell, the new one
-  double cell_power_ = 0;  ///< no location of a second component has more
+  double kept_radius_ = 0;   ///< strangers are kept for a ball of that radius
+  std::vector<double> arc_;  ///< bounds of the power on the edges of p_'s new cell
+  double cell_power_ = 0;    ///< no location of a second component has more
   std::vector<CircleId> conflict_;
   std::vector<FacetId> starts_;
   struct HoleCorner {
@@ -170,6 +174,11 @@ class FastWay {
   // Workspaces.
   std::vector<Vec3> part_, clipped_;
   std::vector<SiteId> others_, suspects_;
+  struct FarRival {
+    double distance;  ///< from p_: it loses nothing farther away
+    SiteId site;
+  };
+  std::vector<FarRival> far_rivals_;
   std::vector<FacetId> facets_;
   std::vector<Sheets::Neighbour> link_;
 };

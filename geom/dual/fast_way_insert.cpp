@@ -21,7 +21,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, DualChange& change) {
-  const WeightedPoint3 old = state_.sites[p_];
+  const WeightedPoint3 old = old_ = state_.sites[p_];
   const double reach_before = reach_;
   frame_.add_late(point);
   self_ = size();
@@ -33,7 +33,7 @@ bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, Dua
   const FacetId home = triangles_[circle].facet;
   const auto is_proven = [&] {
     for (const CircleId o : outer_)
-      if (!lead_at(state_.circles[o]).positive()) return false;
+      if (!state_.lead_at(state_.circles[o], point).positive()) return false;
     hole_corners_.clear();
     for (const Flood::Corner& corner : flood_.corners())
       hole_corners_.push_back(
@@ -70,18 +70,15 @@ bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, Dua
 void FastWay::raise_reaches(const WeightedPoint3& old, double reach_before) {
   const WeightedPoint3& site = state_.sites[p_];
   for (int j = 0; hole_on_sheet_ && j < size(); ++j) {
-    const int k = next(j);
-    const SiteId left = rim_[at(j)], right = rim_[at(k)];
+    const SiteId left = rim_[at(j)], right = rim_[at(next(j))];
+    state_.raise_reach(left, on_sheet_ ? arc_[at(j)] : cell_reach_);
     const EmptyCircle& was = state_.circles[star_[at(j)]];
-    const double now = on_sheet_ ? std::max(arc_[at(j)], arc_[at(k)]) : cell_reach_;
-    double power = std::max({arc_before_[at(j)], arc_before_[at(k)], now});
-    if (geom::power(was.center, site) > was.radius2) {  // from there on inwards
-      const double far2 =
-          extent_of_edge(state_.mesh, state_.sites[left], state_.sites[right],
-                         {was.facet, corners_[at(j)].facet, was.center, corners_[at(j)].point.position})
-              .far2;
-      power = std::max(power, std::min(with_tolerance(far2) - state_.sites[left].weight, max_radius2_));
-    }
+    if (geom::power(was.center, site) <= was.radius2) continue;  // else the edge goes on inwards
+    const double far2 =
+        extent_of_edge(state_.mesh, state_.sites[left], state_.sites[right],
+                       {was.facet, corners_[at(j)].facet, was.center, corners_[at(j)].point.position})
+            .far2;
+    const double power = std::min(with_tolerance(far2) - state_.sites[left].weight, max_radius2_);
     state_.raise_reach(left, power);
     state_.raise_reach(right, power);
   }
@@ -96,26 +93,56 @@ void FastWay::raise_reaches(const WeightedPoint3& old, double reach_before) {
   for (const SiteId r : rim_) state_.raise_reach(r, power);
 }
 
-/// p_ is at its new place, but not in the tree; the rim and the facets to start from are known. Locations that p_ may win
-/// are within that distance, or were someone else's.
+/// p_ is at its new place, but not in the tree; the rim and the facets to start from are known. `reached`: the circles
+/// that p_ beats, or had before. They, and what was not someone else's, are within that distance.
 bool FastWay::prove_new_cell(FacetId home, double least_distance, std::span<const CircleId> reached) {
   if (!home.valid() || !find_star_corners()) return false;
   if (state_.paper) state_.paper->insert(p_, state_.sites[p_], rim_.front());
   const auto prove = [&] {
     if (may_beat_unreached(reached)) return false;
     cell_reach_ = power_bound_at_corners();
-    if (!no_stranger_in_cell(ampler * state_.distance_at(cell_reach_, p_))) return false;
-    double distance = state_.distance_at(std::max(cell_reach_, state_.largest_reach()), p_);
-    if (!on_sheet_ || !sheet_.covers(state_.sites[p_].position, distance))
-      distance = state_.distance_at(std::max(cell_reach_, strangers_.power_of_rivals(p_, rim_.front())), p_);
-    on_sheet_ = enclose_on_sheet(distance, least_distance);
+    const double own = state_.distance_at(cell_reach_, p_);
+    if (!no_stranger_in_cell(ampler * own)) return false;
+    const double all = state_.distance_at(std::max(cell_reach_, state_.largest_reach()), p_);
+    const bool is_all_near = on_sheet_ && sheet_.covers(state_.sites[p_].position, all);
+    far_rivals_.clear();
+    if (!is_all_near) find_far_rivals(own);
+    const double least = on_sheet_ ? own : std::max(own, least_distance);
+    const double farthest = far_rivals_.empty() ? least : std::max(least, far_rivals_.front().distance);
+    on_sheet_ = chart_around(farthest <= widest * own ? farthest : least);
+    if (on_sheet_) {
+      const double near = sheet_.distance_from(state_.sites[p_].position);
+      on_sheet_ = distance_to_search(near, reached) <= near && enclose_on_sheet(least);
+    }
     if (on_sheet_) return true;
-    return trace_cell(home) &&
-           has_one_component(std::max({least_distance, distance, state_.distance_at(cell_reach_, p_)}));
+    if (!trace_cell(home)) return false;
+    if (is_all_near) find_far_rivals(own);
+    const double near = std::max({own, least_distance, state_.distance_at(cell_reach_, p_)});
+    return has_one_component(distance_to_search(near, reached));
   };
   if (prove()) return true;
   if (state_.paper) state_.paper->remove(p_);
   return false;
+}
+
+/// Those who may lose something farther from p_ than that, the farthest first.
+void FastWay::find_far_rivals(double distance) {
+  far_rivals_.clear();
+  suspects_.clear();
+  strangers_.find_rivals_beyond(distance * distance - state_.sites[p_].weight, p_, suspects_);
+  for (const SiteId s : suspects_) far_rivals_.push_back({state_.distance_at(state_.reach[s], p_), s});
+  std::ranges::sort(far_rivals_,
+                    [](const FarRival& a, const FarRival& b) { return a.distance > b.distance; });
+}
+
+/// All that p_ has is known if its cell is, within that distance: not less than `near`, for which it is so of what hangs
+/// together with a reached circle.
+double FastWay::distance_to_search(double near, std::span<const CircleId> reached) {
+  for (const FarRival& rival : far_rivals_) {
+    if (rival.distance <= near) break;
+    if (!losses_.hang_together(rival.site, {p_, state_.sites[p_], old_}, reached)) return rival.distance;
+  }
+  return near;
 }
 
 /// Of p_ at the corners of its new cell.
@@ -148,19 +175,22 @@ bool FastWay::find_star_corners() {
   return true;
 }
 
-/// Is the new cell of p_ what its corners say (chart.h), and all that p_ has within that distance? And within the other
-/// one, if the hole is not on this sheet. Sets cell_reach_.
-bool FastWay::enclose_on_sheet(double distance, double elsewhere) {
-  const WeightedPoint3& site = state_.sites[p_];
-  if (on_sheet_ && sheet_.covers(site.position, distance)) {
+/// Puts the rim and p_ into a chart that covers that distance around it.
+bool FastWay::chart_around(double distance) {
+  const Vec3& place = state_.sites[p_].position;
+  if (on_sheet_ && sheet_.covers(place, distance)) {
     chart_.replace(size(), frame_.offset(self_), frame_.constant(self_));
-  } else {
-    distance = std::max(distance, elsewhere);
-    if (distance > widest * state_.distance_at(cell_reach_, p_)) return false;  // there is hardly a sheet
-    const Sheet* sheet = sheets_.around(p_, site.position, distance);
-    if (!sheet) return false;
-    chart_sites(*sheet);
+    return true;
   }
+  const Sheet* sheet = sheets_.around(p_, place, distance);
+  if (sheet) chart_sites(*sheet);
+  return sheet;
+}
+
+/// Is the new cell of p_ what its corners say (chart.h), and all that p_ has where the chart is, at least within that
+/// distance? Sets cell_reach_.
+bool FastWay::enclose_on_sheet(double distance) {
+  const WeightedPoint3& site = state_.sites[p_];
   const Vec3& origin = frame_.origin().position;
   const double enough = bend * (power_bound_at_corners() + site.weight);
   double own2 = 0;
@@ -233,19 +263,10 @@ bool FastWay::may_beat_unreached(std::span<const CircleId> reached) {
     if (s == p_ || (state_.sites[s].position - point.position).squaredNorm() > far * far * more) return false;
     const std::span<const CircleId> circles = state_.circles.of_site(s);
     return circles.empty() || std::ranges::any_of(circles, [&](CircleId c) {
-             return std::ranges::find(reached, c) == reached.end() && !lead_at(state_.circles[c]).positive();
+             return std::ranges::find(reached, c) == reached.end() &&
+                    !state_.lead_at(state_.circles[c], point).positive();
            });
   });
-}
-
-/// The power of the center to p_, at its new place, less that to the sites of the circle.
-Sure FastWay::lead_at(const EmptyCircle& circle) const {
-  const WeightedPoint3& point = state_.sites[p_];
-  const double there2 = (circle.center - point.position).squaredNorm();
-  const double own2 = (circle.center - state_.sites[circle.sites[0]].position).squaredNorm();
-  const double scale = there2 + own2 + std::abs(point.weight) + std::abs(circle.radius2);
-  return {there2 - point.weight - circle.radius2,
-          0x1p-48 * scale + 8 * state_.clipper.most_tolerance() * std::sqrt(there2 + own2)};
 }
 
 /// Has the cell that was traced all that p_ owns within that distance? By the shape of the surface, or else by looking at
@@ -318,7 +339,11 @@ bool FastWay::insert(SiteId p, const WeightedPoint3& point, FacetId home, Circle
   flood_.clear();
   strangers_.forget();
   state_.admit(p, point);
-  if (!find_conflict(first) || !prove_new_cell(home, 0, conflict_)) return false;
+  if (!find_conflict(first)) return false;
+  double far2 = 0;
+  for (const CircleId c : conflict_)
+    far2 = std::max(far2, (state_.circles[c].center - point.position).squaredNorm());
+  if (!prove_new_cell(home, std::sqrt(with_tolerance(far2)), conflict_)) return false;
   for (const CircleId c : conflict_) {
     state_.circles.erase(c);
     change.circles_erased.push_back(c);
@@ -383,15 +408,16 @@ bool FastWay::find_conflict(CircleId first) {
   };
   std::array<Edge, 3 * most> edges;
   std::size_t num_edges = 0;
+  const WeightedPoint3& point = state_.sites[p_];
   conflict_.assign(1, first);
-  if (!lead_at(state_.circles[first]).negative()) return false;
+  if (!state_.lead_at(state_.circles[first], point).negative()) return false;
   for (std::size_t n = 0; n < conflict_.size(); ++n) {
     const EmptyCircle circle = state_.circles[conflict_[n]];
     for (std::size_t i = 0; i < 3; ++i) {
       const CircleId other = circle.beyond[i];
       if (!other.valid()) return false;
       if (std::ranges::find(conflict_, other) != conflict_.end()) continue;
-      const Sure found = lead_at(state_.circles[other]);
+      const Sure found = state_.lead_at(state_.circles[other], point);
       if (!found.certain()) return false;
       if (found.value < 0) {
         if (conflict_.size() == 2 * most) return false;
@@ -444,7 +470,8 @@ bool FastWay::is_regular(SiteId p) {
   const double known = state_.distance_at(state_.reach[p], p);
   cell_reach_ = power_bound_at_corners();
   if (!no_stranger_in_cell(ampler * state_.distance_at(cell_reach_, p))) return false;
-  on_sheet_ = enclose_on_sheet(known, known);
+  on_sheet_ =
+      known <= widest * state_.distance_at(cell_reach_, p) && chart_around(known) && enclose_on_sheet(known);
   if (!on_sheet_ && (!trace_cell(state_.home[p]) || !has_one_component(known))) return false;
   state_.set_reach(p, std::min(state_.reach[p], cell_reach_));
   return true;

@@ -33,18 +33,11 @@
 #include <cmath>
 #include <cstdint>
 
+#include "geom/dual/lead.h"
 #include "geom/reused.h"
 #include "geom/trimesh.h"
 
 namespace geom {
-
-/// A value whose sign is certain if its magnitude is more than a bound.
-struct Sure {
-  double value, bound;
-  bool negative() const { return value < -bound; }
-  bool positive() const { return value > bound; }
-  bool certain() const { return std::abs(value) > bound; }
-};
 
 class Frame {
  public:

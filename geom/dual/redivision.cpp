@@ -136,18 +136,10 @@ void Redivision::erase_beaten(SiteId p, DualChange& change) {
                 [&](const OpenSide& s) { return std::ranges::find(beaten_, s.circle) != beaten_.end(); });
 }
 
-/// Mostly doubles tell: the lead of the circle's sites is off by some ulps of what it is made of, and by twice the
-/// tolerance of the center times its slope, twice the distance of two sites.
+/// Mostly doubles tell.
 bool Redivision::is_beaten(const EmptyCircle& circle, SiteId p) const {
-  const WeightedPoint3& point = state_.sites[p];
-  const double tolerance = 2 * state_.clipper.most_tolerance();
-  const double there2 = (circle.center - point.position).squaredNorm();
-  const double own2 = (circle.center - state_.sites[circle.sites[0]].position).squaredNorm();
-  const double lead = there2 - point.weight - circle.radius2, scale = there2 + own2;
-  if (lead > 0x1p-46 * (scale + std::abs(point.weight) + std::abs(circle.radius2)) +
-                 tolerance * (3 * std::sqrt(scale) + tolerance))
-    return false;
-  return state_.clipper.beats_at(state_.corner_of(circle, tolerance), p,
+  if (state_.lead_at(circle, state_.sites[p]).positive()) return false;
+  return state_.clipper.beats_at(state_.corner_of(circle, 2 * state_.clipper.most_tolerance()), p,
                                  state_.clipper.bisector_of(circle.sites[0], p));
 }
 

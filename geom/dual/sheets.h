@@ -57,6 +57,8 @@ struct Sheet {
   bool covers(const Vec3& p, double distance) const {
     return width > 0 && (distance + (p - center).norm()) * (1 + 1e-6) < width;
   }
+  /// The largest such D, nearly.
+  double distance_from(const Vec3& p) const { return width / (1 + 2e-6) - (p - center).norm(); }
 };
 
 /// Sheets, made where they are asked for and kept, one for each site.

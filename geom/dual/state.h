@@ -7,6 +7,7 @@
 
 #include "geom/clip.h"
 #include "geom/dual/empty_circles.h"
+#include "geom/dual/lead.h"
 #include "geom/facet_tree.h"
 #include "geom/site_grid.h"
 #include "geom/site_tree.h"
@@ -62,6 +63,10 @@ struct DualState {
   /// Sets center and radius2 of a circle whose facet and sites are known. The corner is rounded; a site may come to the
   /// center: not outside of the facet's box, hence the mesh's.
   void center_circle(EmptyCircle& circle, const Vec3& corner) const;
+  /// The power of its center to the point less that to its sites.
+  Sure lead_at(const EmptyCircle& circle, const WeightedPoint3& point) const {
+    return lead_of(sites[circle.sites[0]], point, circle.center, 2 * clipper.most_tolerance());
+  }
   /// An upper bound of the distance from the site, of that power.
   double distance_at(double power, SiteId p) const;
   /// The same from any site that has been in.

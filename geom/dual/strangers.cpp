@@ -38,20 +38,20 @@ void Strangers::find_rivals(SiteId p, const Vec3& center, double radius) {
 }
 
 // At a location z that s loses, |z - s| is at most the distance of s at its reach, and |z - p| that of p at the same
-// power.
-double Strangers::power_of_rivals(SiteId p, SiteId neighbour) {
+// power. The two together are at least |p - s|: who is not known is far, and so one of them is.
+void Strangers::find_rivals_beyond(double power, SiteId p, std::vector<SiteId>& out) const {
   const WeightedPoint3& point = state_.sites[p];
-  const double least = state_.distance_at(state_.reach[neighbour]);
-  double most_reach = least * least - point.weight;
   for (const SiteId s : found_) {
-    const double reach = state_.reach[s];
-    if (!(reach > most_reach) || s == p) continue;
-    const double far = state_.distance_at(reach, s) + state_.distance_at(reach, p);
-    if ((state_.sites[s].position - point.position).squaredNorm() <= far * far * more) most_reach = reach;
+    if (!(state_.reach[s] > power) || s == p) continue;
+    const double far = state_.distance_at(state_.reach[s], s) + state_.distance_at(state_.reach[s], p);
+    if ((state_.sites[s].position - point.position).squaredNorm() <= far * far * more) out.push_back(s);
   }
-  const double unseen = radius_ - (point.position - center_).norm() * more;
-  if (radius_ >= 0 && 2 * state_.distance_at(state_.largest_reach()) <= unseen) return most_reach;
-  return state_.tree.largest_rival_reach(point, most_reach);
+  const double half = 0.5 * (radius_ - (point.position - center_).norm()) / more;
+  if (half > 0) power = std::max(power, half * half / more - state_.heaviest());
+  const std::size_t known = out.size();
+  state_.tree.rivals_beyond(power, point, out);
+  const auto is_known = [&](SiteId s) { return s == p || std::ranges::find(found_, s) != found_.end(); };
+  out.erase(std::remove_if(out.begin() + static_cast<std::ptrdiff_t>(known), out.end(), is_known), out.end());
 }
 
 void Strangers::keep_near(const Frame& frame, SiteId p, std::span<const SiteId> rim, const Ball& ball,
@@ -66,17 +66,9 @@ void Strangers::keep_near(const Frame& frame, SiteId p, std::span<const SiteId> 
   }
 }
 
-// Powers are off by a few units of their terms; where the point is off by at most `off`, the lead moves by 2 off times
-// the distance of the two sites, which is at most the sum of their distances from the point.
 bool Strangers::are_beyond(const Vec3& point, const WeightedPoint3& owner, double off) const {
-  const double here2 = (point - owner.position).squaredNorm();
   return std::ranges::all_of(kept_, [&](const Stranger& stranger) {
-    const WeightedPoint3& site = state_.sites[stranger.site];
-    const double there2 = (point - site.position).squaredNorm(), both2 = here2 + there2;
-    const double terms = both2 + std::abs(site.weight) + std::abs(owner.weight);
-    const double bound =
-        0x1p-47 * terms + 3 * off * std::sqrt(both2);  // the sum is at most sqrt(2) times the root
-    return (there2 - site.weight) - (here2 - owner.weight) > bound;
+    return lead_of(owner, state_.sites[stranger.site], point, off).positive();
   });
 }
 

@@ -22,8 +22,8 @@ class Strangers {
   /// All who may lose something to p, whose cell is in that ball; p is in with the paper's source.
   void find_rivals(SiteId p, const Vec3& center, double radius);
 
-  /// A bound of the reach of those who may lose something to p, at its present place. `neighbour`: one of them.
-  double power_of_rivals(SiteId p, SiteId neighbour);
+  /// Appends those who may lose something to p, at its present place, where the power to them is more than that.
+  void find_rivals_beyond(double power, SiteId p, std::vector<SiteId>& out) const;
 
   struct Stranger {
     SiteId site;

@@ -62,29 +62,27 @@ TEST_CASE("site tree: rivals, heirs and nearest against brute force while sites 
     }
     CHECK(rivals.size() <= expected + 5);
 
-    // Of one that is not in: the same and, if it is where another one is, that too. And the farthest reach of them.
+    // Of one that is not in: the same and, if it is where another one is, that too. Those of more reach are among them.
     std::vector<SiteId> of_point;
     tree.rivals(own.point, of_point);
     std::erase(of_point, q);
     CHECK(of_point == rivals);
-    WeightedPoint3 stranger = random_site(rng).point;
+    const WeightedPoint3 stranger = random_site(rng).point;
     of_point.clear();
     tree.rivals(stranger, of_point);
-    double farthest = -1;
     for (const auto& [s, site] : present) {
       if (site.reach + stranger.weight < 0) continue;
       const double limit =
           std::sqrt(site.reach + stranger.weight) + std::sqrt(std::max(0.0, site.reach + site.point.weight));
-      if ((site.point.position - stranger.position).norm() >= limit) continue;
-      CHECK(found(of_point, s));
-      farthest = std::max(farthest, site.reach);
+      if ((site.point.position - stranger.position).norm() < limit) CHECK(found(of_point, s));
     }
-    double most = -1;
-    for (const SiteId s : of_point) most = std::max(most, present.at(s).reach);
-    for (const double floor : {-1.0, 0.002, farthest, most, 1.0}) {
-      const double largest = tree.largest_rival_reach(stranger, floor);
-      CHECK(largest >= std::max(farthest, floor));
-      CHECK(largest <= std::max(most, floor) + 1e-6 * std::abs(most) + 1e-12);
+    for (const double least : {-1.0, 0.002, 0.01, 1.0}) {
+      std::vector<SiteId> beyond;
+      tree.rivals_beyond(least, stranger, beyond);
+      for (const SiteId s : beyond) CHECK(found(of_point, s));
+      for (const SiteId s : of_point)
+        if (present.at(s).reach > least) CHECK(found(beyond, s));
+      CHECK(std::ranges::all_of(beyond, [&](SiteId s) { return present.at(s).reach > least - 1e-6; }));
     }
 
     const Vacancy vacancy{SiteId(), own.point.position, 0.05 * rng.uniform(), 0.01 * rng.uniform()};

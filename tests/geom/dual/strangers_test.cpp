@@ -5,64 +5,24 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "doctest.h"
-#include "geom/dual/redivision.h"
 #include "geom/rng.h"
 #include "geom/shapes.h"
-#include "tests/fixtures/hard_surfaces.h"
-#include "tests/fixtures/placed_samples.h"
+#include "tests/fixtures/dual_scene.h"
 #include "tests/fixtures/weighted_points.h"
 #include "tests/oracle/restricted_dual_oracle.h"
 
 using namespace geom;
+using fixtures::for_scenes;
 using fixtures::Placed;
-using fixtures::Weights;
+using Scene = fixtures::DualScene;
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// A diagram of samples, searched in a grid if that can be.
-struct Scene {
-  Scene(const TriMesh& mesh, const std::vector<Placed>& samples)
-      : state(mesh, CornerTypes::c_only, nullptr), strangers(state), redivision(state) {
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      state.admit(SiteId(i), samples[i].point);
-      state.enter(SiteId(i));
-      present.emplace_back(i);
-    }
-    state.num_sites = samples.size();
-    state.choose_search();
-    DualChange change;
-    redivision.build(1, change);
-  }
-  std::vector<SiteId> link(SiteId p) const {
-    std::set<SiteId> link;
-    for (const CircleId c : state.circles.of_site(p))
-      for (const SiteId s : state.circles[c].sites)
-        if (s.valid() && s != p) link.insert(s);
-    return {link.begin(), link.end()};
-  }
-  double power_to(SiteId s, const Vec3& z) const { return power(z, state.sites[s]); }
-  DualState state;
-  Strangers strangers;
-  Redivision redivision;
-  std::vector<SiteId> present;
-};
-
-template <class Visit>
-void for_scenes(std::size_t n, Visit visit) {
-  for (const TriMesh& mesh : {fixtures::torus(1, 0.4, {16, 10, true, true, 0.2}),
-                              fixtures::box(Vec3(1, 0.8, 0.02), 3), fixtures::blob(4)})
-    for (const Weights weights : fixtures::all_weights) {
-      CAPTURE(static_cast<int>(weights));
-      const std::vector<Placed> samples = fixtures::placed_samples(mesh, n + 40, n, weights, 23);
-      Scene scene(mesh, {samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(n)});
-      visit(scene, std::span(samples).subspan(n));
-    }
-}
 
 Vec3 in_ball(const Vec3& center, double radius, Rng& rng) {
   Vec3 v = fixtures::random_vector(rng);
@@ -156,8 +116,8 @@ TEST_CASE("strangers: who is not kept owns nothing near a site, at its place or 
   CHECK(kept > 1000);
 }
 
-TEST_CASE("strangers: the power of rivals is at least the reach of everyone who loses something") {
-  std::size_t losers = 0, least_is_enough = 0, asked = 0;
+TEST_CASE("strangers: whoever loses something where the power is more than that is found") {
+  std::size_t losers = 0, left_out = 0;
   for_scenes(60, [&](Scene& scene, std::span<const Placed> newcomers) {
     const TriMesh& mesh = scene.state.mesh;
     const SiteId p(scene.present.size());
@@ -165,35 +125,32 @@ TEST_CASE("strangers: the power of rivals is at least the reach of everyone who 
     for (const Placed& x : newcomers) {
       scene.state.admit(p, x.point);
       Clipper clipper(mesh, scene.state.sites, extent_of(mesh));
-      std::set<SiteId> who;
+      std::map<SiteId, double> most;  // the power where p beats them
       for (const auto& [key, polygon] : before.polygons())
-        for (std::size_t k = 0; k < polygon.corners.size(); ++k)
-          if (clipper.beats_at(polygon, k, p, clipper.bisector_of(polygon.owner, p)))
-            who.insert(polygon.owner);
-      if (who.empty()) continue;
-      std::vector<SiteId> all = scene.present;
-      all.push_back(p);
-      const oracle::BruteDiagram after(mesh, scene.state.sites, all);
-      const double radius = scene.state.distance_at(after.reach(p), p);
-      for (const double part : {1.0, 0.1, 0.0}) {  // of the cell: few are found then
-        if (part > 0) scene.strangers.forget();
-        scene.strangers.find_rivals(p, x.point.position, part * radius);
-        const double most = scene.strangers.power_of_rivals(p, *who.begin());
-        ++asked;
-        double needed = -infinity;
-        for (const SiteId s : who) {
-          ++losers;
-          needed = std::max(needed, scene.state.reach[s]);
+        for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
+          if (!clipper.beats_at(polygon, k, p, clipper.bisector_of(polygon.owner, p))) continue;
+          double& power = most.try_emplace(polygon.owner, -infinity).first->second;
+          power = std::max(power, scene.power_to(polygon.owner, polygon.corners[k].point.position));
         }
-        CHECK(most >= needed - 1e-9 * (std::abs(needed) + std::abs(x.point.weight)));
-        double largest = -infinity;
-        for (const SiteId s : scene.present) largest = std::max(largest, scene.state.reach[s]);
-        least_is_enough += most < largest;
+      const double near = scene.state.distance_at(scene.state.largest_reach());
+      for (const double part : {2.0, 0.5, 0.1, 0.0}) {  // of the cell: how many are known before
+        scene.strangers.forget();
+        if (part > 0) scene.strangers.find_rivals(p, x.point.position, part * near);
+        for (const double floor : {-infinity, 0.3 * near * near, 0.8 * near * near}) {
+          std::vector<SiteId> found;
+          scene.strangers.find_rivals_beyond(floor, p, found);
+          for (const auto& [s, power] : most)
+            if (power > floor + 1e-9 * near * near) {
+              ++losers;
+              CHECK(std::ranges::count(found, s) == 1);
+            }
+          left_out += scene.present.size() - found.size();
+        }
       }
     }
   });
-  CHECK(losers > 1000);
-  CHECK(5 * least_is_enough > asked);  // it is not merely that of all
+  CHECK(losers > 10000);
+  CHECK(left_out > 10000);
 }
 
 TEST_CASE("strangers: none is said to be beyond a location who is as near") {

@@ -1,0 +1,34 @@
+#include "geom/dual/losses.h"
+
+#include <algorithm>
+
+#include "geom/dual/lead.h"
+
+namespace geom {
+
+bool Losses::hang_together(SiteId s, const Newcomer& p, std::span<const CircleId> reached) {
+  if (state_.shape(s) != DualState::Shape::regular) return false;
+  const WeightedPoint3& site = state_.sites[s];
+  const double radius = state_.distance_at(state_.reach[s], s);
+  const Sheet* sheet = sheets_.around(s, site.position, radius);
+  if (!sheet) return false;
+  const auto add = [&](const WeightedPoint3& other) {
+    chart_.add(Frame::offset(other, site), Frame::constant(other, site));
+  };
+  chart_.begin(*sheet);
+  add(site);
+  add(p.point);
+  if (!chart_.is_monotone(0, 1)) return false;
+  return std::ranges::all_of(state_.circles.of_site(s), [&](CircleId c) {
+    const EmptyCircle& circle = state_.circles[c];
+    if (std::ranges::find(reached, c) == reached.end() && !state_.lead_at(circle, p.point).positive())
+      return false;
+    const SiteId t = circle.sites[circle.after(circle.index_of(s))];
+    add(t == p.id ? p.old : state_.sites[t]);
+    const bool is_once = chart_.meets_axis_once(0, 1, 2, radius);
+    chart_.take_back();
+    return is_once;
+  });
+}
+
+}  // namespace geom
