@@ -138,8 +138,8 @@ TEST_CASE("losses: an island in the middle of a cell is seen") {
 
 // It comes above a ridge that an edge runs across, and takes the edge's middle.
 TEST_CASE("losses: an island at an edge is seen") {
-  const TriMesh mesh = fixtures::sheet(
-      24, 1, [](double, double y) { return 0.06 * std::exp(-30 * (y - 0.5) * (y - 0.5)); });
+  const TriMesh mesh =
+      fixtures::sheet(24, 1, [](double, double y) { return 0.06 * std::exp(-30 * (y - 0.5) * (y - 0.5)); });
   check_island(mesh,
                {on(0.42, 0.5, 0.06), on(0.72, 0.5, 0.06), on(0.12, 0.5, 0.06), on(0.12, 0.1, 0),
                 on(0.12, 0.9, 0), on(0.42, 0.1, 0), on(0.42, 0.9, 0), on(0.72, 0.12, 0), on(0.74, 0.9, 0)},
