@@ -102,6 +102,8 @@ class Clipper {
     if (f < -bound) return true;
     return beats_exactly(corner, j);
   }
+  /// The same from the labels alone. Slow.
+  bool beats_exactly(const CellCorner& corner, SiteId j) const;
   bool beats_at(const FacetPolygon& polygon, std::size_t k, SiteId j, const Bisector& b) const {
     return beats_at(cell_corner(polygon.facet, polygon.owner, polygon.corners, k), j, b);
   }
@@ -178,7 +180,6 @@ class Clipper {
   bool beats_in_plane(FacetId facet, SiteId a, SiteId b, SiteId c, SiteId j) const;
 
  private:
-  bool beats_exactly(const CellCorner& corner, SiteId j) const;
   RankedPoint3 ranked(SiteId s) const { return {&sites_[s], s.value}; }
   FacetCorners corners_of(FacetId t) const {
     return {&mesh_.corner(t, 0), &mesh_.corner(t, 1), &mesh_.corner(t, 2)};
