@@ -172,13 +172,6 @@ class Clipper {
   static void cut(std::span<const PolygonCorner> old, const CutPlace& place, SiteId j,
                   const std::array<RoundedPoint, 2>& leave_and_enter, std::vector<PolygonCorner>& out);
 
-  /// The sign of the area of the triangle of three sites projected into the plane of the facet: 1 if the
-  /// fragments of a, b, c follow each other counterclockwise around the location in the facet's plane where
-  /// their powers are equal, -1 if clockwise, 0 if there is no such location. Exact.
-  int orientation(FacetId facet, SiteId a, SiteId b, SiteId c) const;
-  /// Is j nearer than a, b, c at that location? Exact.
-  bool beats_in_plane(FacetId facet, SiteId a, SiteId b, SiteId c, SiteId j) const;
-
  private:
   RankedPoint3 ranked(SiteId s) const { return {&sites_[s], s.value}; }
   FacetCorners corners_of(FacetId t) const {

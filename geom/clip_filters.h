@@ -124,11 +124,4 @@ CornerEstimate in_facet(const FacetCorners& q, const WeightedPoint3& p0, const W
   return {numerator.estimate(22), m12.estimate(12)};
 }
 
-/// s_b t_c - t_b s_c about a, the denominator above by itself. k = 12.
-template <class Real = double>
-Estimate orientation(const FacetCorners& q, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Difference<Real> u(*q.q1, *q.q0), v(*q.q2, *q.q0);
-  return minor(slope(a, b, u), slope(a, c, v), slope(a, b, v), slope(a, c, u)).estimate(12);
-}
-
 }  // namespace geom::filter

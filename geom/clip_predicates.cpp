@@ -132,9 +132,4 @@ bool beats_in_facet(const FacetCorners& facet, const RankedPoint3& owner, const 
       });
 }
 
-int orientation_in_facet(const FacetCorners& facet, const Vec3& a, const Vec3& b, const Vec3& c) {
-  return sign_of(filter::orientation(facet, a, b, c),
-                 [&] { return exact_denominator_in_facet(facet, a, b, c); });
-}
-
 }  // namespace geom
