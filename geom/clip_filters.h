@@ -12,7 +12,8 @@
 //     C   det(F, s, t), rows 1, 2, 3   over   s_1 t_2 - t_1 s_2.
 //
 // For error bounds see filters.h. Real is double, or DoubleDouble where that cannot tell; then u is a bound of the error
-// of one operation of those. An underflow there, in the valid range of degree 6, is less than 2^-110 of the monomial.
+// of one operation of those. Nothing underflows there either: rounding a multiple of a power of two leaves one, so all
+// heads and tails are multiples of the inputs' common unit, to the degree of the value.
 
 #include "geom/clip_predicates.h"
 #include "geom/double_double.h"
