@@ -161,11 +161,4 @@ AabbTree::Closest AabbTree::closest(const Vec3& x, FacetId hint) const {
   return best;
 }
 
-AabbTree::Closest AabbTree::closest_within(const Vec3& x, double limit2) const {
-  Closest best;
-  best.distance2 = limit2;
-  search(x, best);
-  return best;
-}
-
 }  // namespace geom

@@ -39,9 +39,6 @@ class AabbTree {
   /// cost only.
   Closest closest(const Vec3& x, FacetId hint = FacetId()) const;
 
-  /// The same among the points with |x - point|^2 <= limit2; without facet if there is none.
-  Closest closest_within(const Vec3& x, double limit2) const;
-
   const std::array<Vec3, 3>& triangle(FacetId t) const { return items_[slot_[t]].corners; }
 
  private:

@@ -6,22 +6,11 @@
 
 namespace geom {
 
-CellDivision::CellDivision(const TriMesh& mesh, const Clipper::Sites& sites, Clipper& clipper,
-                           const FragmentStore& store)
-    : mesh_(mesh), sites_(sites), clipper_(clipper), store_(store) {}
-
 void CellDivision::begin(SiteId p, std::span<const FragmentId> vacated, std::span<const SiteId> excluded) {
   p_ = p;
   vacated_.assign(vacated.begin(), vacated.end());
   heirs_.clear();
   ++stamp_;
-  const auto know = [&](SiteId s) {
-    if (s.index() >= known_stamp_.size()) {
-      known_stamp_.resize(s.index() + 1, 0);
-      heir_index_.resize(s.index() + 1, 0);
-    }
-    known_stamp_[s] = stamp_;
-  };
   know(p);
   for (const SiteId s : excluded) know(s);
   for (const FragmentId f : vacated_)
@@ -29,13 +18,13 @@ void CellDivision::begin(SiteId p, std::span<const FragmentId> vacated, std::spa
       if (corner.edge.is_site() && is_stranger(corner.edge.site())) add_heir(corner.edge.site());
 }
 
+void CellDivision::know(SiteId s) {
+  if (s.index() >= known_stamp_.size()) known_stamp_.resize(s.index() + 1, 0);
+  known_stamp_[s] = stamp_;
+}
+
 void CellDivision::add_heir(SiteId k) {
-  if (k.index() >= known_stamp_.size()) {
-    known_stamp_.resize(k.index() + 1, 0);
-    heir_index_.resize(k.index() + 1, 0);
-  }
-  known_stamp_[k] = stamp_;
-  heir_index_[k] = static_cast<std::uint32_t>(heirs_.size());
+  know(k);
   heirs_.push_back(k);
 }
 
@@ -68,29 +57,18 @@ bool CellDivision::is_missing(SiteId j) const {
   });
 }
 
-/// With a the rounded distance of a corner and b = sqrt(3) tolerance, (a + b)^2 <= a^2 (1 + e) + b^2 (1 +
-/// 1/e).
 double CellDivision::max_radius2() const {
-  constexpr double e = 1e-9, infinity = std::numeric_limits<double>::infinity();
-  double result = -infinity;
-  for (const CellCorner& corner : corners_) {
-    const WeightedPoint3& owner = sites_[corner.owner];
-    const double b2 = 3 * corner.point.tolerance * corner.point.tolerance;
-    double bound = (corner.point.position - owner.position).squaredNorm() * (1 + e) + b2 * (1 + 1 / e);
-    if (!(bound < infinity)) {
-      bound = 0;
-      for (int i = 0; i < 3; ++i)
-        bound = std::max(bound, (mesh_.corner(corner.facet, i) - owner.position).squaredNorm() * (1 + e));
-    }
-    result = std::max(result, bound - owner.weight);
+  double result = -std::numeric_limits<double>::infinity();
+  for (const CellCorner& c : corners_) {
+    const PolygonCorner corner{c.point, c.after};
+    result = std::max(result, clipper_.bound_power(c.facet, c.owner, {&corner, 1}));
   }
   return result;
 }
 
 void CellDivision::divide() {
   prepare();
-  find_old_fragments();
-  for (std::size_t i = 0; i < vacated_.size(); ++i) clip_shares(i);
+  for (const FragmentId f : vacated_) clip_shares(f);
 }
 
 // Divides one fragment P of p, on facet t, among the heirs H, which contain every label of P. The share of k
@@ -103,19 +81,17 @@ void CellDivision::divide() {
 // an island, for on every edge of P another heir is nearer than k; then p beats k on all of { k beats every
 // other h } or nowhere on it, and a k that has a fragment on t already has no share, because the two would
 // make one convex fragment.
-void CellDivision::clip_shares(std::size_t vacated) {
-  const FragmentId f = vacated_[vacated];
-  const FacetId t = store_.facet(f);
-  order_heirs(f);
-  if (store_.whole(f) && inherits_whole(t)) return;
+void CellDivision::clip_shares(FragmentId vacated) {
+  const FacetId t = store_.facet(vacated);
+  order_heirs(vacated);
   std::array<PolygonCorner, 3> buffer;
-  const std::span<const PolygonCorner> vacancy = store_.corners(f, buffer);
+  const std::span<const PolygonCorner> vacancy = store_.corners(vacated, buffer);
   for (const Heir i : order_) {
     const SiteId k = heirs_[i];
-    const FragmentId old = old_fragment(vacated, i);
+    const FragmentId old = store_.find(k, t);
     const bool borders = std::ranges::any_of(
         vacancy, [&](const PolygonCorner& c) { return c.edge == EdgeLabel::bisector(k); });
-    if (!borders && (old.valid() || yields_everywhere(i, vacancy))) continue;
+    if (!borders && old.valid()) continue;
     Share& share = add_share();
     share.joins = old;
     FacetPolygon& polygon = share.polygon;
@@ -135,17 +111,6 @@ void CellDivision::clip_shares(std::size_t vacated) {
   }
 }
 
-/// Is some other heir surely nearer than heir i at every corner of this polygon, hence all over it? Most
-/// heirs that do not border a fragment are dismissed by this. "No" means nothing: the corners are rounded.
-bool CellDivision::yields_everywhere(Heir i, std::span<const PolygonCorner> corners) const {
-  return std::ranges::any_of(order_, [&](Heir h) {
-    const Bisector& b = bisector(i, h);
-    return h != i && std::ranges::all_of(corners, [&](const PolygonCorner& c) {
-             return b(c.point.position) < -(b.error + b.length * c.point.tolerance);
-           });
-  });
-}
-
 /// First the heirs that border the vacancy on its facet; if none does, the one that is nearest to the facet's
 /// middle.
 void CellDivision::order_heirs(FragmentId vacated) {
@@ -163,43 +128,6 @@ void CellDivision::order_heirs(FragmentId vacated) {
   for (Heir i = 1; i < heirs_.size(); ++i)
     if (bisector(best, i)(middle) < 0) best = i;
   std::swap(order_[0], order_[best]);
-}
-
-/// For a facet that p owned whole: does the first heir in order get all of it? Then that is noted.
-bool CellDivision::inherits_whole(FacetId t) {
-  const Heir first = order_.front();
-  clipper_.start(polygon_, t, heirs_[first]);
-  for (Heir h = 0; h < heirs_.size(); ++h)
-    if (h != first && clipper_.classify(t, polygon_.owner, polygon_.corners, heirs_[h], bisector(first, h),
-                                        beaten_) != Clip::untouched)
-      return false;
-  Share& share = add_share();
-  clipper_.start(share.polygon, t, heirs_[first]);
-  for (std::size_t c = 0; c < 3; ++c)
-    corners_.push_back(cell_corner(t, share.polygon.owner, share.polygon.corners, c));
-  return true;
-}
-
-/// What the heirs have on the facets of the vacated fragments: from a facet's list if that is short, else heir
-/// by heir.
-void CellDivision::find_old_fragments() {
-  const std::size_t short_list = 8 * heirs_.size();
-  old_fragments_.assign(vacated_.size() * heirs_.size(), FragmentId());
-  const auto is_short = [&](FragmentId f) { return store_.of_facet(store_.facet(f)).size() <= short_list; };
-  for (std::size_t i = 0; i < vacated_.size(); ++i) {
-    if (store_.whole(vacated_[i])) continue;
-    const FacetId t = store_.facet(vacated_[i]);
-    FragmentId* const row = old_fragments_.data() + i * heirs_.size();
-    if (is_short(vacated_[i])) {
-      for (const FragmentId g : store_.of_facet(t)) {
-        const SiteId s = store_.site(g);
-        const std::size_t h = s.index() < heir_index_.size() ? heir_index_[s] : none;
-        if (h < heirs_.size() && heirs_[h] == s) row[h] = g;
-      }
-    } else {
-      for (std::size_t h = 0; h < heirs_.size(); ++h) row[h] = store_.find(heirs_[h], t);
-    }
-  }
 }
 
 }  // namespace geom

@@ -20,8 +20,7 @@ class CellDivision {
   };
 
   /// Keeps references.
-  CellDivision(const TriMesh& mesh, const Clipper::Sites& sites, Clipper& clipper,
-               const FragmentStore& store);
+  CellDivision(Clipper& clipper, const FragmentStore& store) : clipper_(clipper), store_(store) {}
 
   /// Starts anew: these fragments of p are to be divided. Heirs are the sites that their edges are labelled
   /// with, `excluded` left out.
@@ -39,8 +38,6 @@ class CellDivision {
   /// Of the last division; for the caller to move from or read.
   std::span<Share> shares() { return std::span(shares_).first(num_shares_); }
   bool misfit() const { return misfit_; }
-  /// Those that were not corners of the cell; maybe more than once, with different owners.
-  std::span<const CellCorner> corners() const { return corners_; }
   /// Is j nearer than the heirs somewhere in the vacated fragments? It is iff it is at a corner of the
   /// division that was not one of the cell, because the difference of two powers is affine on each share.
   bool is_missing(SiteId j) const;
@@ -49,23 +46,14 @@ class CellDivision {
 
  private:
   using Heir = std::size_t;  // index into heirs_
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  void clip_shares(std::size_t vacated);
-  void find_old_fragments();
-  FragmentId old_fragment(std::size_t vacated, Heir h) const {
-    return old_fragments_[vacated * heirs_.size() + h];
-  }
+  void know(SiteId s);
+  void clip_shares(FragmentId vacated);
   void order_heirs(FragmentId vacated);
-  bool inherits_whole(FacetId t);
-  bool yields_everywhere(Heir i, std::span<const PolygonCorner> corners) const;
-
   void prepare();
   Share& add_share();
   const Bisector& bisector(Heir k, Heir h) const { return bisectors_[k * heirs_.size() + h]; }
 
-  const TriMesh& mesh_;
-  const Clipper::Sites& sites_;
   Clipper& clipper_;
   const FragmentStore& store_;
 
@@ -74,17 +62,13 @@ class CellDivision {
   std::vector<SiteId> heirs_;
   std::vector<Bisector> bisectors_;  ///< row k, column h: of owner heirs_[k] and heirs_[h]
   Table<SiteId, std::uint32_t> known_stamp_;
-  Table<SiteId, std::uint32_t> heir_index_;
   std::uint32_t stamp_ = 0;
   std::vector<Share> shares_;
   std::size_t num_shares_ = 0;
-  std::vector<CellCorner> corners_;  ///< of the division, those of the cell left out
+  std::vector<CellCorner> corners_;  ///< of the division; maybe more than once, with different owners
   bool misfit_ = false;
 
-  std::vector<FragmentId> old_fragments_;  ///< row: vacated fragment, column: what the heir has on that facet
-  std::vector<Heir> order_;                ///< those that matter most on the facet in hand first
-  std::vector<char> beaten_;
-  FacetPolygon polygon_;
+  std::vector<Heir> order_;  ///< those that matter most on the facet in hand first
 };
 
 }  // namespace geom

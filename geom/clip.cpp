@@ -72,14 +72,6 @@ bool Clipper::beats_exactly(const CellCorner& corner, SiteId j) const {
                        ranked(j));
 }
 
-int Clipper::orientation(FacetId facet, SiteId a, SiteId b, SiteId c) const {
-  return orientation_in_facet(corners_of(facet), sites_[a].position, sites_[b].position, sites_[c].position);
-}
-
-bool Clipper::beats_in_plane(FacetId facet, SiteId a, SiteId b, SiteId c, SiteId j) const {
-  return beats_in_facet(corners_of(facet), ranked(a), ranked(b), ranked(c), ranked(j));
-}
-
 Clip Clipper::classify_corners(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners, SiteId j,
                                const Bisector& b, std::vector<char>& beaten) const {
   beaten.resize(corners.size());

@@ -102,6 +102,8 @@ class Clipper {
     if (f < -bound) return true;
     return beats_exactly(corner, j);
   }
+  /// The same from the labels alone. Slow.
+  bool beats_exactly(const CellCorner& corner, SiteId j) const;
   bool beats_at(const FacetPolygon& polygon, std::size_t k, SiteId j, const Bisector& b) const {
     return beats_at(cell_corner(polygon.facet, polygon.owner, polygon.corners, k), j, b);
   }
@@ -170,15 +172,7 @@ class Clipper {
   static void cut(std::span<const PolygonCorner> old, const CutPlace& place, SiteId j,
                   const std::array<RoundedPoint, 2>& leave_and_enter, std::vector<PolygonCorner>& out);
 
-  /// The sign of the area of the triangle of three sites projected into the plane of the facet: 1 if the
-  /// fragments of a, b, c follow each other counterclockwise around the location in the facet's plane where
-  /// their powers are equal, -1 if clockwise, 0 if there is no such location. Exact.
-  int orientation(FacetId facet, SiteId a, SiteId b, SiteId c) const;
-  /// Is j nearer than a, b, c at that location? Exact.
-  bool beats_in_plane(FacetId facet, SiteId a, SiteId b, SiteId c, SiteId j) const;
-
  private:
-  bool beats_exactly(const CellCorner& corner, SiteId j) const;
   RankedPoint3 ranked(SiteId s) const { return {&sites_[s], s.value}; }
   FacetCorners corners_of(FacetId t) const {
     return {&mesh_.corner(t, 0), &mesh_.corner(t, 1), &mesh_.corner(t, 2)};

@@ -11,39 +11,72 @@
 //     B   s_1 F_2 - F_1 s_2   over   s_1           (edge q0 q1)
 //     C   det(F, s, t), rows 1, 2, 3   over   s_1 t_2 - t_1 s_2.
 //
-// For error bounds see filters.h.
+// For error bounds see filters.h. Real is double, or DoubleDouble where that cannot tell; then u is a bound of the error
+// of one operation of those. Nothing underflows there either: rounding a multiple of a power of two leaves one, so all
+// heads and tails are multiples of the inputs' common unit, to the degree of the value.
 
 #include "geom/clip_predicates.h"
+#include "geom/double_double.h"
 #include "geom/filters.h"
 
 namespace geom::filter {
 
+template <class Real>
+constexpr double error_in(int roundings) {
+  return (roundings + 1) * unit_of<Real>;
+}
+
 /// A rounded value and the sum of the magnitudes of its monomials.
+template <class Real>
 struct Magnified {
-  double value, magnitude;
+  Real value;
+  double magnitude;
+  Estimate estimate(int roundings) const { return {rounded(value), error_in<Real>(roundings) * magnitude}; }
 };
 
-/// (p0 - p_j) . d. Roundings: 1 + 1, product 1, sums 2: k = 5.
-inline Magnified slope(const Vec3& p0, const Vec3& pj, const Vec3& d) {
-  const double x = (p0.x() - pj.x()) * d.x(), y = (p0.y() - pj.y()) * d.y(), z = (p0.z() - pj.z()) * d.z();
-  return {x + y + z, std::abs(x) + std::abs(y) + std::abs(z)};
+template <class Real>
+struct Difference {
+  Real x, y, z;
+  Difference(const Vec3& a, const Vec3& b) {
+    subtract(a.x(), b.x(), x);
+    subtract(a.y(), b.y(), y);
+    subtract(a.z(), b.z(), z);
+  }
+};
+
+/// a . b. Roundings: those of two factors, product 1, sums 2.
+template <class Real>
+Magnified<Real> dot(const Difference<Real>& a, const Difference<Real>& b) {
+  const Real x = a.x * b.x, y = a.y * b.y, z = a.z * b.z;
+  return {x + y + z, std::abs(rounded(x)) + std::abs(rounded(y)) + std::abs(rounded(z))};
+}
+
+/// (p0 - p_j) . d, for a difference d. k = 1 + 1 + 3 = 5.
+template <class Real>
+Magnified<Real> slope(const Vec3& p0, const Vec3& pj, const Difference<Real>& d) {
+  return dot({p0, pj}, d);
 }
 
 /// F_j at q. Roundings: 1 + 2, product 1, sums 2, weights 1: k = 7.
-inline Magnified form(const Vec3& q, const WeightedPoint3& p0, const WeightedPoint3& pj) {
-  double value = 0, magnitude = 0;
+template <class Real>
+Magnified<Real> form(const Vec3& q, const WeightedPoint3& p0, const WeightedPoint3& pj) {
+  Real value, difference, from_owner, from_j;
+  subtract(p0.weight, pj.weight, value);
+  double magnitude = std::abs(rounded(value));
   for (int i = 0; i < 3; ++i) {
-    const double difference = p0.position[i] - pj.position[i];
-    const double from_owner = q[i] - p0.position[i], from_j = q[i] - pj.position[i];
-    value += difference * (from_owner + from_j);
-    magnitude += std::abs(difference) * (std::abs(from_owner) + std::abs(from_j));
+    subtract(p0.position[i], pj.position[i], difference);
+    subtract(q[i], p0.position[i], from_owner);
+    subtract(q[i], pj.position[i], from_j);
+    value = value + difference * (from_owner + from_j);
+    magnitude += std::abs(rounded(difference)) * (std::abs(rounded(from_owner)) + std::abs(rounded(from_j)));
   }
-  const double lighter = p0.weight - pj.weight;
-  return {value + lighter, magnitude + std::abs(lighter)};
+  return {value, magnitude};
 }
 
 /// a b - c d. Roundings: those of two factors, product 1, sum 1.
-inline Magnified minor(const Magnified& a, const Magnified& b, const Magnified& c, const Magnified& d) {
+template <class Real>
+Magnified<Real> minor(const Magnified<Real>& a, const Magnified<Real>& b, const Magnified<Real>& c,
+                      const Magnified<Real>& d) {
   return {a.value * b.value - c.value * d.value, a.magnitude * b.magnitude + c.magnitude * d.magnitude};
 }
 
@@ -53,45 +86,43 @@ struct CornerEstimate {
 };
 
 /// k = 7.
-inline Estimate at_vertex(const Vec3& q, const WeightedPoint3& p0, const WeightedPoint3& j) {
-  const Magnified f = form(q, p0, j);
-  return {f.value, error_of(7) * f.magnitude};
+template <class Real = double>
+Estimate at_vertex(const Vec3& q, const WeightedPoint3& p0, const WeightedPoint3& j) {
+  return form<Real>(q, p0, j).estimate(7);
 }
 
 /// k = 5 + 7 + 2 = 14 over 5.
-inline CornerEstimate on_edge(const Vec3& a, const Vec3& b, const WeightedPoint3& p0,
-                              const WeightedPoint3& first, const WeightedPoint3& j) {
-  const Vec3 u = b - a;
-  const Magnified s1 = slope(p0.position, first.position, u), s2 = slope(p0.position, j.position, u);
-  const Magnified numerator = minor(s1, form(a, p0, j), form(a, p0, first), s2);
-  return {{numerator.value, error_of(14) * numerator.magnitude}, {s1.value, error_of(5) * s1.magnitude}};
+template <class Real = double>
+CornerEstimate on_edge(const Vec3& a, const Vec3& b, const WeightedPoint3& p0, const WeightedPoint3& first,
+                       const WeightedPoint3& j) {
+  const Difference<Real> u(b, a);
+  const Magnified<Real> s1 = slope(p0.position, first.position, u), s2 = slope(p0.position, j.position, u);
+  return {minor(s1, form<Real>(a, p0, j), form<Real>(a, p0, first), s2).estimate(14), s1.estimate(5)};
 }
 
 /// One affine function on the facet.
+template <class Real>
 struct Row {
-  Magnified f, s, t;
-  Row(const Vec3& q0, const Vec3& u, const Vec3& v, const WeightedPoint3& p0, const WeightedPoint3& j)
-      : f(form(q0, p0, j)), s(slope(p0.position, j.position, u)), t(slope(p0.position, j.position, v)) {}
+  Magnified<Real> f, s, t;
+  Row(const Vec3& q0, const Difference<Real>& u, const Difference<Real>& v, const WeightedPoint3& p0,
+      const WeightedPoint3& j)
+      : f(form<Real>(q0, p0, j)),
+        s(slope(p0.position, j.position, u)),
+        t(slope(p0.position, j.position, v)) {}
 };
 
 /// Minors 5 + 5 + 2 = 12, F 7, product 1, sums 2: k = 22 over 12.
-inline CornerEstimate in_facet(const FacetCorners& q, const WeightedPoint3& p0, const WeightedPoint3& first,
-                               const WeightedPoint3& second, const WeightedPoint3& j) {
-  const Vec3 u = *q.q1 - *q.q0, v = *q.q2 - *q.q0;
-  const Row r1(*q.q0, u, v, p0, first), r2(*q.q0, u, v, p0, second), r3(*q.q0, u, v, p0, j);
-  const Magnified m12 = minor(r1.s, r2.t, r1.t, r2.s), m23 = minor(r2.s, r3.t, r2.t, r3.s),
-                  m31 = minor(r3.s, r1.t, r3.t, r1.s);
-  const double value = r1.f.value * m23.value + r2.f.value * m31.value + r3.f.value * m12.value;
-  const double magnitude =
-      r1.f.magnitude * m23.magnitude + r2.f.magnitude * m31.magnitude + r3.f.magnitude * m12.magnitude;
-  return {{value, error_of(22) * magnitude}, {m12.value, error_of(12) * m12.magnitude}};
-}
-
-/// s_b t_c - t_b s_c about a, the denominator above by itself. k = 12.
-inline Estimate orientation(const FacetCorners& q, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 u = *q.q1 - *q.q0, v = *q.q2 - *q.q0;
-  const Magnified m = minor(slope(a, b, u), slope(a, c, v), slope(a, b, v), slope(a, c, u));
-  return {m.value, error_of(12) * m.magnitude};
+template <class Real = double>
+CornerEstimate in_facet(const FacetCorners& q, const WeightedPoint3& p0, const WeightedPoint3& first,
+                        const WeightedPoint3& second, const WeightedPoint3& j) {
+  const Difference<Real> u(*q.q1, *q.q0), v(*q.q2, *q.q0);
+  const Row<Real> r1(*q.q0, u, v, p0, first), r2(*q.q0, u, v, p0, second), r3(*q.q0, u, v, p0, j);
+  const Magnified<Real> m12 = minor(r1.s, r2.t, r1.t, r2.s), m23 = minor(r2.s, r3.t, r2.t, r3.s),
+                        m31 = minor(r3.s, r1.t, r3.t, r1.s);
+  const Magnified<Real> numerator{
+      r1.f.value * m23.value + r2.f.value * m31.value + r3.f.value * m12.value,
+      r1.f.magnitude * m23.magnitude + r2.f.magnitude * m31.magnitude + r3.f.magnitude * m12.magnitude};
+  return {numerator.estimate(22), m12.estimate(12)};
 }
 
 }  // namespace geom::filter

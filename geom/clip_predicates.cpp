@@ -73,6 +73,29 @@ Expansion exact_denominator_in_facet(const FacetCorners& q, const Vec3& p0, cons
   return exact_minor(dot(d1, u), dot(d2, v), dot(d1, v), dot(d2, u));
 }
 
+/// A corner test: whether the numerator, which never ties, and the denominator have different signs; each by doubles, by
+/// numbers of twice their precision, or exactly.
+template <class Filter, class Numerator, class Denominator>
+bool differ(Filter filter, Numerator exact_numerator, Denominator exact_denominator) {
+  const auto is_decided = [](const filter::Estimate& e) { return e.certain() && e.value != 0; };
+  const filter::CornerEstimate quick = filter(double());
+  const bool is_quick = is_decided(quick.numerator);
+  if (is_quick && quick.denominator.certain()) return quick.numerator.sign() * quick.denominator.sign() < 0;
+  const filter::CornerEstimate close = filter(DoubleDouble());
+  const int above = is_quick                      ? quick.numerator.sign()
+                    : is_decided(close.numerator) ? close.numerator.sign()
+                                                  : exact_numerator();
+  return above * (close.denominator.certain() ? close.denominator.sign() : exact_denominator()) < 0;
+}
+
+/// Two sites at one location: is the power to j less than that to k, anywhere?
+bool outweighs(const RankedPoint3& j, const RankedPoint3& k) {
+  return j.point->weight != k.point->weight ? j.point->weight > k.point->weight : j.rank < k.rank;
+}
+bool are_together(const RankedPoint3& j, const RankedPoint3& k) {
+  return j.point->position == k.point->position;
+}
+
 }  // namespace
 
 // w_j + eps_j lowers f_j by eps_j, w_0 + eps_0 raises it by eps_0: on a tie the smaller rank wins.
@@ -82,34 +105,31 @@ bool beats_at_vertex(const Vec3& q, const RankedPoint3& owner, const RankedPoint
   return sign != 0 ? sign < 0 : j.rank < owner.rank;
 }
 
+// At the corner the owner's power is that of the sites on whose bisectors it lies.
 bool beats_on_edge(const Vec3& a, const Vec3& b, const RankedPoint3& owner, const RankedPoint3& on_bisector,
                    const RankedPoint3& j) {
-  const auto [numerator, denominator] = filter::on_edge(a, b, *owner.point, *on_bisector.point, *j.point);
-  const bool decided = numerator.certain() && numerator.value != 0;
-  const int above = decided ? numerator.sign() : exact_numerator_on_edge(a, b, owner, on_bisector, j);
-  return above *
-             sign_of(denominator,
-                     [&] { return exact_slope(*owner.point, *on_bisector.point, exact_difference(b, a)); }) <
-         0;
+  for (const RankedPoint3& known : {owner, on_bisector})
+    if (are_together(j, known)) return outweighs(j, known);
+  return differ([&]<class Real>(
+                    Real) { return filter::on_edge<Real>(a, b, *owner.point, *on_bisector.point, *j.point); },
+                [&] { return exact_numerator_on_edge(a, b, owner, on_bisector, j); },
+                [&] { return exact_slope(*owner.point, *on_bisector.point, exact_difference(b, a)).sign(); });
 }
 
 bool beats_in_facet(const FacetCorners& facet, const RankedPoint3& owner, const RankedPoint3& first,
                     const RankedPoint3& second, const RankedPoint3& j) {
-  const auto [numerator, denominator] =
-      filter::in_facet(facet, *owner.point, *first.point, *second.point, *j.point);
-  const bool decided = numerator.certain() && numerator.value != 0;
-  const int above = decided ? numerator.sign() : exact_numerator_in_facet(facet, owner, first, second, j);
-  return above * sign_of(denominator,
-                         [&] {
-                           return exact_denominator_in_facet(facet, owner.point->position,
-                                                             first.point->position, second.point->position);
-                         }) <
-         0;
-}
-
-int orientation_in_facet(const FacetCorners& facet, const Vec3& a, const Vec3& b, const Vec3& c) {
-  return sign_of(filter::orientation(facet, a, b, c),
-                 [&] { return exact_denominator_in_facet(facet, a, b, c); });
+  for (const RankedPoint3& known : {owner, first, second})
+    if (are_together(j, known)) return outweighs(j, known);
+  return differ(
+      [&]<class Real>(Real) {
+        return filter::in_facet<Real>(facet, *owner.point, *first.point, *second.point, *j.point);
+      },
+      [&] { return exact_numerator_in_facet(facet, owner, first, second, j); },
+      [&] {
+        return exact_denominator_in_facet(facet, owner.point->position, first.point->position,
+                                          second.point->position)
+            .sign();
+      });
 }
 
 }  // namespace geom

@@ -33,8 +33,4 @@ struct FacetCorners {
 bool beats_in_facet(const FacetCorners& facet, const RankedPoint3& owner, const RankedPoint3& first,
                     const RankedPoint3& second, const RankedPoint3& j);
 
-/// The sign of (b - a) x (c - a) . n for the normal n of the facet: do a, b, c, seen from its outer side, turn
-/// left (1)? Degree 4. 0 only if they are collinear in the projection: no perturbation moves a site.
-int orientation_in_facet(const FacetCorners& facet, const Vec3& a, const Vec3& b, const Vec3& c);
-
 }  // namespace geom

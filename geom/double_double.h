@@ -2,6 +2,7 @@
 // Numbers of twice the precision of a double, for filters between doubles and exact arithmetic.
 
 #include <cmath>
+#include <type_traits>
 
 namespace geom {
 
@@ -49,5 +50,14 @@ struct DoubleDouble {
     return ordered_sum(p.head, p.tail + (a.head * b.tail + a.tail * b.head));
   }
 };
+
+// What a filter needs of a number type, double or DoubleDouble: a difference of doubles, a rounded value, a bound u of
+// the relative error of one operation.
+inline void subtract(double a, double b, double& out) { out = a - b; }
+inline void subtract(double a, double b, DoubleDouble& out) { out = DoubleDouble::sum(a, -b); }
+inline double rounded(double x) { return x; }
+inline double rounded(const DoubleDouble& x) { return x.head; }
+template <class Real>
+constexpr double unit_of = std::is_same_v<Real, double> ? 0x1p-53 : 0x1p-103;
 
 }  // namespace geom

@@ -32,18 +32,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 
 #include "geom/double_double.h"
 #include "geom/vec.h"
 
 namespace geom {
-
-/// What the filter needs of a number type: a difference of doubles, a rounded value.
-inline void subtract(double a, double b, double& out) { out = a - b; }
-inline void subtract(double a, double b, DoubleDouble& out) { out = DoubleDouble::sum(a, -b); }
-inline double rounded(double x) { return x; }
-inline double rounded(const DoubleDouble& x) { return x.head; }
 
 /// Real: double, or DoubleDouble where that cannot tell.
 template <class Real>
@@ -97,7 +90,7 @@ class Pencil {
   }
 
  private:
-  static constexpr double u = std::is_same_v<Real, double> ? 0x1p-53 : 0x1p-103;
+  static constexpr double u = unit_of<Real>;
 
   struct Triple {
     Real x, y, z;

@@ -22,7 +22,7 @@ RestrictedPower::RestrictedPower(const TriMesh& mesh, std::span<const WeightedPo
       sites_(points.begin(), points.end()),
       clipper_(mesh, sites_, extent_of(mesh)),
       store_(mesh),
-      division_(mesh, sites_, clipper_, store_) {
+      division_(clipper_, store_) {
   ensure(!points.empty(), "restricted power diagram: of some sites");
   const std::vector<FacetId> order = facets_along_curve(mesh_);
   const DividedSurface surface{mesh_, sites_, clipper_, search};

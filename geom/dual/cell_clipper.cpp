@@ -90,16 +90,10 @@ bool CellClipper::cut(FacetId t, SiteId p, std::span<const PolygonCorner> corner
     }
     if (whole == Clip::cut) cutting_.push_back(&other);
   }
-  if (corners.empty()) {
-    const RoughPolygon::Outcome outcome = cut_roughly(t, p);
-    if (outcome == RoughPolygon::Outcome::swallowed) return false;
-    if (outcome != RoughPolygon::Outcome::unsure) return true;
-    state_.clipper.start(polygon_, t, p);
-  } else {
-    polygon_.facet = t;
-    polygon_.owner = p;
-    polygon_.corners.assign(corners.begin(), corners.end());
-  }
+  if (corners.empty()) return cut_facet(t, p);
+  polygon_.facet = t;
+  polygon_.owner = p;
+  polygon_.corners.assign(corners.begin(), corners.end());
   for (const Other* other : cutting_) {
     const Clip outcome =
         state_.clipper.classify_corners(t, p, polygon_.corners, other->site, other->bisector, beaten_);
@@ -109,23 +103,12 @@ bool CellClipper::cut(FacetId t, SiteId p, std::span<const PolygonCorner> corner
   return true;
 }
 
-RoughPolygon::Outcome CellClipper::cut_roughly(FacetId t, SiteId p) {
-  using Outcome = RoughPolygon::Outcome;
-  rough_.start();
-  for (const Other* other : cutting_) {
-    const Outcome outcome =
-        rough_.clip(EdgeLabel::bisector(other->site), state_.clipper.form_on(t, other->bisector));
-    if (outcome == Outcome::swallowed || outcome == Outcome::unsure) return outcome;
-  }
-  const std::size_t n = rough_.size();
-  polygon_.facet = t;
-  polygon_.owner = p;
-  polygon_.corners.resize(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    const EdgeLabel before = rough_.label(previous_corner(k, n)), after = rough_.label(k);
-    polygon_.corners[k] = {state_.clipper.corner_between(t, p, before, after), after};
-  }
-  return Outcome::cut;
+bool CellClipper::cut_facet(FacetId t, SiteId p) {
+  lazy_.start(t, p);
+  for (const Other* other : cutting_)
+    if (lazy_.clip(other->site, other->bisector) == Clip::swallowed) return false;
+  lazy_.place(polygon_);
+  return true;
 }
 
 /// Cuts all pieces by others_, and forgets these if they take nothing.

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geom/dual/state.h"
-#include "geom/rough_polygon.h"
+#include "geom/lazy_polygon.h"
 
 namespace geom {
 
@@ -40,7 +40,7 @@ struct CellPieces {
 /// One object serves all cells of a state.
 class CellClipper {
  public:
-  explicit CellClipper(DualState& state) : state_(state) {}
+  explicit CellClipper(DualState& state) : state_(state), lazy_(state.clipper) {}
 
   /// The cell of p, which is in. `power`: no location of the cell has more. `around`: sites that are likely to border it,
   /// without p, each once; the more of those that do, the faster. Returns the least bound of the power in the cell,
@@ -58,7 +58,7 @@ class CellClipper {
   void consider(SiteId p, std::span<const SiteId> sites);
   double find_others(SiteId p, double power);
   bool cut(FacetId t, SiteId p, std::span<const PolygonCorner> corners, std::size_t first);
-  RoughPolygon::Outcome cut_roughly(FacetId t, SiteId p);
+  bool cut_facet(FacetId t, SiteId p);
   void cut_pieces(SiteId p, CellPieces& cell);
   double bound(const CellPieces& cell) const;
 
@@ -69,7 +69,7 @@ class CellClipper {
   Table<SiteId, std::uint32_t> stamp_of_;
   std::uint32_t stamp_ = 0;
   FacetPolygon polygon_;
-  RoughPolygon rough_;
+  LazyPolygon lazy_;
   CellPieces spare_;
   std::vector<FacetId> near_;
   std::vector<SiteId> candidates_, around_;

@@ -108,62 +108,39 @@ void VacancyDivision::order_winners(std::span<const PolygonCorner> corners) {
   }
 }
 
-/// Clipped from the whole facet; in doubles, unless something is not certain.
+/// Clipped from the whole facet.
 void VacancyDivision::add_share(FacetId t, std::span<const PolygonCorner> corners, std::size_t winner) {
-  using Outcome = RoughPolygon::Outcome;
   const Heir k = winners_[winner];
   const SiteId own = heirs_[k];
-  const Bisector b = state_.clipper.bisector_of(own, p_);
+  lazy_.start(t, own);
   const bool is_bordered = num_labels_ > 0;  // else p has all of the facet
-  Outcome outcome = Outcome::untouched;
-  rough_.start();
-  if (is_bordered) {
-    const LinearForm form = state_.clipper.form_on(t, b);
-    outcome = rough_.clip(EdgeLabel::bisector(p_), {{-form.f[0], -form.f[1], -form.f[2]}, form.error});
-  }
-  const auto is_going_on = [&] { return outcome == Outcome::untouched || outcome == Outcome::cut; };
-  if (is_going_on())
-    for_rivals(winner, [&](Heir h) {
-      outcome = rough_.clip(EdgeLabel::bisector(heirs_[h]), state_.clipper.form_on(t, between(k, h)));
-      return is_going_on();
-    });
-  if (outcome == Outcome::swallowed) return;
-  if (is_going_on()) {
-    set_corners(t, corners, own);
-  } else {
-    state_.clipper.start(polygon_, t, own);
-    if (is_bordered && state_.clipper.clip_beyond(polygon_, p_, b) == Clip::swallowed) return;
-    for_rivals(winner, [&](Heir h) {
-      return state_.clipper.clip(polygon_, heirs_[h], between(k, h)) != Clip::swallowed;
-    });
-    if (polygon_.corners.empty()) return;
-  }
+  if (is_bordered && lazy_.clip_beyond(p_, state_.clipper.bisector_of(own, p_)) == Clip::swallowed) return;
+  bool is_left = true;
+  for_rivals(winner, [&](Heir h) {
+    is_left = lazy_.clip(heirs_[h], between(k, h)) != Clip::swallowed;
+    return is_left;
+  });
+  if (!is_left) return;
+  lazy_.place(polygon_, [&](EdgeLabel before, EdgeLabel after) {
+    return known_corner(t, corners, EdgeLabel::bisector(own), before, after);
+  });
   shares_.add(polygon_);
 }
 
-/// Of polygon_, from rough_. Many are known: those on p's border are corners of its cell, others may be of shares that
-/// were found before on the same facet.
-void VacancyDivision::set_corners(FacetId t, std::span<const PolygonCorner> corners, SiteId owner) {
-  const EdgeLabel own = EdgeLabel::bisector(owner), gone = EdgeLabel::bisector(p_);
-  const std::size_t n = rough_.size();
-  polygon_.facet = t;
-  polygon_.owner = owner;
-  polygon_.corners.resize(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    const EdgeLabel before = rough_.label(previous_corner(k, n)), after = rough_.label(k);
-    const RoundedPoint* known = nullptr;
-    if (before == gone || after == gone) {
-      known = find_corner(corners, own, before == gone ? after : before);
-    } else {
-      for (std::size_t i = shares_.pieces.size(); !known && i > 0 && shares_.pieces[i - 1].facet == t; --i) {
-        const EdgeLabel other = EdgeLabel::bisector(shares_.pieces[i - 1].owner);
-        if (other == before || other == after)
-          known =
-              find_corner(shares_.corners_of(shares_.pieces[i - 1]), own, other == before ? after : before);
-      }
-    }
-    polygon_.corners[k] = {known ? *known : state_.clipper.corner_between(t, owner, before, after), after};
+/// A corner of a share of `own`; null if it is not known: those on p's border are corners of its cell, others may be of
+/// shares that were found before on the same facet.
+const RoundedPoint* VacancyDivision::known_corner(FacetId t, std::span<const PolygonCorner> corners,
+                                                  EdgeLabel own, EdgeLabel before, EdgeLabel after) const {
+  const EdgeLabel gone = EdgeLabel::bisector(p_);
+  if (before == gone || after == gone) return find_corner(corners, own, before == gone ? after : before);
+  for (std::size_t i = shares_.pieces.size(); i > 0 && shares_.pieces[i - 1].facet == t; --i) {
+    const EdgeLabel other = EdgeLabel::bisector(shares_.pieces[i - 1].owner);
+    if (other != before && other != after) continue;
+    if (const RoundedPoint* point =
+            find_corner(shares_.corners_of(shares_.pieces[i - 1]), own, other == before ? after : before))
+      return point;
   }
+  return nullptr;
 }
 
 /// The corner between edges with these labels, in whichever order; null if there is none.

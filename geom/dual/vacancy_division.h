@@ -23,7 +23,8 @@ namespace geom {
 /// Plans the division, changes nothing. One object serves all divisions of a state.
 class VacancyDivision {
  public:
-  explicit VacancyDivision(DualState& state) : state_(state), stamp_of_(state.mesh.num_vertices(), 0) {}
+  explicit VacancyDivision(DualState& state)
+      : state_(state), stamp_of_(state.mesh.num_vertices(), 0), lazy_(state.clipper) {}
 
   /// `cell`: that of p, which is in, and `reach` the least bound of the power there. Some other site must be in.
   void divide(SiteId p, const CellPieces& cell, double reach);
@@ -61,7 +62,8 @@ class VacancyDivision {
   void find_winners(std::span<const PolygonCorner> corners);
   bool is_dominated(Heir k, Heir by, std::size_t num_corners) const;
   void add_share(FacetId t, std::span<const PolygonCorner> corners, std::size_t winner);
-  void set_corners(FacetId t, std::span<const PolygonCorner> corners, SiteId owner);
+  const RoundedPoint* known_corner(FacetId t, std::span<const PolygonCorner> corners, EdgeLabel own,
+                                   EdgeLabel before, EdgeLabel after) const;
   static const RoundedPoint* find_corner(std::span<const PolygonCorner> corners, EdgeLabel one,
                                          EdgeLabel two);
   template <class Visit>
@@ -98,7 +100,7 @@ class VacancyDivision {
   std::uint32_t stamp_ = 0;
   double power_ = 0;
   FacetPolygon polygon_;
-  RoughPolygon rough_;
+  LazyPolygon lazy_;
   std::vector<SiteId> candidates_;
 };
 

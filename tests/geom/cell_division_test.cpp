@@ -70,7 +70,7 @@ void divide_all_cells(const TriMesh& mesh, std::size_t n, Weights kind, std::uin
   for (std::size_t i = 0; i < n; ++i) tree.insert(SiteId(i), points[i]);
   const RestrictedPower power(mesh, points, tree);
   Clipper clipper(mesh, sites, extent_of(mesh));
-  CellDivision division(mesh, sites, clipper, power.fragments());
+  CellDivision division(clipper, power.fragments());
   for (SiteId p(0); p.index() < n; p = SiteId(p.value + 1)) {
     const std::span<const FragmentId> fragments = power.fragments().of_cell(p);
     const std::vector<FragmentId> cell(fragments.begin(), fragments.end());
@@ -130,7 +130,7 @@ TEST_CASE("cell division: a part of a cell, and a site that is excluded") {
   for (std::size_t i = 0; i < points.size(); ++i) tree.insert(SiteId(i), points[i]);
   const RestrictedPower power(blob, points, tree);
   Clipper clipper(blob, sites, extent_of(blob));
-  CellDivision division(blob, sites, clipper, power.fragments());
+  CellDivision division(clipper, power.fragments());
   std::size_t shares = 0;
   for (SiteId p(0); p.index() < points.size(); p = SiteId(p.value + 1)) {
     const std::span<const FragmentId> cell = power.fragments().of_cell(p);

@@ -133,23 +133,6 @@ TEST_CASE("beats_in_facet equals the comparison of exact powers at the exact cor
   CHECK(count.ties > draws / 10);
 }
 
-TEST_CASE("orientation_in_facet equals the sign of the exact denominator of the corner") {
-  Count count;
-  for_each_scene(6, [&](const Scene& s) {
-    const int turn =
-        orientation_in_facet(s.facet(), s.points[0].position, s.points[1].position, s.points[2].position);
-    CHECK(turn == in_facet(s.facet(), s.exact[0], s.exact[1], s.exact[2]).w.sign());
-    CHECK(turn ==
-          orientation_in_facet(s.facet(), s.points[1].position, s.points[2].position, s.points[0].position));
-    CHECK(turn ==
-          -orientation_in_facet(s.facet(), s.points[1].position, s.points[0].position, s.points[2].position));
-    ++count.asked;
-    count.ties += turn == 0;
-  });
-  CHECK(count.ties > draws / 10);
-  CHECK(count.ties < count.asked / 2);
-}
-
 // Bisectors that pass exactly through a mesh vertex: corners of types B and C fall on the corner of type A,
 // and a site that differs from the owner there is judged alike by all three.
 TEST_CASE("corners that coincide are judged alike") {

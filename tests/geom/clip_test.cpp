@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "doctest.h"
+#include "geom/lazy_polygon.h"
 #include "tests/fixtures/weighted_points.h"
 #include "tests/oracle/predicates_oracle.h"
 
@@ -233,6 +234,34 @@ TEST_CASE("clip: some site owns each facet, and clip_beyond leaves what clip tak
     CHECK((outcome == Clip::untouched) == (beyond == Clip::swallowed));
     CHECK(kept.corners.size() + taken.corners.size() == corners + (outcome == Clip::cut ? 4 : 0));
   });
+}
+
+TEST_CASE("lazy polygon: what clip leaves, to the bit, also beyond a site") {
+  int beyond = 0;
+  for_each_scene(6, [&](const Scene& s, Rng&) {
+    Clipper clipper(s.mesh, s.sites, s.extent);
+    geom::LazyPolygon lazy(clipper);
+    FacetPolygon polygon, placed;
+    for (int i = 0; i < num_sites; ++i) {
+      clipper.start(polygon, facet, SiteId(i));
+      lazy.start(facet, SiteId(i));
+      for (int step = 1; step < num_sites && !polygon.corners.empty(); ++step) {
+        const SiteId j((i + step) % num_sites);
+        const Bisector b = clipper.bisector_of(SiteId(i), j);
+        const bool is_beyond = step == 1 && i % 2 == 1;
+        const Clip outcome = is_beyond ? clipper.clip_beyond(polygon, j, b) : clipper.clip(polygon, j, b);
+        REQUIRE((is_beyond ? lazy.clip_beyond(j, b) : lazy.clip(j, b)) == outcome);
+        if (polygon.corners.empty()) break;
+        beyond += is_beyond;
+        lazy.place(placed);
+        REQUIRE(std::ranges::equal(polygon.corners, placed.corners, [](const auto& x, const auto& y) {
+          return x.edge == y.edge && x.point.position == y.point.position &&
+                 x.point.tolerance == y.point.tolerance;
+        }));
+      }
+    }
+  });
+  CHECK(beyond > draws);
 }
 
 TEST_CASE("clip: the corner of three cells is the same to the bit from each of them, and by itself") {

@@ -184,18 +184,6 @@ Answer ask_in_facet(const Kind& kind, const Range& range, bool rational, Rng& rn
   return {true, !certain(geom::filter::in_facet(s.facet(), s.p[0], s.p[1], s.p[2], s.p[3])), decision.tie};
 }
 
-Answer ask_orientation_in_facet(const Kind& kind, const Range& range, bool rational, Rng& rng) {
-  const Scene<3, 3, false> s(kind, range, rng);
-  const int sign = orientation_in_facet(std::span<const WideSite>(s.x).last<3>(), s.x[0], s.x[1], s.x[2]);
-  s.expect(geom::orientation_in_facet(s.facet(), s.at(0), s.at(1), s.at(2)) == sign, "orientation_in_facet");
-  if (rational) {
-    const auto corner = oracle::in_facet(s.facet(), oracle::exact_site(s.p[0]), oracle::exact_site(s.p[1]),
-                                         oracle::exact_site(s.p[2]));
-    s.expect(corner.w.sign() == sign, "orientation_in_facet: the oracles disagree");
-  }
-  return {true, !geom::filter::orientation(s.facet(), s.at(0), s.at(1), s.at(2)).certain(), sign == 0};
-}
-
 /// The filter that clip.h tries first (construct.h): a value beyond its error has the right sign.
 Answer ask_bisector(const Kind& kind, const Range& range, bool, Rng& rng) {
   const Scene<2, 1, false> s(kind, range, rng);
@@ -219,7 +207,6 @@ constexpr Predicate all_predicates[] = {
     {"beats_at_vertex", 2, ask_at_vertex},
     {"beats_on_edge", 4, ask_on_edge},
     {"beats_in_facet", 6, ask_in_facet},
-    {"orientation", 4, ask_orientation_in_facet},
     {"apex_search", 5, ask_apex_search},
     {"pencil", 6, ask_pencil<double>},
     {"pencil_twofold", 6, ask_pencil<geom::DoubleDouble>},

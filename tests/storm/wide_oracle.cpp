@@ -57,12 +57,6 @@ long common_unit(std::span<const geom::WeightedPoint3> points) {
   return unit == 1L << 20 ? 0 : std::min(unit, 2000L);
 }
 
-int orientation_in_facet(std::span<const WideSite, 3> q, const WideSite& a, const WideSite& b,
-                         const WideSite& c) {
-  return dot(cross(difference(q[1], q[0]), difference(q[2], q[0])), cross(difference(b, a), difference(c, a)))
-      .sign();
-}
-
 Wide power_difference(const WideSite& q, const WideSite& i, const WideSite& j) {
   const Row di = difference(q, i), dj = difference(q, j);
   return (dot(dj, dj) - j.weight) - (dot(di, di) - i.weight);

@@ -31,10 +31,6 @@ long common_unit(std::span<const geom::WeightedPoint3> points);
 int orient2(const WideSite& a, const WideSite& b, const WideSite& c);
 int orient3(const WideSite& a, const WideSite& b, const WideSite& c, const WideSite& d);
 
-/// (q1 - q0) x (q2 - q0) . (b - a) x (c - a)
-int orientation_in_facet(std::span<const WideSite, 3> q, const WideSite& a, const WideSite& b,
-                         const WideSite& c);
-
 /// A sign, and whether it took the perturbation to find it. The sign of a tie may be 0 only if ranks are equal.
 struct Decision {
   int sign;
