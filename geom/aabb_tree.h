@@ -42,6 +42,9 @@ class AabbTree {
   /// The same among the points with |x - point|^2 <= limit2; without facet if there is none.
   Closest closest_within(const Vec3& x, double limit2) const;
 
+  /// Adds the facets whose boxes meet this one, in no order. O(log F + their number) typically.
+  void overlapping(const Box3& box, std::vector<FacetId>& facets) const;
+
   const std::array<Vec3, 3>& triangle(FacetId t) const { return items_[slot_[t]].corners; }
 
  private:
