@@ -83,7 +83,9 @@ std::string warning(const Diagnosis& found) {
   const Topology& t = found.topology;
   add(t.nonmanifold_edges, "non-manifold edge", "non-manifold edges");
   if (t.nonmanifold_edges == 0) add(t.nonmanifold_vertices, "non-manifold vertex", "non-manifold vertices");
-  add(found.holes, "hole", "holes");
+  const bool in_pieces = 2 * found.stray_facets > t.facets;
+  if (in_pieces) add(found.stray_facets, "facet without a neighbour", "facets without a neighbour");
+  if (!in_pieces) add(found.holes, "hole", "holes");
   add(found.split_vertices, "split vertex", "split vertices");
   add(found.tiny_parts, "crumb", "crumbs");
   add(found.one_sided_parts > 0 ? 0 : found.inverted_facets, "inverted facet", "inverted facets");
