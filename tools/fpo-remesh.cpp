@@ -24,6 +24,7 @@
 #include "tools/progress.h"
 #include "tools/remesh_arguments.h"
 #include "tools/remesh_report.h"
+#include "tools/surface_input.h"
 
 namespace {
 
@@ -56,6 +57,7 @@ void write_outputs(const tools::RemeshArguments& a, const geom::TriMesh& input,
     for (const fpo::SurfaceSample& sample : result.samples) points.push_back({sample.position, 0});
     io::write_points(a.points, points);
   }
+  if (!a.repaired.empty()) io::write_mesh(a.repaired, input);
   const double factor = geom::factor_to_unit_box(input);
   if (!a.map.empty()) write_map(a.map, input, result, factor);
   if (!a.rpd.empty()) {
@@ -101,6 +103,12 @@ bool is_homeomorphic(const geom::TriMesh& input, const geom::TriMesh& output) {
         stderr,
         "warning: Euler number %ld, %zu components, %zu boundary loops; the input has %ld, %zu, %zu\n",
         out.euler, out.components, out.boundary_loops, in.euler, in.components, in.boundary_loops);
+  if (!in.manifold() && !same_type)
+    std::fprintf(
+        stderr,
+        "warning: the input is not a manifold, so the remesh is of another type: Euler number %ld, %zu "
+        "components, %zu boundary loops; the input has %ld, %zu, %zu\n",
+        out.euler, out.components, out.boundary_loops, in.euler, in.components, in.boundary_loops);
   return out.manifold() && out.unreferenced_vertices == 0 && same_type;
 }
 
@@ -134,7 +142,7 @@ fpo::RemeshResult remesh_named(const geom::TriMesh& input, const tools::RemeshAr
 int remesh(tools::CommandLine& cli) {
   tools::interrupt_flag();
   tools::RemeshArguments a = tools::parse_remesh_arguments(cli);
-  const geom::TriMesh input = io::read_mesh(a.input);
+  const geom::TriMesh input = tools::read_surface(a.input, a.repair);
   tools::read_files(a, input);
   tools::stop_if_interrupted();
 
