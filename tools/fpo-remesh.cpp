@@ -133,16 +133,18 @@ const char* name_of(fpo::StopReason reason) {
 }
 
 /// Complaints name the input.
-fpo::RemeshResult remesh_named(const geom::TriMesh& input, const tools::RemeshArguments& a) try {
-  return fpo::remesh(input, a.remesh);
+fpo::RemeshResult remesh_named(const tools::SurfaceInput& input, const tools::RemeshArguments& a) try {
+  return fpo::remesh(input.mesh, a.remesh);
 } catch (const geom::InputError& error) {
-  throw geom::InputError(io::display_name(a.input) + ": " + error.what());
+  throw geom::InputError(io::display_name(a.input) + ": " + error.what() +
+                         (input.faults.empty() ? "" : "; the input has " + input.faults));
 }
 
 int remesh(tools::CommandLine& cli) {
   tools::interrupt_flag();
   tools::RemeshArguments a = tools::parse_remesh_arguments(cli);
-  const geom::TriMesh input = tools::read_surface(a.input, a.repair);
+  tools::SurfaceInput read = tools::read_surface(a.input, a.repair);
+  const geom::TriMesh& input = read.mesh;
   tools::read_files(a, input);
   tools::stop_if_interrupted();
 
@@ -152,7 +154,10 @@ int remesh(tools::CommandLine& cli) {
   const double total_moves = std::max(1.0, double(a.remesh.num_samples) * a.remesh.optimize.max_iterations);
   double delta = 0;
   a.remesh.optimize.interrupted = &tools::interrupt_flag();
-  a.remesh.optimize.on_move = [&](std::size_t move) { progress.update(double(move) / total_moves, delta); };
+  a.remesh.optimize.on_move = [&](std::size_t move) {
+    tools::print_notes(read);  // now nothing is refused any more
+    progress.update(double(move) / total_moves, delta);
+  };
   a.remesh.optimize.on_iteration = [&](const fpo::IterationReport& r) {
     delta = r.delta;
     run.iterations.push_back(r);
@@ -162,9 +167,10 @@ int remesh(tools::CommandLine& cli) {
     log += line;
   };
   const auto start = std::chrono::steady_clock::now();
-  const fpo::RemeshResult result = remesh_named(input, a);
+  const fpo::RemeshResult result = remesh_named(read, a);
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   progress.erase();
+  tools::print_notes(read);
 
   write_outputs(a, input, result, log);
   if (!a.report.empty()) tools::write_remesh_report(a.report, input, result, run);

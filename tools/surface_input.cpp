@@ -33,30 +33,38 @@ geom::RepairSteps steps_for(const RepairArguments& repair, const geom::TriMesh& 
   return steps;
 }
 
-geom::TriMesh cleaned(const geom::TriMesh& mesh, const std::string& name, std::size_t repeated) {
+SurfaceInput cleaned(const geom::TriMesh& mesh, const std::string& name, std::size_t repeated) {
   geom::Cleaned result = geom::cleaned(mesh);
   std::string done = geom::in_words(result.done);
   if (repeated > 0) done += (done.empty() ? "" : ", ") + repeated_in_words(repeated);
+  SurfaceInput input{std::move(result.mesh), {}, {}};
   if (!done.empty())
-    std::fprintf(stderr, "repaired: %s: %s (--no-repair takes it as it is)\n", name.c_str(), done.c_str());
-  return std::move(result.mesh);
+    input.notes.push_back("repaired: " + name + ": " + done + " (--no-repair takes it as it is)");
+  return input;
 }
 
-geom::TriMesh repaired(const geom::TriMesh& mesh, const std::string& name, std::size_t repeated,
-                       const RepairArguments& repair) try {
+SurfaceInput repaired(const geom::TriMesh& mesh, const std::string& name, std::size_t repeated,
+                      const RepairArguments& repair) try {
   geom::Repaired result = geom::repaired(mesh, steps_for(repair, mesh));
+  SurfaceInput input{std::move(result.mesh), {}, {}};
   if (repeated > 0) result.lines.insert(result.lines.begin(), repeated_in_words(repeated));
-  for (const std::string& line : result.lines)
-    std::fprintf(stderr, "repaired: %s: %s\n", name.c_str(), line.c_str());
-  return std::move(result.mesh);
+  for (const std::string& line : result.lines) input.notes.push_back("repaired: " + name + ": " + line);
+  return input;
 } catch (const geom::InputError& error) {
   throw geom::InputError(name + ": " + error.what());
 }
 
-void warn_of_faults(const geom::TriMesh& mesh, const std::string& name) try {
-  const std::string warning = geom::warning(geom::diagnosis(mesh, false));
-  if (!warning.empty()) std::fprintf(stderr, "warning: %s: %s\n", name.c_str(), warning.c_str());
+std::string faults_of(const geom::TriMesh& mesh) try {
+  return geom::warning(geom::diagnosis(mesh, false));
 } catch (const geom::InputError&) {  // who computes with it will say so
+  return "";
+}
+
+SurfaceInput read(const std::filesystem::path& path, const std::string& name, const RepairArguments& repair) {
+  if (repair.none) return {io::read_mesh(path), {}, {}};
+  std::size_t repeated = 0;
+  const geom::TriMesh mesh = io::read_mesh(path, repeated);
+  return repair.any_step() ? repaired(mesh, name, repeated, repair) : cleaned(mesh, name, repeated);
 }
 
 }  // namespace
@@ -99,19 +107,17 @@ void check_repair(const RepairArguments& repair) {
   geom::require(!repair.none || !repair.any_step(), "--no-repair excludes the steps of a repair");
 }
 
-geom::TriMesh read_surface(const std::filesystem::path& path, const RepairArguments& repair) {
+SurfaceInput read_surface(const std::filesystem::path& path, const RepairArguments& repair) {
   const std::string name = io::display_name(path);
-  if (repair.none) {
-    geom::TriMesh mesh = io::read_mesh(path);
-    warn_of_faults(mesh, name);
-    return mesh;
-  }
-  std::size_t repeated = 0;
-  const geom::TriMesh mesh = io::read_mesh(path, repeated);
-  geom::TriMesh result =
-      repair.any_step() ? repaired(mesh, name, repeated, repair) : cleaned(mesh, name, repeated);
-  warn_of_faults(result, name);
-  return result;
+  SurfaceInput input = read(path, name, repair);
+  input.faults = faults_of(input.mesh);
+  if (!input.faults.empty()) input.notes.push_back("warning: " + name + ": " + input.faults);
+  return input;
+}
+
+void print_notes(SurfaceInput& input) {
+  for (const std::string& note : input.notes) std::fprintf(stderr, "%s\n", note.c_str());
+  input.notes.clear();
 }
 
 }  // namespace tools

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "geom/trimesh.h"
 #include "tools/cli.h"
@@ -26,10 +28,19 @@ void declare_repair(CommandLine& cli, RepairArguments& repair);
 /// Refuses contradictions after parsing. Throws geom::InputError.
 void check_repair(const RepairArguments& repair);
 
+/// INPUT and what there is to say about it, in lines without an end.
+struct SurfaceInput {
+  geom::TriMesh mesh;
+  std::vector<std::string> notes;  ///< "repaired: ..." for what was done, "warning: ..." for what is left
+  std::string faults;              ///< those that matter, with the option that mends them; empty: none
+};
+
 /// The mesh of a file. Unless it is taken as it is, facets that name a vertex twice are dropped and the repairs
-/// wanted are done; what was done is told on stderr, in one line if no step was asked for, else in a line a step. Where
-/// the result still has faults that matter, a warning names them, and the option that mends them. Throws
-/// geom::InputError.
-geom::TriMesh read_surface(const std::filesystem::path& path, const RepairArguments& repair);
+/// wanted are done; notes tell that in one line if no step was asked for, else in a line a step, and faults that are
+/// left in another. Nothing is printed: should the input be refused, one line says why. Throws geom::InputError.
+SurfaceInput read_surface(const std::filesystem::path& path, const RepairArguments& repair);
+
+/// Prints the notes on stderr, and forgets them.
+void print_notes(SurfaceInput& input);
 
 }  // namespace tools

@@ -83,7 +83,7 @@ std::string warning(const Diagnosis& found) {
   const Topology& t = found.topology;
   add(t.nonmanifold_edges, "non-manifold edge", "non-manifold edges");
   if (t.nonmanifold_edges == 0) add(t.nonmanifold_vertices, "non-manifold vertex", "non-manifold vertices");
-  const bool in_pieces = 2 * found.stray_facets > t.facets;
+  const bool in_pieces = found.stray_facets > 1 && 2 * found.stray_facets > t.facets;
   if (in_pieces) add(found.stray_facets, "facet without a neighbour", "facets without a neighbour");
   if (!in_pieces) add(found.holes, "hole", "holes");
   add(found.split_vertices, "split vertex", "split vertices");

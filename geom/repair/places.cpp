@@ -22,16 +22,23 @@ class Grid {
     std::ranges::sort(entries_);
   }
 
-  /// Calls visit(u) for all vertices in the cubes within `reach` of p.
+  /// Calls visit(u) for all vertices in the cubes within `reach` of p, less than a cube's width.
   template <class Visit>
   void near(const Vec3& p, double reach, Visit visit) const {
     const Cell low = cell(p - Vec3::Constant(reach)), high = cell(p + Vec3::Constant(reach));
-    Cell at = low;
-    for (at[0] = low[0]; at[0] <= high[0]; ++at[0])
-      for (at[1] = low[1]; at[1] <= high[1]; ++at[1])
-        for (at[2] = low[2]; at[2] <= high[2]; ++at[2])
-          for (const Entry& entry : std::ranges::equal_range(entries_, at, {}, &Entry::cell))
-            visit(entry.vertex);
+    // Two cubes on each axis at most, for the reach is less than a cube's width. (Far out there is no next number.)
+    for (int corner = 0; corner < 8; ++corner) {
+      Cell at = low;
+      bool is_new = true;
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        if ((corner >> axis & 1) == 0) continue;
+        is_new = is_new && high[i] != low[i];
+        at[i] = high[i];
+      }
+      if (!is_new) continue;
+      for (const Entry& entry : std::ranges::equal_range(entries_, at, {}, &Entry::cell)) visit(entry.vertex);
+    }
   }
 
  private:
@@ -49,12 +56,13 @@ class Grid {
   std::vector<Entry> entries_;
 };
 
-std::vector<VertexId> border_vertices(const Table<FacetId, TriMesh::Facet>& facets) {
+/// The places of border vertices.
+std::vector<VertexId> border_places(const Places& places, const Table<FacetId, TriMesh::Facet>& facets) {
   std::vector<VertexId> result;
   for_each_edge(sorted_half_edges(facets), [&](auto first, auto last) {
     if (last - first != 1) return;
-    result.push_back(first->low);
-    result.push_back(first->high);
+    result.push_back(places[first->low]);
+    result.push_back(places[first->high]);
   });
   std::ranges::sort(result);
   result.erase(std::unique(result.begin(), result.end()), result.end());
@@ -119,8 +127,8 @@ Places near_places(const Table<VertexId, Vec3>& vertices, const Table<FacetId, T
       if (there.empty() || there.back() != t) there.push_back(t);
     }
   DisjointSets clusters(vertices.size());
-  for (const Pair& pair : pairs_within(tolerance, vertices, border_vertices(facets))) {
-    const VertexId a(clusters.find(places[pair.a].index())), b(clusters.find(places[pair.b].index()));
+  for (const Pair& pair : pairs_within(tolerance, vertices, border_places(places, facets))) {
+    const VertexId a(clusters.find(pair.a.index())), b(clusters.find(pair.b.index()));
     if (a == b || have_common(facets_at[a], facets_at[b])) continue;
     clusters.merge_to_least(a.index(), b.index());
     std::vector<FacetId> both;
