@@ -12,6 +12,7 @@ namespace io {
 /// next line; comments anywhere. One vertex or facet a line: what follows the coordinates or the corners
 /// (normals, colours) is ignored. Polygons are triangulated (polygon.h), facets of one or two corners
 /// ignored. Throws geom::InputError "name:line: what". Cost: linear.
+/// `repeated`: as in MeshBuilder::finish().
 geom::TriMesh parse_off(const InputFile& file, std::size_t* repeated = nullptr);
 
 /// Coordinates as the shortest decimals that read back exactly.
