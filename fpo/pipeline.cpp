@@ -9,6 +9,7 @@
 #include "fpo/curvature.h"
 #include "fpo/local_feature_size.h"
 #include "fpo/surface_cover.h"
+#include "geom/centring.h"
 #include "geom/check.h"
 #include "geom/scaling.h"
 
@@ -242,10 +243,8 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
   return result;
 }
 
-}  // namespace
-
-RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options) try {
-  geom::require(options.num_samples > 0, "the number of samples must be at least 1");
+/// Around the origin.
+RemeshResult remesh_there(const geom::TriMesh& input, const RemeshOptions& options) {
   const double factor = geom::factor_to_unit_box(input);
   const geom::TriMesh surface = geom::scaled_to_unit_box(input, factor);
   geom::require(surface.area() > 0, "the surface has no area");
@@ -258,6 +257,22 @@ RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options) tr
   for (double& h : result.wanted) h /= factor;
   for (CellPolygon& cell : result.cells)
     for (geom::Vec3& corner : cell.corners) corner /= factor;
+  return result;
+}
+
+}  // namespace
+
+RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options) try {
+  geom::require(options.num_samples > 0, "the number of samples must be at least 1");
+  const geom::Vec3 middle = geom::far_middle(input);
+  if (middle.isZero(0)) return remesh_there(input, options);
+  RemeshOptions moved_options = options;
+  for (geom::Vec3& point : moved_options.fixed) point -= middle;
+  RemeshResult result = remesh_there(geom::moved_by(input, -middle), moved_options);
+  result.mesh = geom::moved_by(result.mesh, middle);
+  for (SurfaceSample& sample : result.samples) sample.position += middle;
+  for (CellPolygon& cell : result.cells)
+    for (geom::Vec3& corner : cell.corners) corner += middle;
   return result;
 } catch (const geom::Bug& bug) {
   throw geom::Bug("seed " + std::to_string(options.seed) + ", " + bug.what());

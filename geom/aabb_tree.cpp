@@ -154,6 +154,30 @@ void AabbTree::search(const Vec3& x, Closest& best) const {
   }
 }
 
+void AabbTree::overlapping(const Box3& box, std::vector<FacetId>& facets) const {
+  const auto meets = [&](const Vec3& low, const Vec3& high) {
+    return (low.array() <= box.max().array()).all() && (high.array() >= box.min().array()).all();
+  };
+  std::array<std::size_t, 64> stack;
+  std::size_t height = 0;
+  stack[height++] = 0;
+  while (height > 0) {
+    const std::size_t at = stack[--height];
+    const Node& node = nodes_[at];
+    if (!meets(node.low, node.high)) continue;
+    if (node.count == 0) {
+      stack[height++] = at + 1;
+      stack[height++] = static_cast<std::size_t>(node.second_child);
+      continue;
+    }
+    for (std::int32_t k = node.first; k < node.first + node.count; ++k) {
+      const auto& [corners, facet] = items_[static_cast<std::size_t>(k)];
+      const auto& [a, b, c] = corners;
+      if (meets(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c))) facets.push_back(facet);
+    }
+  }
+}
+
 AabbTree::Closest AabbTree::closest(const Vec3& x, FacetId hint) const {
   Closest best;
   if (hint.valid()) improve(items_[slot_[hint]], x, best);

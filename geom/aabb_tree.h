@@ -39,6 +39,9 @@ class AabbTree {
   /// cost only.
   Closest closest(const Vec3& x, FacetId hint = FacetId()) const;
 
+  /// Adds the facets whose boxes meet this one, in no order. O(log F + their number) typically.
+  void overlapping(const Box3& box, std::vector<FacetId>& facets) const;
+
   const std::array<Vec3, 3>& triangle(FacetId t) const { return items_[slot_[t]].corners; }
 
  private:

@@ -1,66 +1,16 @@
 #include "geom/trimesh.h"
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 
 #include "geom/check.h"
+#include "geom/disjoint_sets.h"
+#include "geom/half_edges.h"
 
 namespace geom {
 namespace {
 
 constexpr std::size_t max_elements = std::size_t{1} << 30;
-
-/// One side of an edge: the facet and which of its edges.
-struct HalfEdge {
-  VertexId low, high;  ///< ends, ascending
-  FacetId facet;
-  int edge;
-  bool ascending;  ///< the facet runs from low to high
-
-  auto ends() const { return std::pair(low, high); }
-};
-
-/// All half-edges, those of one edge next to each other, in order of facets.
-std::vector<HalfEdge> sorted_half_edges(const Table<FacetId, TriMesh::Facet>& facets) {
-  std::vector<HalfEdge> result;
-  result.reserve(3 * facets.size());
-  for (FacetId t(0); t.index() < facets.size(); t = FacetId(t.value + 1))
-    for (int e = 0; e < 3; ++e) {
-      const VertexId a = facets[t][static_cast<std::size_t>(e)],
-                     b = facets[t][static_cast<std::size_t>(e == 2 ? 0 : e + 1)];
-      result.push_back({std::min(a, b), std::max(a, b), t, e, a < b});
-    }
-  std::ranges::stable_sort(result, {}, &HalfEdge::ends);
-  return result;
-}
-
-/// Calls visit(first, last) for the half-edges of each edge.
-template <class Visit>
-void for_each_edge(const std::vector<HalfEdge>& half_edges, Visit visit) {
-  for (auto first = half_edges.begin(); first != half_edges.end();) {
-    const auto last =
-        std::find_if(first, half_edges.end(), [&](const HalfEdge& h) { return h.ends() != first->ends(); });
-    visit(first, last);
-    first = last;
-  }
-}
-
-/// Sets of integers that are merged: components, fans.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t n) : parent_(n) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void merge(std::size_t a, std::size_t b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 }  // namespace
 

@@ -46,18 +46,18 @@ void MeshBuilder::check(std::span<const VertexId> corners, std::size_t place) co
   for (const VertexId v : corners)
     if (v.index() >= vertices_.size())
       fail_index(v.value, place, "the file has " + std::to_string(vertices_.size()) + " vertices");
-  VertexId repeated;
+}
+
+/// One that is named twice, or none.
+VertexId MeshBuilder::repeated_vertex(std::span<const VertexId> corners) {
   if (corners.size() == 3) {
     const VertexId a = corners[0], b = corners[1], c = corners[2];
-    repeated = a == b || a == c ? a : (b == c ? b : VertexId());
-  } else {
-    std::vector<VertexId> sorted(corners.begin(), corners.end());
-    std::sort(sorted.begin(), sorted.end());
-    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
-    if (twice != sorted.end()) repeated = *twice;
+    return a == b || a == c ? a : (b == c ? b : VertexId());
   }
-  if (repeated.valid())
-    fail(place, "a facet names vertex " + std::to_string(repeated.value + first_index_) + " twice");
+  std::vector<VertexId> sorted(corners.begin(), corners.end());
+  std::sort(sorted.begin(), sorted.end());
+  const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+  return twice == sorted.end() ? VertexId() : *twice;
 }
 
 void MeshBuilder::append_triangles(std::span<const VertexId> corners, Facets& facets) const {
@@ -72,7 +72,21 @@ void MeshBuilder::append_triangles(std::span<const VertexId> corners, Facets& fa
   for (const auto& [a, b, c] : triangulate(polygon)) facets.push_back({corner(a), corner(b), corner(c)});
 }
 
-geom::TriMesh MeshBuilder::finish() && {
+/// What is left of a facet without corners that repeat the one before them, and triangles that still name a vertex
+/// twice.
+void MeshBuilder::append_the_rest(std::span<const VertexId> corners, Facets& facets) const {
+  std::vector<VertexId> rest;
+  for (const VertexId v : corners)
+    if (rest.empty() || rest.back() != v) rest.push_back(v);
+  while (rest.size() > 1 && rest.back() == rest.front()) rest.pop_back();
+  if (rest.size() < 3) return;
+  Facets triangles;
+  append_triangles(rest, triangles);
+  for (const auto& [a, b, c] : triangles)
+    if (a != b && b != c && c != a) facets.push_back({a, b, c});
+}
+
+geom::TriMesh MeshBuilder::finish(std::size_t* repeated) && {
   if (polygons_.empty()) file_->fail("no facets");
   Facets facets;
   facets.reserve(polygons_.size());
@@ -80,9 +94,17 @@ geom::TriMesh MeshBuilder::finish() && {
     const std::size_t end = i + 1 < polygons_.size() ? polygons_[i + 1].first : corners_.size();
     const std::span corners(&corners_[polygons_[i].first], end - polygons_[i].first);
     check(corners, polygons_[i].place);
-    append_triangles(corners, facets);
+    const VertexId twice = repeated_vertex(corners);
+    if (twice.valid() && !repeated)
+      fail(polygons_[i].place,
+           "a facet names vertex " + std::to_string(twice.value + first_index_) + " twice");
+    if (twice.valid())
+      append_the_rest(corners, facets), ++*repeated;
+    else
+      append_triangles(corners, facets);
     if (facets.size() > most_elements) fail(polygons_[i].place, "more than 2^30 facets");
   }
+  if (facets.empty()) file_->fail("no facet has three different vertices");
   try {
     return geom::TriMesh(std::move(vertices_), std::move(facets));
   } catch (const geom::InputError& error) {

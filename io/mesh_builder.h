@@ -30,8 +30,10 @@ class MeshBuilder {
   std::size_t num_vertices() const { return vertices_.size(); }
   const geom::Table<geom::VertexId, geom::Vec3>& vertices() const { return vertices_; }
 
-  /// Throws if there is no facet, if an index is out of range or if a facet names a vertex twice.
-  geom::TriMesh finish() &&;
+  /// Throws if there is no facet or an index is out of range. A facet that names a vertex twice is refused, or,
+  /// if `repeated` is given, loses that corner, and goes if it has not three others; how many such facets there
+  /// were is added to it.
+  geom::TriMesh finish(std::size_t* repeated = nullptr) &&;
 
  private:
   using Facets = geom::Table<geom::FacetId, geom::TriMesh::Facet>;
@@ -46,7 +48,9 @@ class MeshBuilder {
   }
   [[noreturn]] void fail_index(std::int64_t index, std::size_t place, std::string_view why) const;
   void check(std::span<const geom::VertexId> corners, std::size_t place) const;
+  static geom::VertexId repeated_vertex(std::span<const geom::VertexId> corners);
   void append_triangles(std::span<const geom::VertexId> corners, Facets& facets) const;
+  void append_the_rest(std::span<const geom::VertexId> corners, Facets& facets) const;
 
   const InputFile* file_;
   Unit unit_;

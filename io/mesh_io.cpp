@@ -46,14 +46,14 @@ std::optional<MeshFormat> recognise(const InputFile& file) {
   return std::nullopt;
 }
 
-geom::TriMesh parse(const InputFile& file, MeshFormat format) {
+geom::TriMesh parse(const InputFile& file, MeshFormat format, std::size_t* repeated) {
   switch (format) {
     case MeshFormat::obj:
-      return parse_obj(file);
+      return parse_obj(file, repeated);
     case MeshFormat::off:
-      return parse_off(file);
+      return parse_off(file, repeated);
     case MeshFormat::ply:
-      return parse_ply(file);
+      return parse_ply(file, repeated);
     case MeshFormat::stl:
       return parse_stl(file);
   }
@@ -93,13 +93,23 @@ MeshFormat mesh_format(const std::filesystem::path& path) {
   fail_extension(path, "meshes are .obj, .off, .ply or .stl");
 }
 
-geom::TriMesh read_mesh(const std::filesystem::path& path) {
+namespace {
+
+geom::TriMesh read(const std::filesystem::path& path, std::size_t* repeated) {
   const InputFile file = load(path);
   const MeshFormat format = mesh_format(path);
   if (const auto seen = recognise(file); seen && *seen != format)
     file.fail({1, Unit::line}, "the extension says " + std::string(name_of(format)) + ", the content is " +
                                    std::string(name_of(*seen)));
-  return parse(file, format);
+  return parse(file, format, repeated);
+}
+
+}  // namespace
+
+geom::TriMesh read_mesh(const std::filesystem::path& path) { return read(path, nullptr); }
+
+geom::TriMesh read_mesh(const std::filesystem::path& path, std::size_t& repeated) {
+  return read(path, &repeated);
 }
 
 void write_mesh(const std::filesystem::path& path, const geom::TriMesh& mesh) {

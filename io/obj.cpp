@@ -36,7 +36,7 @@ std::int64_t read_corner(const TextCursor& cursor, std::string_view word, std::s
 
 }  // namespace
 
-geom::TriMesh parse_obj(const InputFile& file) {
+geom::TriMesh parse_obj(const InputFile& file, std::size_t* repeated) {
   TextCursor cursor(file, {.comment = '#', .continuation = true});
   MeshBuilder mesh(file, Unit::line, 1);
   std::vector<std::int64_t> corners;
@@ -53,7 +53,7 @@ geom::TriMesh parse_obj(const InputFile& file) {
       mesh.add_facet(corners, line);
     }
   }
-  return std::move(mesh).finish();
+  return std::move(mesh).finish(repeated);
 }
 
 std::string to_obj(const geom::TriMesh& mesh) {

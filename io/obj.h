@@ -13,7 +13,8 @@ namespace io {
 /// (polygon.h). Points, lines, normals, texture coordinates, groups, materials and unknown statements are
 /// ignored, so normals or UVs never split a vertex. A backslash at the end of a line continues it.
 /// Throws geom::InputError "name:line: what". Cost: linear.
-geom::TriMesh parse_obj(const InputFile& file);
+/// `repeated`: as in MeshBuilder::finish().
+geom::TriMesh parse_obj(const InputFile& file, std::size_t* repeated = nullptr);
 
 /// Statements v and f only; coordinates as the shortest decimals that read back exactly.
 std::string to_obj(const geom::TriMesh& mesh);

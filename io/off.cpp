@@ -59,7 +59,7 @@ bool is_off_header(std::string_view word) {
   return word == "OFF";
 }
 
-geom::TriMesh parse_off(const InputFile& file) {
+geom::TriMesh parse_off(const InputFile& file, std::size_t* repeated) {
   TextCursor cursor(file);
   MeshBuilder mesh(file, Unit::line);
   const Counts counts = read_header(cursor);
@@ -80,7 +80,7 @@ geom::TriMesh parse_off(const InputFile& file) {
     mesh.add_facet(corners, cursor.line());
   }
   if (cursor.next_line()) cursor.fail("more lines than the header announces");
-  return std::move(mesh).finish();
+  return std::move(mesh).finish(repeated);
 }
 
 std::string to_off(const geom::TriMesh& mesh) {

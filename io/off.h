@@ -12,7 +12,8 @@ namespace io {
 /// next line; comments anywhere. One vertex or facet a line: what follows the coordinates or the corners
 /// (normals, colours) is ignored. Polygons are triangulated (polygon.h), facets of one or two corners
 /// ignored. Throws geom::InputError "name:line: what". Cost: linear.
-geom::TriMesh parse_off(const InputFile& file);
+/// `repeated`: as in MeshBuilder::finish().
+geom::TriMesh parse_off(const InputFile& file, std::size_t* repeated = nullptr);
 
 /// Coordinates as the shortest decimals that read back exactly.
 std::string to_off(const geom::TriMesh& mesh);

@@ -226,12 +226,13 @@ void append_position(std::string& bytes, const geom::Vec3& p) {
 
 }  // namespace
 
-geom::TriMesh parse_ply(const InputFile& file) {
+geom::TriMesh parse_ply(const InputFile& file, std::size_t* repeated) {
   const PlyHeader header = parse_ply_header(file);
   require_vertices(file, header);
   require_faces(file, header);
-  return read_body(file, header,
-                   [](MeshBuilder& mesh, const std::vector<double>&) { return std::move(mesh).finish(); });
+  return read_body(file, header, [repeated](MeshBuilder& mesh, const std::vector<double>&) {
+    return std::move(mesh).finish(repeated);
+  });
 }
 
 std::vector<geom::WeightedPoint3> parse_ply_points(const InputFile& file) {

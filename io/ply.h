@@ -14,7 +14,8 @@ namespace io {
 /// The element "vertex" must have x, y, z; the corners of "face" are the list vertex_indices or vertex_index.
 /// Polygons are triangulated (polygon.h), faces of one or two corners ignored.
 /// Throws geom::InputError "name:line: what" or "name:byte offset: what". Cost: linear.
-geom::TriMesh parse_ply(const InputFile& file);
+/// `repeated`: as in MeshBuilder::finish().
+geom::TriMesh parse_ply(const InputFile& file, std::size_t* repeated = nullptr);
 
 /// The vertices alone, with the property "weight" where there is one (else 0); faces need not exist.
 std::vector<geom::WeightedPoint3> parse_ply_points(const InputFile& file);

@@ -27,12 +27,13 @@ std::string join(const std::vector<std::string>& words, const std::string& separ
 }
 
 /// "-n, --count COUNT": every way to write an option, as the help shows it.
-std::string forms(const Option& option, bool negatable) {
+std::string forms(const Option& option, bool negatable, bool maybe_value) {
   std::string text = option.letter ? std::string{'-', option.letter} : "   ";
   if (!option.name.empty()) {
     text += option.letter ? ", --" : " --";
     text += option.name + (negatable ? ", --no-" + option.name : "");
   }
+  if (maybe_value) return text + "[=" + option.value + "]";
   return text + (option.value.empty() ? "" : " " + option.value);
 }
 
@@ -91,6 +92,10 @@ void CommandLine::custom(Option option, Assign assign) {
   declare(std::move(option), Kind::with_value, std::move(assign));
 }
 
+void CommandLine::custom_or_none(Option option, Assign assign) {
+  declare(std::move(option), Kind::maybe_value, std::move(assign));
+}
+
 void CommandLine::number(Option option, double& target, double low, double high) {
   option.standard = with_default(option.standard, option, shortest(target));
   custom(std::move(option),
@@ -121,6 +126,11 @@ void CommandLine::toggle(Option option, bool& target) {
 
 void CommandLine::toggle(Option option, std::optional<bool>& target) {
   declare(std::move(option), Kind::toggle, [&target](const std::string& text) { target = text == "yes"; });
+}
+
+void CommandLine::toggle(Option option, std::function<void(bool)> assign) {
+  declare(std::move(option), Kind::toggle,
+          [assign = std::move(assign)](const std::string& text) { assign(text == "yes"); });
 }
 
 void CommandLine::declare_choice(Option option, std::vector<std::string> words,
@@ -194,7 +204,11 @@ std::size_t CommandLine::read_long(std::size_t i) {
   const std::size_t equals = argument.find('=');
   const std::string written = argument.substr(0, equals);
   Entry& entry = find(written);
-  if (entry.kind != Kind::with_value) {
+  if (entry.kind == Kind::maybe_value && equals == std::string::npos) {
+    apply(entry, written, "");
+    return i + 1;
+  }
+  if (entry.kind != Kind::with_value && entry.kind != Kind::maybe_value) {
     if (equals != std::string::npos) throw UsageError(written + " takes no value");
     apply(entry, written, written == "--" + entry.option.name ? "yes" : "no");
     return i + 1;
@@ -244,9 +258,12 @@ void CommandLine::check_complete(const std::vector<std::string>& operands, std::
 
 std::string CommandLine::help() const {
   constexpr std::size_t page_width = 100;
+  const auto forms_of = [](const Entry& entry) {
+    return forms(entry.option, entry.kind == Kind::toggle, entry.kind == Kind::maybe_value);
+  };
   std::size_t column = 0;
   for (const Entry& entry : entries_) {
-    column = std::max(column, forms(entry.option, entry.kind == Kind::toggle).size() + 4);
+    column = std::max(column, forms_of(entry).size() + 4);
   }
   std::string text = "Usage: " + program_ + (operands_.empty() ? "" : " " + operands_) + " [options]\n";
   text += wrapped(summary_, 0, page_width) + "\n";
@@ -257,7 +274,7 @@ std::string CommandLine::help() const {
     std::string phrase = option.help;
     if (option.required) phrase += " (required)";
     if (!option.standard.empty()) phrase += " (default " + option.standard + ")";
-    std::string line = "  " + forms(option, entry.kind == Kind::toggle);
+    std::string line = "  " + forms_of(entry);
     line.resize(column, ' ');
     text += line + wrapped(phrase, column, page_width - column) + "\n";
   }

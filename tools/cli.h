@@ -75,11 +75,15 @@ class CommandLine {
   void toggle(Option option, bool& target);
   /// The same; not given, the target stays as it is.
   void toggle(Option option, std::optional<bool>& target);
+  /// The same for any use of it.
+  void toggle(Option option, std::function<void(bool)> assign);
   /// One of several words, each with the value that it stands for.
   template <class E>
   void choice(Option option, E& target, std::vector<std::pair<std::string, std::type_identity_t<E>>> words);
   /// A value of any other kind.
   void custom(Option option, Assign assign);
+  /// --name or --name=value; without a value the text is empty.
+  void custom_or_none(Option option, Assign assign);
 
   /// Reads all arguments and returns the operands, `least` to `most` of them. Throws UsageError,
   /// geom::InputError
@@ -95,7 +99,7 @@ class CommandLine {
   bool quiet() const { return quiet_; }         ///< --quiet
 
  private:
-  enum class Kind { with_value, flag, toggle };
+  enum class Kind { with_value, maybe_value, flag, toggle };
   struct Entry {
     Option option;
     Kind kind;

@@ -24,6 +24,7 @@
 #include "tools/progress.h"
 #include "tools/remesh_arguments.h"
 #include "tools/remesh_report.h"
+#include "tools/surface_input.h"
 
 namespace {
 
@@ -56,6 +57,7 @@ void write_outputs(const tools::RemeshArguments& a, const geom::TriMesh& input,
     for (const fpo::SurfaceSample& sample : result.samples) points.push_back({sample.position, 0});
     io::write_points(a.points, points);
   }
+  if (!a.repaired.empty()) io::write_mesh(a.repaired, input);
   const double factor = geom::factor_to_unit_box(input);
   if (!a.map.empty()) write_map(a.map, input, result, factor);
   if (!a.rpd.empty()) {
@@ -101,6 +103,12 @@ bool is_homeomorphic(const geom::TriMesh& input, const geom::TriMesh& output) {
         stderr,
         "warning: Euler number %ld, %zu components, %zu boundary loops; the input has %ld, %zu, %zu\n",
         out.euler, out.components, out.boundary_loops, in.euler, in.components, in.boundary_loops);
+  if (!in.manifold() && !same_type)
+    std::fprintf(
+        stderr,
+        "warning: the input is not a manifold, so the remesh is of another type: Euler number %ld, %zu "
+        "components, %zu boundary loops; the input has %ld, %zu, %zu\n",
+        out.euler, out.components, out.boundary_loops, in.euler, in.components, in.boundary_loops);
   return out.manifold() && out.unreferenced_vertices == 0 && same_type;
 }
 
@@ -125,16 +133,18 @@ const char* name_of(fpo::StopReason reason) {
 }
 
 /// Complaints name the input.
-fpo::RemeshResult remesh_named(const geom::TriMesh& input, const tools::RemeshArguments& a) try {
-  return fpo::remesh(input, a.remesh);
+fpo::RemeshResult remesh_named(const tools::SurfaceInput& input, const tools::RemeshArguments& a) try {
+  return fpo::remesh(input.mesh, a.remesh);
 } catch (const geom::InputError& error) {
-  throw geom::InputError(io::display_name(a.input) + ": " + error.what());
+  throw geom::InputError(io::display_name(a.input) + ": " + error.what() +
+                         (input.faults.empty() ? "" : "; the input has " + input.faults));
 }
 
 int remesh(tools::CommandLine& cli) {
   tools::interrupt_flag();
   tools::RemeshArguments a = tools::parse_remesh_arguments(cli);
-  const geom::TriMesh input = io::read_mesh(a.input);
+  tools::SurfaceInput read = tools::read_surface(a.input, a.repair);
+  const geom::TriMesh& input = read.mesh;
   tools::read_files(a, input);
   tools::stop_if_interrupted();
 
@@ -144,7 +154,10 @@ int remesh(tools::CommandLine& cli) {
   const double total_moves = std::max(1.0, double(a.remesh.num_samples) * a.remesh.optimize.max_iterations);
   double delta = 0;
   a.remesh.optimize.interrupted = &tools::interrupt_flag();
-  a.remesh.optimize.on_move = [&](std::size_t move) { progress.update(double(move) / total_moves, delta); };
+  a.remesh.optimize.on_move = [&](std::size_t move) {
+    tools::print_notes(read);  // now nothing is refused any more
+    progress.update(double(move) / total_moves, delta);
+  };
   a.remesh.optimize.on_iteration = [&](const fpo::IterationReport& r) {
     delta = r.delta;
     run.iterations.push_back(r);
@@ -154,9 +167,10 @@ int remesh(tools::CommandLine& cli) {
     log += line;
   };
   const auto start = std::chrono::steady_clock::now();
-  const fpo::RemeshResult result = remesh_named(input, a);
+  const fpo::RemeshResult result = remesh_named(read, a);
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   progress.erase();
+  tools::print_notes(read);
 
   write_outputs(a, input, result, log);
   if (!a.report.empty()) tools::write_remesh_report(a.report, input, result, run);

@@ -61,6 +61,12 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   cli.describe("INPUT",
                std::string("Remeshes a surface (obj, off, ply, stl) with COUNT samples of blue noise. ") +
                    interrupt_help);
+  declare_repair(cli, a.repair);
+  cli.path(
+      {.name = "repaired",
+       .value = "OUT",
+       .help = "INPUT as it was remeshed; facets and vertices of INPUT mean its own: .obj .off .ply .stl"},
+      a.repaired);
   cli.group("Result");
   cli.integer(
       {.name = "count",
@@ -183,6 +189,7 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   cli.flag({.name = "local", .help = "look for farthest points nearby only"}, local);
   cli.flag({.name = "global", .help = "look for them everywhere"}, global);
   a.input = cli.parse(1, 1).front();
+  check_repair(a.repair);
   choose_scope(a, local, global, weight_scale);
   geom::require(
       a.remesh.method == fpo::Method::fpo || !(a.remesh.shortest_edge_removal || local || global || rest),
@@ -201,12 +208,13 @@ void parse(CommandLine& cli, RemeshArguments& a) {
 /// Refuses bad output names before the work starts.
 void check_outputs(const RemeshArguments& a) {
   io::mesh_format(a.output);
+  if (!a.repaired.empty()) io::mesh_format(a.repaired);
   if (!a.points.empty())
     geom::require(io::point_format(a.points) != io::PointFormat::txt,
                   a.points.string() + ": use .xyz or .ply");
   std::set<std::filesystem::path> taken;
   for (const std::filesystem::path& path :
-       {a.output, a.points, a.rpd, a.log, a.picture, a.sizing_out, a.map, a.report}) {
+       {a.output, a.points, a.rpd, a.log, a.picture, a.sizing_out, a.map, a.report, a.repaired}) {
     if (path.empty()) continue;
     io::require_writable(path);
     std::error_code gone;  // the folder, meanwhile: then writing will tell

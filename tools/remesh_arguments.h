@@ -5,14 +5,16 @@
 
 #include "fpo/pipeline.h"
 #include "tools/cli.h"
+#include "tools/surface_input.h"
 
 namespace tools {
 
 struct RemeshArguments {
-  std::filesystem::path input, output, points, rpd, log, picture, sizing_out, map, report;
+  std::filesystem::path input, output, points, rpd, log, picture, sizing_out, map, report, repaired;
   std::filesystem::path fixed_file;
   std::filesystem::path sizing_file;  ///< if the sizing is given
   bool strict = false;                ///< another topology is a failure
+  RepairArguments repair;
   fpo::RemeshOptions remesh;
 };
 

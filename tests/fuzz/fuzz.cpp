@@ -58,6 +58,7 @@ class Trial {
     const ProgramResult remeshed = execute("fpo-remesh", options_);
     check_files(remeshed.code == 0);
     execute("fpo-quality", {mutant_.name});
+    check_repair();
     if (remeshed.code != 0) return;
     // What was written can be read, and measured.
     if (output_ == "out.stl") return;  // single precision may have welded all there is
@@ -126,6 +127,20 @@ class Trial {
     for (const auto& option : options_)
       outputs += option.starts_with("out.") || option == "rpd.obj" || option == "log.csv";
     expect(files.size() == 1 + (wanted ? outputs : 0), "there are files missing or too many");
+  }
+
+  /// A surface as exporters spoil it, repaired and remeshed.
+  void check_repair() {
+    if (rng_.below(4) != 0) return;
+    const fuzz::Mutant file = fuzz::export_fault(rng_.bits());
+    folder_.write(file.name, file.bytes);
+    execute("fpo-remesh",
+            {file.name, "-n", "150", "--iterations", "3", "-o", "e.obj", "--repair", "--repaired", "r.obj"});
+    if (fs::exists(folder_ / "r.obj")) {
+      const geom::Topology t = geom::topology(io::read_mesh(folder_ / "r.obj"));
+      expect(t.manifold() && t.boundary_edges == 0, "repair leaves no closed manifold");
+    }
+    for (const char* name : {"export.ply", "e.obj", "r.obj"}) fs::remove(folder_ / name);
   }
 
   void check_other_engine() {

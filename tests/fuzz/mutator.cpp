@@ -14,6 +14,7 @@
 #include "io/off.h"
 #include "io/ply.h"
 #include "io/stl.h"
+#include "tests/fixtures/spoilt.h"
 
 namespace fuzz {
 
@@ -262,6 +263,16 @@ Mutant mutant(std::uint64_t seed) {
   Mutant result = as_file(soup, rng);
   if (rng.below(4) == 0) result.bytes = damaged(std::move(result.bytes), rng);
   return result;
+}
+
+Mutant export_fault(std::uint64_t seed) {
+  Rng rng(seed);
+  constexpr std::pair<const char*, int> shapes[] = {{"sphere", 4}, {"torus", 16},      {"blob", 4},
+                                                    {"cube", 5},   {"two-spheres", 3}, {"l-block", 3}};
+  const auto& [name, size] = shapes[rng.below(std::size(shapes))];
+  const geom::TriMesh mesh = geom::tilted(geom::make_shape(name, size, 1));
+  const std::size_t way = rng.below(fixtures::ways_to_spoil.size());
+  return {"export.ply", io::to_ply(fixtures::spoilt(mesh, way, rng.bits()))};
 }
 
 }  // namespace fuzz

@@ -4,6 +4,7 @@
 
 #include "doctest.h"
 #include "fpo/pipeline.h"
+#include "geom/repair/repair.h"
 #include "io/mesh_io.h"
 #include "tests/io/sample_meshes.h"
 #include "tests/io/scratch_folder.h"
@@ -24,6 +25,36 @@ TEST_CASE("fuzz: a seed gives the same file again, other seeds other files") {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     CHECK(fuzz::mutant(seed).bytes == fuzz::mutant(seed).bytes);
     CHECK(fuzz::mutant(seed).bytes != fuzz::mutant(seed + 1).bytes);
+  }
+}
+
+TEST_CASE("fuzz: what exporters spoil is repaired to a closed manifold") {
+  const fixtures::ScratchFolder folder;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    CAPTURE(seed);
+    const fuzz::Mutant mutant = fuzz::export_fault(seed);
+    const geom::TriMesh input = io::read_mesh(folder.write(mutant.name, mutant.bytes));
+    const geom::Topology t = geom::topology(geom::repaired(input, geom::all_steps(input)).mesh);
+    CHECK(t.manifold());
+    CHECK(t.boundary_edges == 0);
+    CHECK(t.misoriented_edges == 0);
+  }
+}
+
+TEST_CASE("fuzz: any soup can be repaired to manifold sheets, or is refused in one line") {
+  const fixtures::ScratchFolder folder;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    CAPTURE(seed);
+    const fuzz::Mutant mutant = fuzz::mutant(seed);
+    const auto path = folder.write(mutant.name, mutant.bytes);
+    geom::Repaired result;
+    const std::string fault = fixtures::complaint([&] {
+      std::size_t repeated = 0;
+      const geom::TriMesh input = io::read_mesh(path, repeated);
+      result = geom::repaired(input, geom::all_steps(input));
+    });
+    CHECK(fault.find('\n') == fault.npos);
+    if (fault.empty()) CHECK(geom::topology(result.mesh).manifold());
   }
 }
 

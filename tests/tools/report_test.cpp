@@ -78,7 +78,8 @@ TEST_CASE("fpo-remesh --report: its figures are those of fpo-quality") {
       "fpo-quality", {"out.obj", "--reference", "torus.obj", "--json"}, place.folder.path());
   REQUIRE(quality.code == 0);
   const std::string ours = between(place.page, "id=\"measures\">", "</script>");
-  CHECK(ours + "\n" == quality.out);
+  // After them fpo-quality tells the faults of the file.
+  CHECK(quality.out.starts_with(ours.substr(0, ours.size() - 1) + ", \"border_loops\": 0"));
   CHECK(ours.find("\"dH_pct\": ") != std::string::npos);
 }
 

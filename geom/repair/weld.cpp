@@ -1,0 +1,107 @@
+#include "geom/repair/weld.h"
+
+#include <algorithm>
+#include <set>
+#include <span>
+
+#include "geom/disjoint_sets.h"
+#include "geom/half_edges.h"
+
+namespace geom {
+namespace {
+
+using Facets = Table<FacetId, TriMesh::Facet>;
+
+/// An edge of one facet, by the places of its ends.
+struct BorderEdge {
+  VertexId low, high;        ///< places, ascending
+  VertexId at_low, at_high;  ///< the vertices there
+  FacetId facet;
+
+  auto ends() const { return std::pair(low, high); }
+};
+
+/// Those of one pair of places next to each other; edges whose ends share a place are left out.
+std::vector<BorderEdge> border_edges(const std::vector<HalfEdge>& half_edges, const Places& places) {
+  std::vector<BorderEdge> result;
+  for_each_edge(half_edges, [&](auto first, auto last) {
+    if (last - first != 1) return;
+    BorderEdge edge{places[first->low], places[first->high], first->low, first->high, first->facet};
+    if (edge.low == edge.high) return;
+    if (edge.high < edge.low) std::swap(edge.low, edge.high), std::swap(edge.at_low, edge.at_high);
+    result.push_back(edge);
+  });
+  std::ranges::stable_sort(result, {}, &BorderEdge::ends);
+  return result;
+}
+
+/// Half-edges by the edges that they make: the facets `before`, whose vertices are now called otherwise.
+bool was_one_edge(const Facets& before, std::span<const HalfEdge> now) {
+  const auto ends = [&](const HalfEdge& h) {
+    const TriMesh::Facet& f = before[h.facet];
+    const VertexId a = f[static_cast<std::size_t>(h.edge)], b = f[static_cast<std::size_t>((h.edge + 1) % 3)];
+    return std::pair(std::min(a, b), std::max(a, b));
+  };
+  return std::ranges::all_of(now, [&](const HalfEdge& h) { return ends(h) == ends(now.front()); });
+}
+
+/// One attempt; `blocked`: places where nothing is welded.
+Welding welded(const std::vector<BorderEdge>& edges, const std::set<VertexId>& blocked, Crowds crowds,
+               std::size_t num_vertices, Facets& facets) {
+  Welding result;
+  DisjointSets vertices(num_vertices);
+  for (auto first = edges.begin(); first != edges.end();) {
+    const auto last =
+        std::find_if(first, edges.end(), [&](const BorderEdge& e) { return e.ends() != first->ends(); });
+    const auto count = static_cast<std::size_t>(last - first);
+    const bool may = !blocked.contains(first->low) && !blocked.contains(first->high);
+    if (count == 2 ? may : count > 2 && crowds == Crowds::weld) {
+      for (auto e = first + 1; e != last; ++e) {
+        vertices.merge_to_least(first->at_low.index(), e->at_low.index());
+        vertices.merge_to_least(first->at_high.index(), e->at_high.index());
+      }
+      result.pairs += count - 1;
+    } else if (count > 1) {
+      result.crowded += count;
+    }
+    first = last;
+  }
+  for (TriMesh::Facet& f : facets)
+    for (VertexId& v : f) v = VertexId(vertices.find(v.index()));
+  return result;
+}
+
+/// Places where welding has brought foreign edges together.
+std::set<VertexId> conflicts(const Facets& before, const Facets& after, const Places& places) {
+  std::set<VertexId> result;
+  const std::vector<HalfEdge> half_edges = sorted_half_edges(after);
+  for_each_edge(half_edges, [&](auto first, auto last) {
+    if (last - first <= 2 || was_one_edge(before, std::span(first, last))) return;
+    result.insert(places[first->low]);
+    result.insert(places[first->high]);
+  });
+  return result;
+}
+
+}  // namespace
+
+// Pairs weld ends, and ends that are welded may make one edge of two that lie between them. Then nothing is
+// welded there, and all is done again: each round blocks a place more.
+Welding weld_borders(const Places& places, Facets& facets, Crowds crowds) {
+  const std::vector<BorderEdge> edges = border_edges(sorted_half_edges(facets), places);
+  std::set<VertexId> blocked;
+  for (;;) {
+    Facets trial = facets;
+    const Welding result = welded(edges, blocked, crowds, places.size(), trial);
+    if (result.pairs == 0) return result;
+    if (crowds == Crowds::leave) {
+      const std::size_t known = blocked.size();
+      blocked.merge(conflicts(facets, trial, places));
+      if (blocked.size() > known) continue;
+    }
+    facets = std::move(trial);
+    return result;
+  }
+}
+
+}  // namespace geom

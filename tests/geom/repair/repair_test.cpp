@@ -1,0 +1,179 @@
+// Spoilt surfaces repaired, and what is said of them before.
+
+#include "geom/repair/repair.h"
+
+#include "doctest.h"
+#include "geom/check.h"
+#include "geom/repair/diagnosis.h"
+#include "geom/repair/parts.h"
+#include "geom/repair/t_junctions.h"
+#include "geom/scaling.h"
+#include "geom/shapes.h"
+#include "tests/fixtures/spoilt.h"
+#include "tests/fixtures/surfaces.h"
+#include "tests/io/sample_meshes.h"
+
+namespace {
+
+using fixtures::FacetId;
+using fixtures::MeshArrays;
+using fixtures::Rng;
+using fixtures::TriMesh;
+using fixtures::Vec3;
+using fixtures::VertexId;
+
+geom::Repaired repaired(const TriMesh& mesh) { return geom::repaired(mesh, geom::all_steps(mesh)); }
+
+}  // namespace
+
+TEST_CASE("repair: spoilt in ten ways, closed surfaces are closed manifolds of their type again") {
+  const std::pair<const char*, int> shapes[] = {{"sphere", 8}, {"torus", 24},  {"double-torus", 24},
+                                                {"blob", 8},   {"l-block", 5}, {"two-spheres", 6}};
+  for (const auto& [name, size] : shapes) {
+    const TriMesh mesh = geom::make_shape(name, size);
+    const geom::Topology before = geom::topology(mesh);
+    REQUIRE(before.boundary_edges == 0);
+    for (std::size_t way = 0; way < fixtures::ways_to_spoil.size(); ++way)
+      for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        CAPTURE(name);
+        CAPTURE(fixtures::ways_to_spoil[way]);
+        CAPTURE(seed);
+        const TriMesh bad = fixtures::spoilt(mesh, way, seed);
+        const geom::Repaired result = repaired(bad);
+        const geom::Topology after = geom::topology(result.mesh);
+        const long bodies = fixtures::ways_to_spoil[way] == std::string("copy") ? 2 : 1;
+        CHECK(after.manifold());
+        CHECK(after.boundary_edges == 0);
+        CHECK(after.misoriented_edges == 0);
+        CHECK(after.euler == bodies * before.euler);
+        CHECK(after.components == static_cast<std::size_t>(bodies) * before.components);
+        if (way < 8) CHECK(result.mesh.area() == doctest::Approx(mesh.area()).epsilon(0.02));
+        if (way < 8) CHECK(!result.lines.empty());
+        CHECK(fixtures::identical(repaired(bad).mesh, result.mesh));
+        CHECK(repaired(result.mesh).lines.empty());
+        CHECK(geom::warning(geom::diagnosis(result.mesh, false)) == "");
+        if (way < 8 && way != 4)  // what cleaning alone mends needs no other option
+          CHECK(geom::warning(geom::diagnosis(bad, false)).find("--repair") != std::string::npos);
+      }
+  }
+}
+
+TEST_CASE("repair: sound meshes come back as they are, open ones stay open") {
+  for (const auto& [name, mesh] : fixtures::surfaces()) {
+    CAPTURE(name);
+    if (name.find("two-sided") != std::string::npos) continue;
+    CHECK(fixtures::identical(geom::repaired(mesh, {}).mesh, mesh));
+  }
+  const TriMesh square = fixtures::tilted_square(8);
+  CHECK(fixtures::identical(repaired(square).mesh, square));
+}
+
+TEST_CASE("repair: any size and place") {
+  Rng rng(7);
+  const TriMesh mesh = geom::make_shape("torus");
+  for (const double factor : {0x1p-700, 0x1p-100, 0x1p100, 0x1p700}) {
+    const geom::Repaired result = repaired(geom::scaled(fixtures::spoilt(mesh, 2), factor));
+    CHECK(
+        fixtures::identical(geom::scaled(result.mesh, 1 / factor), repaired(fixtures::spoilt(mesh, 2)).mesh));
+  }
+}
+
+TEST_CASE("repair: steps alone do their own work only") {
+  const TriMesh mesh = geom::make_shape("torus");
+  geom::RepairSteps orient;
+  orient.orient = true;
+  const geom::Topology holes = geom::topology(geom::repaired(fixtures::spoilt(mesh, 2), orient).mesh);
+  CHECK(holes.boundary_edges > 0);
+  geom::RepairSteps fill;
+  fill.holes = 1e30;
+  CHECK(geom::topology(geom::repaired(fixtures::spoilt(mesh, 2), fill).mesh).boundary_edges == 0);
+  geom::RepairSteps crumbs;
+  crumbs.crumbs = 0.4;
+  const TriMesh pair =
+      geom::joined(mesh, geom::mapped(mesh, [](const Vec3& p) { return Vec3(0.5 * p + Vec3(10, 0, 0)); }));
+  CHECK(fixtures::identical(geom::repaired(pair, crumbs).mesh, mesh));
+}
+
+TEST_CASE("repair: wide gaps are welded within the tolerance asked for, and no facet collapses") {
+  Rng rng(2);
+  const TriMesh mesh = geom::make_shape("sphere");
+  const TriMesh torn = fixtures::split_vertices(mesh, 1e-3, rng);
+  geom::RepairSteps steps;
+  steps.weld = 4e-3 * mesh.diagonal();
+  steps.split = true;
+  const geom::Topology t = geom::topology(geom::repaired(torn, steps).mesh);
+  CHECK(t.euler == 2);
+  CHECK(t.boundary_edges == 0);
+  CHECK(t.facets == mesh.num_facets());
+}
+
+TEST_CASE("t-junctions: several on one edge, on all edges of a facet, and none where nothing is near") {
+  // A triangle whose sides have two neighbours' vertices each.
+  MeshArrays mesh;
+  const std::array<Vec3, 3> q = {Vec3(0, 0, 0), Vec3(3, 0, 0), Vec3(0, 3, 0)};
+  for (const Vec3& p : q) mesh.add(p);
+  mesh.add_triangle(VertexId(0), VertexId(1), VertexId(2));
+  for (std::size_t e = 0; e < 3; ++e) {
+    const Vec3 &a = q[e], &b = q[(e + 1) % 3], out = (a + b) / 2 - q[(e + 2) % 3] + Vec3(0, 0, 1);
+    const VertexId tip = mesh.add((a + b) / 2 + out);
+    std::array<VertexId, 4> chain = {VertexId(e), mesh.add(a + (b - a) / 3), mesh.add(b + (a - b) / 3),
+                                     VertexId((e + 1) % 3)};
+    for (std::size_t i = 0; i < 3; ++i) mesh.add_triangle(chain[i + 1], chain[i], tip);
+  }
+  CHECK(geom::zip_t_junctions(mesh.vertices, mesh.facets, 1e-9) == 6);
+  const TriMesh zipped = mesh.take();
+  const geom::Topology t = geom::topology(zipped);
+  CHECK(t.manifold());
+  CHECK(t.boundary_edges == 6);
+  CHECK(t.euler == 1);
+  CHECK(t.misoriented_edges == 0);
+  for (const auto& [name, sound] : fixtures::surfaces()) {
+    MeshArrays arrays = fixtures::arrays_of(sound);
+    CHECK(geom::zip_t_junctions(arrays.vertices, arrays.facets, 1e-9) == 0);
+  }
+}
+
+TEST_CASE("diagnosis: sound shapes have no faults") {
+  for (const auto& [name, mesh] : fixtures::surfaces()) {
+    CAPTURE(name);
+    const geom::Diagnosis d = geom::diagnosis(mesh, true);
+    CHECK(d.split_vertices + d.duplicate_facets + d.degenerate_facets == 0);
+    CHECK(d.border_lengths.size() == geom::topology(mesh).boundary_loops);
+    CHECK(d.intersections->all);
+  }
+  CHECK(geom::diagnosis(geom::make_shape("torus"), true).intersections->pairs == 0);
+  CHECK(geom::warning(geom::diagnosis(geom::make_shape("torus"), false)) == "");
+}
+
+TEST_CASE("diagnosis: each fault is counted") {
+  const TriMesh mesh = geom::make_shape("torus");
+  Rng rng(9);
+  CHECK(geom::diagnosis(fixtures::split_vertices(mesh, 0, rng), false).split_vertices > 0);
+  CHECK(geom::diagnosis(fixtures::split_vertices(mesh, 0, rng), false).stray_facets == mesh.num_facets());
+  CHECK(geom::diagnosis(fixtures::with_holes(mesh, 0.01, rng), false).holes > 0);
+  CHECK(geom::diagnosis(fixtures::with_flips(mesh, 0.1, rng), false).inverted_facets > 0);
+  CHECK(geom::diagnosis(fixtures::with_flips(mesh, 1, rng), false).inside_out_parts == 1);
+  CHECK(geom::diagnosis(fixtures::with_duplicates(mesh, 0.01, rng), false).duplicate_facets > 0);
+  CHECK(geom::diagnosis(geom::joined(mesh, mesh), false).duplicate_facets == mesh.num_facets());
+  const geom::Diagnosis fins = geom::diagnosis(fixtures::with_fins(mesh, 3, rng), false);
+  CHECK(fins.topology.nonmanifold_edges == 3);
+  CHECK(geom::warning(fins).find("3 non-manifold edges") == 0);
+}
+
+TEST_CASE("diagnosis: self-intersections are those found by trying all pairs") {
+  const TriMesh ball = geom::make_shape("sphere", 4);
+  const TriMesh pair = geom::joined(
+      ball, geom::mapped(ball, [&](const Vec3& p) { return Vec3(p + 0.3 * Vec3(1, 0.9, 0.8)); }));
+  const geom::Intersections found =
+      geom::self_intersections(geom::scaled(pair, geom::factor_to_unit_box(pair)));
+  CHECK(found.pairs > 10);
+  CHECK(found.all);
+  CHECK(found.first.valid());
+}
+
+TEST_CASE("repair: crumbs are dropped unless they are most of what there is") {
+  Rng rng(3);
+  const TriMesh soup = fixtures::split_vertices(geom::make_shape("sphere"), 0, rng);
+  MeshArrays arrays = fixtures::arrays_of(soup);
+  CHECK(geom::drop_crumbs(arrays.vertices, arrays.facets, {}) == 0);
+}
