@@ -17,7 +17,7 @@ using geom::SiteId;
 /// neighbourhood of the sample that was just removed (section 4.3, "local").
 enum class Scope { global, two_ring };
 
-/// An empty circle: the power of its centre to the nearest samples, and the domain's name for it. radius2 may
+/// An empty circle: the power of its center to the nearest samples, and the domain's name for it. radius2 may
 /// be negative (weights), and is -infinity if there is no circle.
 struct Circle {
   double radius2;
@@ -47,7 +47,7 @@ class Domain {
   /// d_x will do.
   virtual bool is_farther(const Circle& c, SiteId x) = 0;
 
-  /// Line 7: puts the removed sample at the centre of c, with the weight that the sizing gives there.
+  /// Line 7: puts the removed sample at the center of c, with the weight that the sizing gives there.
   virtual void insert_at(SiteId x, const Circle& c) = 0;
   /// Line 9: puts the removed sample back with its old position and weight.
   virtual void put_back(SiteId x) = 0;

@@ -26,7 +26,7 @@ struct SceneDot {
 
 /// What a picture shows: everything in a ball that keeps its middle and size while the scene turns.
 struct SceneFrame {
-  geom::Vec3 centre{0, 0, 0};
+  geom::Vec3 center{0, 0, 0};
   double radius = 1;
 };
 

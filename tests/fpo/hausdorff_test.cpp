@@ -99,9 +99,9 @@ TEST_CASE("hausdorff: parallel squares") {
 TEST_CASE("hausdorff: nested cubes are farthest at the corners") {
   const Vec3 size(1, 1, 1);
   const TriMesh inner = fixtures::box(size, 3), outer = fixtures::box(1.2 * size, 4);
-  Table<VertexId, Vec3> centred;
-  for (const Vec3& p : outer.vertices()) centred.push_back(p - 0.1 * size);
-  const SurfaceDistance d = surface_distance(inner, TriMesh(std::move(centred), outer.facets()));
+  Table<VertexId, Vec3> centered;
+  for (const Vec3& p : outer.vertices()) centered.push_back(p - 0.1 * size);
+  const SurfaceDistance d = surface_distance(inner, TriMesh(std::move(centered), outer.facets()));
   CHECK(d.max == Approx(0.1 * std::sqrt(3)));
   check_gap(d, outer.diagonal());
 }
