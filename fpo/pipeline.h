@@ -37,8 +37,8 @@ struct RemeshOptions {
   std::vector<geom::Vec3> fixed;       ///< points of the surface, which become vertices exactly
   SurfaceOptions surface;              ///< its seed, threads and number of fixed samples are overruled
   bool shortest_edge_removal = false;  ///< before the optimization (section 4.3); fpo only
-  /// Its seed and order are overruled. Other methods than fpo heed the greatest number of iterations (of radii
-  /// tried, with mps and cps), the interruption and the callbacks.
+  /// Its seed and order are overruled. Other methods than fpo heed the greatest number of iterations (of
+  /// radii tried, with mps and cps), the interruption and the callbacks.
   OptimizeOptions optimize;
   std::size_t tile_samples = 0;  ///< in a tile (tiled_optimize.h), if there are more; 0: no tiles
   int threads = 1;               ///< no matter to the result
@@ -70,12 +70,12 @@ struct RemeshResult {
 };
 
 /// Remeshes with exactly num_samples vertices; with mps and cps, whose parameter is a radius, with about as
-/// many. Deterministic. If interrupted, the result is that of the moves done; throws geom::Interrupted if that is
-/// before the first samples (mps, cps: before the first whole set of disks). Computes on a copy of the input that
-/// is scaled by a power of two and snapped to multiples of 2^-160 of its size, so that no product in a predicate
-/// over- or underflows (geom/scaling.h), and scales back, which is exact. Throws geom::InputError on an unusable
-/// input (no area, or a largest coordinate beyond 2^-900 to 2^900) or number of samples (also too few for the
-/// features), geom::Bug with seed and move number.
+/// many. Deterministic. If interrupted, the result is that of the moves done; throws geom::Interrupted if
+/// that is before the first samples (mps, cps: before the first whole set of disks). Computes on a copy of
+/// the input that is scaled by a power of two and snapped to multiples of 2^-160 of its size, so that no
+/// product in a predicate over- or underflows (geom/scaling.h), and scales back, which is exact. Throws
+/// geom::InputError on an unusable input (no area, or a largest coordinate beyond 2^-900 to 2^900) or number
+/// of samples (also too few for the features), geom::Bug with seed and move number.
 RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options);
 
 }  // namespace fpo

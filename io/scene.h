@@ -52,8 +52,8 @@ struct SceneView {
 /// A frame that holds all points; a ball about the middle of their box.
 SceneFrame frame_of(std::span<const geom::Vec3> points);
 
-/// One JSON object, as report_view.js reads it. Places are rounded to 1/32767 of the frame's radius, normals to
-/// about a degree. About 20 bytes a triangle (with one place for two of them).
+/// One JSON object, as report_view.js reads it. Places are rounded to 1/32767 of the frame's radius, normals
+/// to about a degree. About 20 bytes a triangle (with one place for two of them).
 std::string scene_json(const Scene& scene);
 
 }  // namespace io

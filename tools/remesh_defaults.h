@@ -5,8 +5,8 @@
 
 namespace tools {
 
-/// With uniform sizing the whole surface is searched for farthest points, which gives the best angles; else the
-/// neighbourhood, for samples that travel far change the density.
+/// With uniform sizing the whole surface is searched for farthest points, which gives the best angles; else
+/// the neighbourhood, for samples that travel far change the density.
 inline fpo::Scope default_scope(fpo::SizingKind sizing) {
   return sizing == fpo::SizingKind::uniform ? fpo::Scope::global : fpo::Scope::two_ring;
 }

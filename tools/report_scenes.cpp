@@ -269,7 +269,8 @@ Scene cell_scene(const RemeshPictures& of, Window window, const SceneLimits& lim
   return scene;
 }
 
-/// Edges of the remesh on borders and where it is folded by more than 20 degrees, between samples on features.
+/// Edges of the remesh on borders and where it is folded by more than 20 degrees, between samples on
+/// features.
 std::vector<std::array<Vec3, 2>> sharp_edges(const RemeshPictures& of, const Window& window) {
   const double least_cosine = std::cos(20 * std::numbers::pi / 180);
   const TriMesh& mesh = of.result.mesh;

@@ -35,7 +35,8 @@ int orient3(const WideSite& a, const WideSite& b, const WideSite& c, const WideS
 int orientation_in_facet(std::span<const WideSite, 3> q, const WideSite& a, const WideSite& b,
                          const WideSite& c);
 
-/// A sign, and whether it took the perturbation to find it. The sign of a tie may be 0 only if ranks are equal.
+/// A sign, and whether it took the perturbation to find it. The sign of a tie may be 0 only if ranks are
+/// equal.
 struct Decision {
   int sign;
   bool tie;
