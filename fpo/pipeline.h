@@ -9,6 +9,7 @@
 #include "fpo/dual.h"
 #include "fpo/feature_samples.h"
 #include "fpo/fidelity.h"
+#include "fpo/methods.h"
 #include "fpo/optimize.h"
 #include "fpo/protect.h"
 #include "fpo/quality.h"
@@ -18,9 +19,6 @@
 #include "fpo/tiled_optimize.h"
 
 namespace fpo {
-
-/// How samples are distributed: the paper's way, or one of those it compares with (table 1; fpo/baselines).
-enum class Method { fpo, cvt, mps, cps };
 
 /// What the wanted edge lengths are made of.
 enum class SizingKind { uniform, local_feature_size, curvature, given };
