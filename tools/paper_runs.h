@@ -8,10 +8,10 @@
 
 #include "fpo/paper_rows.h"
 #include "tools/convergence.h"
+#include "tools/measures_table.h"
 #include "tools/paper_methods.h"
 #include "tools/paper_runtimes.h"
-#include "tools/paper_table.h"
-#include "tools/spectrum_picture.h"
+#include "tools/picture_of_spectrum.h"
 
 namespace tools {
 

@@ -1,4 +1,4 @@
-#include "tools/paper_table.h"
+#include "tools/measures_table.h"
 
 #include <array>
 #include <cstdio>
