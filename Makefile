@@ -3,14 +3,17 @@ BUILD ?= build
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 MAKEFLAGS += --no-print-directory
 
-.PHONY: all demo test check lint cgal-check check-sanitize valgrind fuzz faults determinism storm endurance bench paper clean \
+.PHONY: all demo test prove check lint cgal-check check-sanitize valgrind fuzz faults determinism storm endurance bench paper clean \
   help
 all:
 	@.ci/setup
 	@cmake -S . -B $(BUILD)
 	@cmake --build $(BUILD) -j $(JOBS)
 
-demo: all
+demo:
+	@.ci/setup
+	@cmake -S . -B $(BUILD)
+	@cmake --build $(BUILD) -j $(JOBS) --target fpo-shape fpo-remesh fpo-quality
 	@mkdir -p $(BUILD)/demo
 	$(BUILD)/fpo-shape double-torus -o $(BUILD)/demo/double-torus.obj
 	$(BUILD)/fpo-remesh $(BUILD)/demo/double-torus.obj -n 2000 -o $(BUILD)/demo/remesh.obj --picture $(BUILD)/demo/remesh.svg
@@ -21,7 +24,14 @@ test:
 	@.ci/setup tests
 	@cmake -S . -B $(BUILD)
 	@cmake --build $(BUILD) -j $(JOBS) --target fpo-tests
-	$(BUILD)/fpo-tests
+	.ci/tests $(BUILD)/fpo-tests $(JOBS)
+
+# All cases, the long ones too: the same promises on more and larger examples.
+prove:
+	@.ci/setup tests
+	@cmake -S . -B $(BUILD)
+	@cmake --build $(BUILD) -j $(JOBS) --target fpo-tests
+	FPO_PROVE=1 .ci/tests $(BUILD)/fpo-tests $(JOBS)
 
 check: test
 	.ci/check-sources
@@ -29,7 +39,7 @@ check: test
 # Configures without building: clang-tidy asks for the commands only.
 lint:
 	@.ci/setup lint
-	@cmake -S . -B $(BUILD)-lint -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >/dev/null
+	@cmake -S . -B $(BUILD)-lint -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
 	.ci/lint $(BUILD)-lint $(JOBS)
 
 # Needs libcgal-dev, which nothing else does.
@@ -43,7 +53,7 @@ check-sanitize:
 	@.ci/setup tests
 	@cmake -S . -B $(BUILD)-sanitize -DFPO_SANITIZE=ON -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG="-O1 -g"
 	@cmake --build $(BUILD)-sanitize -j $(JOBS) --target fpo-tests
-	$(BUILD)-sanitize/fpo-tests
+	.ci/tests $(BUILD)-sanitize/fpo-tests $(JOBS)
 
 valgrind: all
 	@.ci/setup valgrind
@@ -108,7 +118,8 @@ clean:
 
 help:
 	@echo "make demo            build, remesh a double torus with 2000 samples, print its quality"
-	@echo "make test            build and run every test"
+	@echo "make test            build and run every test, JOBS at a time"
+	@echo "make prove           the same tests with many times more and larger examples"
 	@echo "make check           test, then check format and layering of the sources"
 	@echo "make lint            clang-tidy and Cppcheck over all sources (installs them)"
 	@echo "make cgal-check      predicates, triangulations and diagrams against CGAL (installs libcgal-dev)"

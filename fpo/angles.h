@@ -35,9 +35,10 @@ FlawMeasure bad_angles(const SurfaceDomain& domain, const AngleOptions& options)
 /// resamples (Algorithm 1 in the 2-ring) the corner that has it and the other two, in the end with those
 /// around them. Where that does not help a corner is moved a little, at most .08 h. What makes things worse
 /// (the sum over all bad triangles of the square of the degrees beyond the bounds) is undone, and if the
-/// sizing is uniform what makes delta smaller and not enough. Ends when no triangle is bad or a round mends nothing, or after so many moves or futile attempts in a row. At last
-/// weights are restored where that makes nothing worse. The number of samples stays; fixed ones stay where
-/// they are. Deterministic. O(1) expected an attempt.
+/// sizing is uniform what makes delta smaller and not enough. Ends when no triangle is bad or a round mends
+/// nothing, or after so many moves or futile attempts in a row. At last weights are restored where that makes
+/// nothing worse. The number of samples stays; fixed ones stay where they are. Deterministic. O(1) expected
+/// an attempt.
 AngleResult optimize_angles(SurfaceDomain& domain, const AngleOptions& options);
 
 }  // namespace fpo

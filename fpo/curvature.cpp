@@ -58,10 +58,10 @@ class Rings {
   }
 
  private:
-  void add_joined(VertexId u, VertexId centre) {
+  void add_joined(VertexId u, VertexId center) {
     for (std::size_t k = first_[u.index()]; k < first_[u.index() + 1]; ++k) {
-      if (seen_[joined_[k]] == centre) continue;
-      seen_[joined_[k]] = centre;
+      if (seen_[joined_[k]] == center) continue;
+      seen_[joined_[k]] = center;
       found_.push_back(joined_[k]);
     }
   }

@@ -152,7 +152,7 @@ class MedialAxis {
     });
     return found;
   }
-  /// One point in each cell of a grid: the centre of a circle is on the axis of all its points.
+  /// One point in each cell of a grid: the center of a circle is on the axis of all its points.
   void add(const Vec2& x, double cell) {
     const Vec2 place = (x / cell).array().floor();
     if (taken_.emplace(place.x(), place.y()).second)

@@ -5,7 +5,7 @@
 //
 // The curves are cut into short pieces; the medial axis is read off the Voronoi diagram of the pieces' ends.
 // Of a Voronoi edge between two of them counts what lies where circles about it touch both under an angle of
-// at least 60 degrees at the centre: this leaves out the branches into the blunt corners of a polyline that
+// at least 60 degrees at the center: this leaves out the branches into the blunt corners of a polyline that
 // means a smooth curve. Edges between the ends of one piece cross the curve and never count. Isolated points
 // are curves of their own: their medial axis is their Voronoi diagram.
 

@@ -34,12 +34,12 @@ double spline_transform(double f, double cell) {
 /// cos and sin of 2 pi f x, divided by the spline's transform.
 struct Waves {
   Eigen::MatrixXd cosine, sine;  ///< a row a grid point, a column a frequency 0, step, 2 step, ...
-  Waves(int size, int centre, double cell, double step, int half)
+  Waves(int size, int center, double cell, double step, int half)
       : cosine(size, half + 1), sine(size, half + 1) {
     for (int k = 0; k <= half; ++k) {
       const double gain = 1 / spline_transform(k * step, cell);
       for (int g = 0; g < size; ++g) {
-        const double phase = 2 * std::numbers::pi * k * step * (g - centre) * cell;
+        const double phase = 2 * std::numbers::pi * k * step * (g - center) * cell;
         cosine(g, k) = gain * std::cos(phase);
         sine(g, k) = gain * std::sin(phase);
       }
@@ -53,14 +53,14 @@ DifferentialHistogram::DifferentialHistogram(double reach, double max_frequency)
     : reach_(reach), max_frequency_(max_frequency), cell_(1 / (oversampling * max_frequency)) {
   geom::require(reach > 0 && max_frequency > 0 && 2 * reach / cell_ < largest_grid,
                 "the spectrum's radius times its largest frequency is too large");
-  centre_ = static_cast<int>(std::ceil(reach / cell_)) + 2;
-  size_ = 2 * centre_ + 1;
+  center_ = static_cast<int>(std::ceil(reach / cell_)) + 2;
+  size_ = 2 * center_ + 1;
   mass_.assign(static_cast<std::size_t>(size_) * static_cast<std::size_t>(size_), 0.0);
 }
 
 void DifferentialHistogram::add(const Vec2& d, double weight) {
   geom::ensure(std::abs(d.x()) <= reach_ && std::abs(d.y()) <= reach_, "differential beyond its histogram");
-  const double x = d.x() / cell_ + centre_, y = d.y() / cell_ + centre_;
+  const double x = d.x() / cell_ + center_, y = d.y() / cell_ + center_;
   const double column = std::floor(x), row = std::floor(y);
   const std::array<double, 4> along_x = spline(x - column), along_y = spline(y - row);
   double* at =
@@ -80,7 +80,7 @@ std::vector<double> DifferentialHistogram::transform(double step, int half, int 
   geom::ensure(half >= 0 && half * step <= max_frequency_ * (1 + 1e-9), "frequency beyond the histogram's");
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Eigen::Map<const RowMajor> mass(mass_.data(), size_, size_);
-  const Waves waves(size_, centre_, cell_, step, half);
+  const Waves waves(size_, center_, cell_, step, half);
   // sum m cos(a + b) = sum m (cos a cos b - sin a sin b), with a the phase along x and b that along y.
   const std::size_t side = 2 * static_cast<std::size_t>(half) + 1;
   std::vector<double> result(side * side);

@@ -33,7 +33,7 @@ class DifferentialHistogram {
  private:
   double reach_, max_frequency_, cell_;
   int size_;    ///< grid points along an axis
-  int centre_;  ///< the grid point of d = 0
+  int center_;  ///< the grid point of d = 0
   std::vector<double> mass_;
 };
 

@@ -17,7 +17,7 @@ using geom::SiteId;
 /// neighbourhood of the sample that was just removed (section 4.3, "local").
 enum class Scope { global, two_ring };
 
-/// An empty circle: the power of its centre to the nearest samples, and the domain's name for it. radius2 may
+/// An empty circle: the power of its center to the nearest samples, and the domain's name for it. radius2 may
 /// be negative (weights), and is -infinity if there is no circle.
 struct Circle {
   double radius2;
@@ -25,7 +25,8 @@ struct Circle {
 };
 
 /// A set of n samples with the empty circles between them, under removal and insertion.
-/// A move is: remove(x); c = largest_empty(scope); then insert_at(x, c) if is_farther(c, x), else put_back(x).
+/// A move is: remove(x); c = largest_empty(scope); then insert_at(x, c) if is_farther(c, x), else
+/// put_back(x).
 class Domain {
  public:
   virtual ~Domain() = default;
@@ -43,17 +44,17 @@ class Domain {
   virtual void remove(SiteId x) = 0;
   virtual Circle largest_empty(Scope scope) = 0;
 
-  /// Line 6, asked while x is out: is c.radius2 larger than d_x? The answer is mostly yes, and then a bound of
-  /// d_x will do.
+  /// Line 6, asked while x is out: is c.radius2 larger than d_x? The answer is mostly yes, and then a bound
+  /// of d_x will do.
   virtual bool is_farther(const Circle& c, SiteId x) = 0;
 
-  /// Line 7: puts the removed sample at the centre of c, with the weight that the sizing gives there.
+  /// Line 7: puts the removed sample at the center of c, with the weight that the sizing gives there.
   virtual void insert_at(SiteId x, const Circle& c) = 0;
   /// Line 9: puts the removed sample back with its old position and weight.
   virtual void put_back(SiteId x) = 0;
 
-  /// The whole move at once where a domain knows a shorter way to the same outcome: whether x moved. Else none, and
-  /// nothing is done.
+  /// The whole move at once where a domain knows a shorter way to the same outcome: whether x moved. Else
+  /// none, and nothing is done.
   virtual std::optional<bool> move_directly(SiteId, Scope) { return {}; }
 
   /// Distance from x to the nearest other sample in units of the spacing that a hexagonal arrangement of the

@@ -27,12 +27,9 @@ void for_each_fragment(const geom::RestrictedPower& diagram, Visit visit) {
 }  // namespace
 
 //            k            Around the corner the cells of i, j, k follow each other. Seen from i, whose
-//            polygon runs
-//        \      /         counterclockwise, the edge before the corner is labelled j and the edge after it k,
-//        and the
-//     i   ------   j      triangle i, j, k is counterclockwise too. Each corner is met three times, once from
-//     each of
-//        /      \         its cells: the smallest id takes it.
+//        \      /         polygon runs counterclockwise, the edge before the corner is labelled j and the
+//     i   ------   j      edge after it k, and the triangle i, j, k is counterclockwise too. Each corner is
+//        /      \         met three times, once from each of its cells: the smallest id takes it.
 geom::TriMesh extract(const geom::RestrictedPower& diagram, std::size_t num_samples,
                       const FragmentOwners& owners) {
   const auto owner_of = [&](SiteId s, FacetId t) {

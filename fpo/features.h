@@ -46,8 +46,8 @@ struct Features {
 };
 
 /// Creases of machined parts, none on scanned or sculpted shapes, by measurement: on joint, fandisk, anchor,
-/// rotor and coupling 86 to 100 percent of the creases are closed; on homer, elephant, venus and other animals
-/// up to 47; bunny and eight have none.
+/// rotor and coupling 86 to 100 percent of the creases are closed; on homer, elephant, venus and other
+/// animals up to 47; bunny and eight have none.
 FeatureOptions automatic_features();
 
 /// Every feature edge is in one curve, once. Deterministic. O(F log F).

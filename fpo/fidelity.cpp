@@ -25,8 +25,8 @@ class Distances {
  public:
   explicit Distances(const SurfaceDomain& domain) : domain_(domain), tree_(domain.mesh()) {}
 
-  /// The largest one of some points of the triangle, or 0 if the circle's facet shows that it is at most `enough`:
-  /// mostly it does, and saves a search.
+  /// The largest one of some points of the triangle, or 0 if the circle's facet shows that it is at most
+  /// `enough`: mostly it does, and saves a search.
   double beyond(const EmptyCircle& circle, double enough) const { return farthest(circle, enough).distance; }
 
   /// The point of the surface below the point of the triangle that is farthest from it, those left out that

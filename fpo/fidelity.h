@@ -31,9 +31,9 @@ struct FidelityResult {
 /// Takes the farthest triangle first: resamples around it, or puts a corner of it to where the surface is
 /// far. What does not lessen the sum over all far triangles of the square of what they exceed the bound by,
 /// in units of it, is undone, and so is what makes angles worse (`angles`) or, with uniform sizing, delta
-/// smaller and not enough. A round ends when eight in a row cannot be mended; there is another one if something
-/// was. The number of samples stays; fixed ones stay where they are. Deterministic. Some closest points a
-/// triangle, and about as many moves as ten iterations of the optimization, at most.
+/// smaller and not enough. A round ends when eight in a row cannot be mended; there is another one if
+/// something was. The number of samples stays; fixed ones stay where they are. Deterministic. Some closest
+/// points a triangle, and about as many moves as ten iterations of the optimization, at most.
 FidelityResult improve_fidelity(SurfaceDomain& domain, const AngleOptions& angles,
                                 const FidelityOptions& options = {});
 

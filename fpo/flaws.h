@@ -24,8 +24,8 @@ class Flaws {
   /// Keeps a reference to the domain. One measurement a triangle.
   Flaws(const SurfaceDomain& domain, FlawMeasure measure);
 
-  /// Takes in what a removal or insertion has changed. What is new is measured when next somebody asks, so what
-  /// exists between a removal and an insertion only costs nothing.
+  /// Takes in what a removal or insertion has changed. What is new is measured when next somebody asks, so
+  /// what exists between a removal and an insertion only costs nothing.
   void follow(const geom::RestrictedDual::Change& change);
 
   std::size_t number() { return catch_up(), number_; }

@@ -30,7 +30,7 @@ class GridSizing final : public PlaneSizing {
     std::size_t before, after;
     double share;  ///< of the latter
   };
-  /// Between which centres a coordinate in [0, n], counted in cells, lies.
+  /// Between which centers a coordinate in [0, n], counted in cells, lies.
   static Place place(double x, std::size_t n) {
     const double shifted = x - 0.5 < 0 ? x - 0.5 + static_cast<double>(n) : x - 0.5;
     const auto before = std::min(static_cast<std::size_t>(shifted), n - 1);

@@ -9,7 +9,7 @@
 
 namespace fpo {
 
-/// Wanted sample density, up to a factor, at the centres of a grid's cells that cover the torus once; row by
+/// Wanted sample density, up to a factor, at the centers of a grid's cells that cover the torus once; row by
 /// row from the top (largest y).
 struct DensityImage {
   std::size_t width = 0, height = 0;
@@ -23,7 +23,7 @@ struct ImageLimits {
   double gradation = 0.3;
 };
 
-/// rho = density^-1/2, limited, periodic, bilinear between the cells' centres. The limit of the gradation
+/// rho = density^-1/2, limited, periodic, bilinear between the cells' centers. The limit of the gradation
 /// depends on the scale of h, hence on the number of samples. Throws InputError for an image of one single
 /// value: it says nothing. O(P) a sweep for P pixels, a few sweeps.
 std::unique_ptr<PlaneSizing> image_sizing(const DensityImage& image, const geom::FlatTorus& torus,

@@ -14,8 +14,8 @@ namespace fpo {
 inline constexpr std::size_t max_samples = 20'000'000;
 
 /// Exactly n independent samples with density proportional to h^-2 (uniform by area if h is); a function of
-/// mesh, sizing, n and seed. O(patches + n log patches). Throws InputError if n is 0 or more than max_samples, or if the
-/// surface has no area.
+/// mesh, sizing, n and seed. O(patches + n log patches). Throws InputError if n is 0 or more than
+/// max_samples, or if the surface has no area.
 std::vector<SurfaceSample> random_samples(const geom::TriMesh& mesh, const Sizing& sizing, std::size_t n,
                                           std::uint64_t seed);
 std::vector<SurfaceSample> random_samples(const geom::TriMesh& mesh, std::size_t n, std::uint64_t seed);

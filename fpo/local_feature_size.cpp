@@ -38,9 +38,9 @@ constexpr double not_flat = 0.3, steep = 0.8;
 /// Sides of the cells of the grids that thin the poles out.
 constexpr double cells_in_gap = 8, cells_in_radius = 32;
 
-/// A Voronoi vertex: the centre of the ball through the corners of a tetrahedron.
+/// A Voronoi vertex: the center of the ball through the corners of a tetrahedron.
 struct Ball {
-  Vec3 centre;
+  Vec3 center;
   double radius = 0;  ///< 0: unknown, the tetrahedron is too flat
   bool small = false;
   bool counts = false;  ///< if it is a pole or small
@@ -54,8 +54,8 @@ Ball circumscribed_ball(const std::array<Vec3, 4>& corner) {
   const double det = a.dot(bc);
   const double longest2 = std::max({a.squaredNorm(), b.squaredNorm(), c.squaredNorm()});
   if (!(std::abs(det) > flat * longest2 * std::sqrt(longest2))) return {};
-  const Vec3 to_centre = (a.squaredNorm() * bc + b.squaredNorm() * ca + c.squaredNorm() * ab) / (2 * det);
-  return {corner[0] + to_centre, to_centre.norm()};
+  const Vec3 to_center = (a.squaredNorm() * bc + b.squaredNorm() * ca + c.squaredNorm() * ab) / (2 * det);
+  return {corner[0] + to_center, to_center.norm()};
 }
 
 double chord_per_radius(double degrees) { return 2 * std::sin(degrees * std::numbers::pi / 360); }
@@ -131,7 +131,7 @@ Regular3 VoronoiBalls::triangulate() const {
 }
 
 /// Whether the ball is one of the medial axis as far as two of its corners tell: far apart, seen from the
-/// centre, and the chord between them leaves the surface at both ends, as it cannot where the ball fills a
+/// center, and the chord between them leaves the surface at both ends, as it cannot where the ball fills a
 /// hole between surface points. If the ball is small, on opposed pieces of surface as well.
 bool VoronoiBalls::spans(const Ball& ball, const CoverPoint& p, const CoverPoint& q) const {
   const bool within_facets = ball.radius < std::min(p.facet_edge, q.facet_edge);
@@ -167,7 +167,7 @@ std::vector<bool> VoronoiBalls::poles() const {
         if (Regular3::is_guard(s)) continue;
         auto& best = pole[s.index()];
         const Vec3& x = points_[s.index()].position;
-        if (side == 1 && (balls_[k].centre - x).dot(balls_[best[0]].centre - x) >= 0) continue;
+        if (side == 1 && (balls_[k].center - x).dot(balls_[best[0]].center - x) >= 0) continue;
         if (best[side] == none || balls_[k].radius > balls_[best[side]].radius) best[side] = k;
       }
     }
@@ -184,7 +184,7 @@ std::vector<MedialPoint> VoronoiBalls::medial() const {
   std::vector<MedialPoint> result;
   for (std::size_t k = 0; k < balls_.size(); ++k)
     if (balls_[k].counts && (balls_[k].small || is_pole[k]))
-      result.push_back({balls_[k].centre, balls_[k].radius});
+      result.push_back({balls_[k].center, balls_[k].radius});
   return result;
 }
 

@@ -9,7 +9,8 @@
 
 namespace fpo {
 
-/// The state after an iteration, in which every sample that is not fixed and did not rest was removed and inserted once.
+/// The state after an iteration, in which every sample that is not fixed and did not rest was removed and
+/// inserted once.
 struct IterationReport {
   int iteration = 0;      ///< 1, 2, ...; 0: the initial set
   std::size_t moved = 0;  ///< samples that went to a new position

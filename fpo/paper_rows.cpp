@@ -8,7 +8,8 @@
 namespace fpo {
 namespace {
 
-// table, model, method, samples, adaptive, {Q_min, Q_avg, theta_min, its mean, theta_max, below 30, V567, d_H}
+// table, model, method, samples, adaptive, {Q_min, Q_avg, theta_min, its mean, theta_max, below 30, V567,
+// d_H}
 constexpr auto rows = std::to_array<PaperRow>({
     {2, "Eight", "CVT", 1700, false, {0.664, 0.943, 38.63, 55.22, 95.51, 0, 99.9, 0.16}},
     {2, "Eight", "CPS", 1700, false, {0.424, 0.791, 25.05, 43.82, 123.07, 0.406, 94.3, 0.38}},

@@ -39,8 +39,9 @@ struct PaperBlock {
 /// All blocks in the paper's order.
 std::vector<PaperBlock> paper_blocks();
 
-/// The block of a model file, by its name without folder and extension: as the paper spells it but for the case of
-/// letters and digits at the end ("genus3" is Genus). None unless the number of samples is within 3 percent.
+/// The block of a model file, by its name without folder and extension: as the paper spells it but for the
+/// case of letters and digits at the end ("genus3" is Genus). None unless the number of samples is within 3
+/// percent.
 std::optional<PaperBlock> find_paper_block(std::string_view stem, std::size_t samples, bool adaptive);
 
 /// Whether that stem is the model's name.

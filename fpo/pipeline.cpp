@@ -3,9 +3,6 @@
 #include <cmath>
 #include <string>
 
-#include "fpo/baselines/cps.h"
-#include "fpo/baselines/cvt.h"
-#include "fpo/baselines/mps.h"
 #include "fpo/curvature.h"
 #include "fpo/local_feature_size.h"
 #include "fpo/surface_cover.h"
@@ -56,9 +53,13 @@ VertexField wanted_sizes(const geom::TriMesh& surface, const RemeshOptions& opti
       return local_feature_sizes(surface, options.num_samples, spacing, options.threads);
     case SizingKind::curvature:
       return curvature_size(surface, {.min = 1e-6 * spacing});
-    default:
+    case SizingKind::given:
       return of_unit_size(options.rho);
+    case SizingKind::uniform:
+      return {};
   }
+  geom::ensure(false, "a kind of sizing that nobody knows");
+  return {};
 }
 
 /// The sizing, and the samples that stay.
@@ -70,8 +71,7 @@ SharedSizing sizing_and_features(const geom::TriMesh& surface, const RemeshOptio
     feature_options.turn_scale = spacing / 2;
     features = find_features(surface, feature_options);
   }
-  const VertexField rho =
-      options.sizing == SizingKind::uniform ? VertexField() : wanted_sizes(surface, options, spacing);
+  const VertexField rho = wanted_sizes(surface, options, spacing);
   const auto sizing_for = [&](std::size_t n) {
     if (options.sizing == SizingKind::uniform) return Sizing::uniform(hexagonal_spacing(surface.area(), n));
     return fit_sizing(surface, rho, n, options.limits);
@@ -174,15 +174,13 @@ SurfaceDomain optimized_samples(const geom::TriMesh& surface, const SharedSizing
                            result.optimization);
 }
 
-using BaselineMethod = BaselineResult (*)(const BaselineTask&, const OptimizeOptions&);
-
 /// Another method. Its disks have their squared radii as weights; without disks the cells are Voronoi cells.
-SurfaceDomain baseline_samples(BaselineMethod method, const geom::TriMesh& surface,
+SurfaceDomain baseline_samples(const MethodFacts& method, const geom::TriMesh& surface,
                                const SharedSizing& shared, const RemeshOptions& options,
                                RemeshResult& result) {
   std::vector<SurfaceSample> fixed = shared.features.samples;
   for (SurfaceSample& x : fixed) x.position = geom::snapped(x.position);
-  const BaselineResult baseline = method(
+  const BaselineResult baseline = method.distribute(
       {surface, shared.sizing, fixed, options.num_samples, options.seed, options.threads}, options.optimize);
   result.optimization = baseline.run;
   result.radius_factor = baseline.radius_factor;
@@ -195,16 +193,9 @@ SurfaceDomain baseline_samples(BaselineMethod method, const geom::TriMesh& surfa
 /// The samples by the method wanted, with their diagram.
 SurfaceDomain distributed_samples(const geom::TriMesh& surface, const SharedSizing& shared,
                                   const RemeshOptions& options, RemeshResult& result) {
-  switch (options.method) {
-    case Method::cvt:
-      return baseline_samples(centroidal_tessellation, surface, shared, options, result);
-    case Method::mps:
-      return baseline_samples(maximal_poisson_disks, surface, shared, options, result);
-    case Method::cps:
-      return baseline_samples(constrained_poisson_disks, surface, shared, options, result);
-    default:
-      return optimized_samples(surface, shared, options, result);
-  }
+  const MethodFacts& method = facts_of(options.method);
+  if (method.distribute) return baseline_samples(method, surface, shared, options, result);
+  return optimized_samples(surface, shared, options, result);
 }
 
 RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {

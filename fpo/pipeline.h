@@ -9,6 +9,7 @@
 #include "fpo/dual.h"
 #include "fpo/feature_samples.h"
 #include "fpo/fidelity.h"
+#include "fpo/methods.h"
 #include "fpo/optimize.h"
 #include "fpo/protect.h"
 #include "fpo/quality.h"
@@ -18,9 +19,6 @@
 #include "fpo/tiled_optimize.h"
 
 namespace fpo {
-
-/// How samples are distributed: the paper's way, or one of those it compares with (table 1; fpo/baselines).
-enum class Method { fpo, cvt, mps, cps };
 
 /// What the wanted edge lengths are made of.
 enum class SizingKind { uniform, local_feature_size, curvature, given };
@@ -37,8 +35,8 @@ struct RemeshOptions {
   std::vector<geom::Vec3> fixed;       ///< points of the surface, which become vertices exactly
   SurfaceOptions surface;              ///< its seed, threads and number of fixed samples are overruled
   bool shortest_edge_removal = false;  ///< before the optimization (section 4.3); fpo only
-  /// Its seed and order are overruled. Other methods than fpo heed the greatest number of iterations (of radii
-  /// tried, with mps and cps), the interruption and the callbacks.
+  /// Its seed and order are overruled. Other methods than fpo heed the greatest number of iterations (of
+  /// radii tried, with mps and cps), the interruption and the callbacks.
   OptimizeOptions optimize;
   std::size_t tile_samples = 0;  ///< in a tile (tiled_optimize.h), if there are more; 0: no tiles
   int threads = 1;               ///< no matter to the result

@@ -72,8 +72,8 @@ void PlaneDomain::remove(SiteId x) {
   apply(triangulation_.remove(x));
 }
 
-/// A sample whose place is in its own cell borders its nearest one, which then is a corner of the triangles in its
-/// hole.
+/// A sample whose place is in its own cell borders its nearest one, which then is a corner of the triangles
+/// in its hole.
 bool PlaneDomain::is_farther(const Circle& c, SiteId) {
   if (!owns_its_place_) return c.radius2 > removed_separation_;
   return std::ranges::any_of(last_change_.created, [&](CellId t) {

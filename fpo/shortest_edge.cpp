@@ -11,7 +11,7 @@ namespace fpo {
 namespace {
 
 // A sample whose farthest point has this many of its old neighbours around it did not leave its hole. The
-// paper stops at the first sample that stays; in real numbers it still creeps towards the centre of its hole,
+// paper stops at the first sample that stays; in real numbers it still creeps towards the center of its hole,
 // and early on a sample may stay by chance while shorter edges elsewhere are yet to go.
 constexpr std::size_t home_neighbours = 3;
 constexpr int patience = 128;

@@ -23,8 +23,8 @@ struct ShortestEdgeResult {
 
 /// Again and again moves an end of the shortest edge (in units of the spacing wanted there) to the farthest
 /// point, until that is, for some time, in the hole that the sample itself has left. Among equal edges the
-/// sample of smallest id moves; fixed ones never do. O(log n) expected a move; deterministic. The domain must know neighbours
-/// (Domain::neighbours).
+/// sample of smallest id moves; fixed ones never do. O(log n) expected a move; deterministic. The domain must
+/// know neighbours (Domain::neighbours).
 ShortestEdgeResult remove_shortest_edges(Domain& domain, const ShortestEdgeOptions& options = {});
 
 }  // namespace fpo

@@ -177,8 +177,8 @@ void SpectrumSurface::bisect(FacetId t, const std::array<Vec3, 3>& barycentric, 
     const double candidate = (q[(e + 1) % 3] - q[e]).squaredNorm();
     if (candidate > length2) longest = e, length2 = candidate;
   }
-  const Vec3 centre = (barycentric[0] + barycentric[1] + barycentric[2]) / 3;
-  const SpectrumPoint middle{.position = at(facet, centre), .normal = normal(t, centre)};
+  const Vec3 center = (barycentric[0] + barycentric[1] + barycentric[2]) / 3;
+  const SpectrumPoint middle{.position = at(facet, center), .normal = normal(t, center)};
   const double allowed = limit(middle);
   if (area <= allowed && (length2 <= 4 * allowed || area <= 1e-6 * allowed)) {
     out.push_back({middle, area});

@@ -1,6 +1,6 @@
 #pragma once
-// The same surface with facets that are small beside its sampling: a tile (tiles.h) holds all facets that meet it,
-// and the samples around these.
+// The same surface with facets that are small beside its sampling: a tile (tiles.h) holds all facets that
+// meet it, and the samples around these.
 
 #include <span>
 
@@ -18,8 +18,8 @@ struct SplitSurface {
 bool has_long_edges(const geom::TriMesh& mesh, const Sizing& sizing, double most);
 
 /// Halves such edges until there are none, at middles rounded to the exact range (geom/scaling.h): parts of a
-/// facet are in its plane up to rounding only. The samples' facets become those of the parts; the old vertices
-/// keep their ids. O(parts + samples) for each halving of the longest edge.
+/// facet are in its plane up to rounding only. The samples' facets become those of the parts; the old
+/// vertices keep their ids. O(parts + samples) for each halving of the longest edge.
 SplitSurface split_long_edges(const geom::TriMesh& mesh, const Sizing& sizing, double most,
                               std::span<SurfaceSample> samples);
 

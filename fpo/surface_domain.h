@@ -3,8 +3,8 @@
 // and the heap of empty circles.
 //
 // A sample where the sizing wants edges of length h has weight (c h)^2 (section 3.2 with k chosen so that the
-// weight is a squared length), or 0 if the sizing is uniform (or on request): equal weights do nothing. The weight is that of
-// the sample's own place: it changes as the sample moves.
+// weight is a squared length), or 0 if the sizing is uniform (or on request): equal weights do nothing. The
+// weight is that of the sample's own place: it changes as the sample moves.
 
 #include <array>
 #include <functional>
@@ -35,15 +35,16 @@ struct SurfaceOptions {
   std::size_t num_fixed = 0;  ///< the samples with smaller ids stay where they are
   std::uint64_t seed = 1;  ///< of the order in which the source is filled (the result does not depend on it)
   int threads = 1;         ///< that build the first diagram; no matter to the result
-  /// If given: only circles for which it is true may be the largest empty one, everywhere. Told the circle and
-  /// its first site; asked once, when the circle comes into being.
+  /// If given: only circles for which it is true may be the largest empty one, everywhere. Told the circle
+  /// and its first site; asked once, when the circle comes into being.
   std::function<bool(const geom::EmptyCircle&, const geom::WeightedPoint3&)> offers{};
 };
 
 class SurfaceDomain final : public Domain {
  public:
   /// Keeps a reference to the mesh. Cost: the facets and the fragments of the diagram, times log n
-  /// (more if a facet is degenerate: then samples are inserted one by one). Throws InputError if there is no sample or no facet.
+  /// (more if a facet is degenerate: then samples are inserted one by one). Throws InputError if there is no
+  /// sample or no facet.
   SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing, std::span<const SurfaceSample> samples,
                 const SurfaceOptions& options = {});
   /// With uniform sizing.
@@ -66,8 +67,8 @@ class SurfaceDomain final : public Domain {
   std::optional<geom::RestrictedDual::Plan> plan_removal(SiteId x) { return dual_->plan_removal(x); }
   /// The same plan with the least bounds.
   geom::RestrictedDual::Plan plan_exactly(SiteId x) { return dual_->plan_exactly(x); }
-  /// The largest empty circle once x is out; none if that cannot be told: the top of the heap may be at x and go
-  /// with it. Valid until the next step.
+  /// The largest empty circle once x is out; none if that cannot be told: the top of the heap may be at x and
+  /// go with it. Valid until the next step.
   struct Planned {
     const geom::EmptyCircle* circle = nullptr;
     geom::RestrictedDual::Target target;

@@ -154,7 +154,8 @@ double TileDomain::radius(SiteId x, double reach) const {
   return root(reach + domain_->dual().site(x).weight);
 }
 
-/// Is that held whose size follows from the reach of x? The least reach is asked for where a bound is too large.
+/// Is that held whose size follows from the reach of x? The least reach is asked for where a bound is too
+/// large.
 template <class Holds>
 bool TileDomain::holds_by_reach(SiteId x, Holds holds) {
   return holds(domain_->dual().reach_bound(x)) || holds(domain_->reach(x));
@@ -265,8 +266,8 @@ TileDomain::Outcome TileDomain::move_step_by_step(SiteId x, Scope scope) {
   return Outcome::out_of_reach;
 }
 
-/// x is now at the center of what was an empty circle, on a site of that weight: is all that this changed held?
-/// Else the circle is not offered again.
+/// x is now at the center of what was an empty circle, on a site of that weight: is all that this changed
+/// held? Else the circle is not offered again.
 bool TileDomain::holds_insertion(SiteId x, const geom::EmptyCircle& circle, double weight) {
   const double distance = root(circle.radius2 + weight);
   const auto holds = [&](double reach) {

@@ -1,26 +1,28 @@
 #pragma once
-// Farthest point optimization in one tile (tiles.h), without knowledge of what happens in the others at the same
-// time, and yet exactly as if all moves were made one after the other on the whole surface.
+// Farthest point optimization in one tile (tiles.h), without knowledge of what happens in the others at the
+// same time, and yet exactly as if all moves were made one after the other on the whole surface.
 //
-// Let T and T' be the boxes of two tiles, so apart from common sides disjoint. Call a site y a T-site if the ball
-// about it of squared radius w_y lies inside T, and a location q with power P to the nearest site a T-location if
-// the ball about it of squared radius max(P, 0) does. Then |q - y| > sqrt(P) + sqrt(w_y) >= sqrt(P + w_y) for a
-// T-location q and a T'-site y: the site is not the nearest there, nor would be if it were put there. So if a tile
+// Let T and T' be the boxes of two tiles, so apart from common sides disjoint. Call a site y a T-site if the
+// ball about it of squared radius w_y lies inside T, and a location q with power P to the nearest site a
+// T-location if the ball about it of squared radius max(P, 0) does. Then |q - y| > sqrt(P) + sqrt(w_y) >=
+// sqrt(P + w_y) for a T-location q and a T'-site y: the site is not the nearest there, nor would be if it
+// were put there. So if a tile
 //   (1) moves T-sites only, and only to where they are T-sites,
 //   (2) changes the owner of T-locations only: what a removal vacates, and what an insertion wins,
-//   (3) decides by nothing else than the powers and owners of T-locations and, for circles on a cell (Scope::two_ring),
-//       by the cells of T-sites that consist of T-locations,
-// then nothing that T' does, before or after, changes what (3) sees: not the power nor the owner of a T-location;
-// and T' gives no location to the cell of a T-site and takes none from it, all that it changes being T'-locations.
+//   (3) decides by nothing else than the powers and owners of T-locations and, for circles on a cell
+//       (Scope::two_ring), by the cells of T-sites that consist of T-locations,
+// then nothing that T' does, before or after, changes what (3) sees: not the power nor the owner of a
+// T-location; and T' gives no location to the cell of a T-site and takes none from it, all that it changes
+// being T'-locations.
 //
-// The tile's diagram holds the facets that meet T and the sites that own anything of them: all within a certain
-// power M of the box of these facets. The others can never be nearest where the power is at most M, which holds
-// everywhere at first (certified, else M is increased) and is demanded of what a removal vacates.
+// The tile's diagram holds the facets that meet T and the sites that own anything of them: all within a
+// certain power M of the box of these facets. The others can never be nearest where the power is at most M,
+// which holds everywhere at first (certified, else M is increased) and is demanded of what a removal vacates.
 //
-// The tests are made with upper bounds. Of what removing x vacates, and of the heirs' cells, the power is at most
-// that which the heirs reach, and both are tested when x is out; if they fail, x is put back. Of what x wins at a
-// new place z, where the nearest site y had the power P(z), a location q had power P(q) <= (|q - z| + |z - y|)^2 - w_y,
-// tested when x is in, else all is undone.
+// The tests are made with upper bounds. Of what removing x vacates, and of the heirs' cells, the power is at
+// most that which the heirs reach, and both are tested when x is out; if they fail, x is put back. Of what x
+// wins at a new place z, where the nearest site y had the power P(z), a location q had power P(q) <= (|q - z|
+// + |z - y|)^2 - w_y, tested when x is in, else all is undone.
 
 #include <cstdint>
 #include <optional>
@@ -77,8 +79,8 @@ class TileDomain {
     stayed,        ///< the sample has the best place already
     moved
   };
-  /// Lines 4 to 9 of Algorithm 1 for a sample of the tile that is not fixed. Scope::global: the largest circle
-  /// that is well inside the tile.
+  /// Lines 4 to 9 of Algorithm 1 for a sample of the tile that is not fixed. Scope::global: the largest
+  /// circle that is well inside the tile.
   Outcome move(SiteId of_whole, Scope scope);
   /// Those of the tile's samples that do not rest (rest.h), by what the tile knows.
   std::vector<SiteId> restless(std::span<const SiteId> of_whole, double rest_spacing);

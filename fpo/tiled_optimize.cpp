@@ -108,8 +108,8 @@ IterationReport TiledRun::measure_positions() const {
   return report;
 }
 
-/// All that is owed to the samples of a tile, spread evenly over the sweeps. Those that turn out to be too near
-/// to a cut are tried again after 1, 2, 4, ... sweeps. Those that rest count as moved.
+/// All that is owed to the samples of a tile, spread evenly over the sweeps. Those that turn out to be too
+/// near to a cut are tried again after 1, 2, 4, ... sweeps. Those that rest count as moved.
 void TiledRun::work_on(const TiledSurface& whole, std::size_t tile, std::uint64_t seed,
                        std::vector<SurfaceSample>& next) {
   std::vector<SiteId> order;
@@ -211,8 +211,8 @@ void TiledRun::catch_up(SurfaceDomain& domain) {
     }
 }
 
-/// The first iterations, on the whole surface. They even out the density of the samples at large, which tiles would
-/// do slowly: without them delta ends lower. False if that was all.
+/// The first iterations, on the whole surface. They even out the density of the samples at large, which tiles
+/// would do slowly: without them delta ends lower. False if that was all.
 bool TiledRun::begin_at_large() {
   SurfaceDomain domain(task_.mesh, task_.sizing, samples_, task_.surface);
   OptimizeOptions first = options_;

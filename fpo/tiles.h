@@ -1,6 +1,6 @@
 #pragma once
-// A partition of space into boxes, the tiles, with about equally many samples each, for moves that do not know
-// of each other (tile_domain.h).
+// A partition of space into boxes, the tiles, with about equally many samples each, for moves that do not
+// know of each other (tile_domain.h).
 
 #include <cstdint>
 #include <span>
@@ -36,9 +36,9 @@ struct TilingOptions {
   std::span<const CutCost> cut_costs = {};  ///< one a sample, or none: all cuts are equally good
 };
 
-/// Cuts the samples' box, in a random frame, across its longest side, and each part again, until no tile has too
-/// many samples (or all of its samples lie at one place). A cut passes at a random one of the middle samples: at
-/// the one of several tries that costs least.
+/// Cuts the samples' box, in a random frame, across its longest side, and each part again, until no tile has
+/// too many samples (or all of its samples lie at one place). A cut passes at a random one of the middle
+/// samples: at the one of several tries that costs least.
 /// A function of the arguments. O(F log n + n log^2 n).
 std::vector<Tile> make_tiles(const geom::TriMesh& mesh, std::span<const SurfaceSample> samples,
                              const TilingOptions& options);

@@ -23,7 +23,7 @@ struct TrianglePoint {
 TrianglePoint closest_point(const Vec3& x, const std::array<Vec3, 3>& q);
 
 /// A binary tree over the facets, each node with the box of its facets. The mesh is copied, not referenced.
-/// Built in O(F log F); a query near the surface costs O(log F) typically, O(F) at worst (the centre of a
+/// Built in O(F log F); a query near the surface costs O(log F) typically, O(F) at worst (the center of a
 /// sphere).
 class AabbTree {
  public:

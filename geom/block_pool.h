@@ -9,9 +9,9 @@
 
 namespace geom {
 
-/// Blocks of elements, each in consecutive memory, named by the place where it begins. Memory comes in pages that
-/// never move, so that growing copies nothing and needs nothing twice; blocks given back are used again for others
-/// of the same kind. All blocks of one kind (a small number) have one size. O(1) amortised.
+/// Blocks of elements, each in consecutive memory, named by the place where it begins. Memory comes in pages
+/// that never move, so that growing copies nothing and needs nothing twice; blocks given back are used again
+/// for others of the same kind. All blocks of one kind (a small number) have one size. O(1) amortised.
 template <class T>
 class BlockPool {
  public:
@@ -43,7 +43,8 @@ class BlockPool {
   static constexpr std::size_t page_bits = sizeof(T) > 8 ? 12 : 14, page_size = std::size_t{1} << page_bits;
   static constexpr std::size_t most = 0xffffffffu;
 
-  /// For a block of that size: more than one page only if one is too small. They follow each other in memory then.
+  /// For a block of that size: more than one page only if one is too small. They follow each other in memory
+  /// then.
   void add_pages(std::size_t size) {
     const std::size_t count = (size + page_size - 1) / page_size;
     ensure(end_ + count * page_size <= most, "block pool: too many elements in all");

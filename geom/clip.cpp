@@ -125,8 +125,8 @@ RoundedPoint Clipper::meeting(FacetId facet, const std::array<SiteId, 3>& s) con
 //            x-----------x           consecutive. `last` is the last kept corner before them, `first` the
 //           /             \          first one after them.
 //   --j--- m ------------- n --j--
-//         /                 \        The new polygon: first ... last, then n, where the edge j starts, then m.
-//     first                last
+//         /                 \        The new polygon: first ... last, then n, where the edge j starts,
+//     first                last      then m.
 CutPlace Clipper::place_of_cut(std::span<const PolygonCorner> corners, const std::vector<char>& beaten) {
   const std::size_t n = corners.size();
   CutPlace place{};

@@ -2,9 +2,9 @@
 // A facet of the surface clipped to one power cell: a convex polygon whose edges are labelled, decided
 // exactly.
 //
-//            k (site)             The polygon is known by its labels alone: each edge lies on an edge of the
-//          o---------o            facet or on the bisector of the owner with a site. A corner is the meeting of
-//         /   owner   \  j        two labels (paper, section 4.1):
+//            k (site)             The polygon is known by its labels alone: each edge lies on an edge of
+//          o---------o            the facet or on the bisector of the owner with a site. A corner is the
+//         /   owner   \  j        meeting of two labels (paper, section 4.1):
 //        o-------------o            type A  facet edge, facet edge   a vertex of the surface
 //          facet edge               type B  facet edge, site         an edge of the surface and a bisector
 //                                   type C  site, site               an edge of the power diagram
@@ -80,8 +80,8 @@ struct CutPlace {
   EdgeLabel leaving, entering;
 };
 
-/// Clips facets of one mesh by bisectors of one set of sites. Copies share what is known of the facets; clipping
-/// needs room for its work, so each thread has its own.
+/// Clips facets of one mesh by bisectors of one set of sites. Copies share what is known of the facets;
+/// clipping needs room for its work, so each thread has its own.
 class Clipper {
  public:
   using Sites = Table<SiteId, WeightedPoint3>;

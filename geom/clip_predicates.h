@@ -5,9 +5,9 @@
 // corner values of an affine function f_j on the facet, negative where j beats p0. The three tests give the
 // sign of f_j at
 //   A  a mesh vertex q,
-//   B  the point of edge (a, b) on the bisector of p0 and j1:   sign(F1[b] F2[a] - F1[a] F2[b]) sign(F1[b] -
-//   F1[a]), C  the point of the facet on the bisectors of p0 with j1 and j2: with lambda = F1 x F2, D = sum
-//   lambda_i,
+//   B  the point of edge (a, b) on the bisector of p0 and j1:
+//      sign(F1[b] F2[a] - F1[a] F2[b]) sign(F1[b] - F1[a]),
+//   C  the point of the facet on the bisectors of p0 with j1 and j2: with lambda = F1 x F2, D = sum lambda_i,
 //      sign(F3 . lambda) sign(D).
 // They are exact in the stored doubles, with ties broken by the symbolic perturbation of predicates.h, so
 // they always answer. Degrees 2, 4 and 6 in the coordinates. B requires that the (perturbed) f_1 changes sign

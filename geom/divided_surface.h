@@ -14,9 +14,10 @@ struct FacetPiece {
   std::span<const PolygonCorner> corners;  ///< from the edge of smallest label on
 };
 
-/// Calls visit(facet, pieces) for each of these facets in turn, on the calling thread; threads only divide. Their number
-/// does not matter. `search` must hold all sites, and answer from several threads: a SiteTree. Best along a curve
-/// (facets_along_curve()). Expected cost: the facets and the pieces, times the logarithm of the number of sites.
+/// Calls visit(facet, pieces) for each of these facets in turn, on the calling thread; threads only divide.
+/// Their number does not matter. `search` must hold all sites, and answer from several threads: a SiteTree.
+/// Best along a curve (facets_along_curve()). Expected cost: the facets and the pieces, times the logarithm
+/// of the number of sites.
 struct DividedSurface {
   const TriMesh& mesh;
   const Clipper::Sites& sites;

@@ -54,7 +54,7 @@ class Expansion {
 };
 
 /// Verifies that the compiled arithmetic is exact (no contraction to fused operations, no excess precision,
-/// no flush to zero). Throws Bug. Programs call it once at start.
+/// no flush to zero). Throws Bug. Every tool calls it at its start.
 void self_test();
 
 }  // namespace geom

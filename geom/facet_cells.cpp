@@ -18,8 +18,8 @@ constexpr double radius_step = 1.5;
 
 double root(double x) { return x > 0 ? std::sqrt(x) : 0; }
 
-/// The power to a site of that weight at a distance, and the distance where it has that power: both rounded up,
-/// whatever cancels out.
+/// The power to a site of that weight at a distance, and the distance where it has that power: both rounded
+/// up, whatever cancels out.
 double power_at(double distance2, double weight) {
   return distance2 - weight + (more - 1) * (distance2 + std::abs(weight));
 }
@@ -78,8 +78,8 @@ bool FacetCells::is_new(SiteId s) {
   return true;
 }
 
-/// Cuts the facet down to the cell of polygon.owner. False if nothing is left. After a wider look those known before
-/// clip again, to no effect: what is left is on their other side, ties included.
+/// Cuts the facet down to the cell of polygon.owner. False if nothing is left. After a wider look those known
+/// before clip again, to no effect: what is left is on their other side, ties included.
 bool FacetCells::clip(FacetPolygon& polygon) {
   Surroundings& around = surroundings(polygon.owner);
   double bound = 0;
@@ -148,8 +148,8 @@ void FacetCells::look_around(Surroundings& around, double radius) {
   });
 }
 
-/// All that can own anything of the facet: nowhere there has the owner more power than the farthest corner has to
-/// the first site.
+/// All that can own anything of the facet: nowhere there has the owner more power than the farthest corner
+/// has to the first site.
 void FacetCells::find_owners(FacetId t, SiteId first) {
   const WeightedPoint3& site = sites_[first];
   const Vec3 middle = centroid(mesh_, t);

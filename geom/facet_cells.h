@@ -1,12 +1,12 @@
 #pragma once
-// The restricted power diagram on one facet from nothing (paper, section 4.1), without the rest of the diagram:
-// how a diagram of many sites is begun, on several threads.
+// The restricted power diagram on one facet from nothing (paper, section 4.1), without the rest of the
+// diagram: how a diagram of many sites is begun, on several threads.
 //
-//    +-----------------+       The cells on a facet hang together: from one owner the labels of its fragment lead
-//     \   a  |    b   /        to the others. A fragment of p is the facet cut by the sites around p, nearest
-//      \     |_______/         first, up to the security radius: if p has at most power R anywhere on what is left,
-//       \   /  c    /          then j with |p_j - p| > sqrt(R + w_p) + sqrt(R + w_j) takes nothing of it.
-//        \_/_______/
+//    +-----------------+     The cells on a facet hang together: from one owner the labels of its
+//     \   a  |    b   /      fragment lead to the others. A fragment of p is the facet cut by the sites
+//      \     |_______/       around p, nearest first, up to the security radius: if p has at most power R
+//       \   /  c    /        anywhere on what is left, then j with |p_j - p| > sqrt(R + w_p) + sqrt(R + w_j)
+//        \_/_______/         takes nothing of it.
 
 #include <span>
 #include <vector>
@@ -16,12 +16,12 @@
 
 namespace geom {
 
-/// One object a thread and set of sites. What is around a site is kept for the next facets: neighbours best come one
-/// after the other.
+/// One object a thread and set of sites. What is around a site is kept for the next facets: neighbours best
+/// come one after the other.
 class FacetCells {
  public:
-  /// Keeps references, and a copy of the clipper. `search` must hold all sites, and answer any question of the
-  /// whole space, from several threads: a SiteTree.
+  /// Keeps references, and a copy of the clipper. `search` must hold all sites, and answer any question of
+  /// the whole space, from several threads: a SiteTree.
   FacetCells(const TriMesh& mesh, const Clipper::Sites& sites, const Clipper& clipper,
              const NeighbourSource& search);
 
@@ -70,8 +70,8 @@ class FacetCells {
   std::uint32_t stamp_ = 0;
 };
 
-/// Do the corners of the facet lie on one line? Exact. Such a facet spans no plane, in which three cells would meet at
-/// one location, and that location is what the predicates for corners of type C ask about.
+/// Do the corners of the facet lie on one line? Exact. Such a facet spans no plane, in which three cells
+/// would meet at one location, and that location is what the predicates for corners of type C ask about.
 bool is_degenerate(const TriMesh& mesh, FacetId t);
 
 /// All facets along a space-filling curve: a good order to divide them. O(F log F).

@@ -9,9 +9,10 @@
 // conflicts*/beats_* test ever ties.
 //
 // Valid range. Every predicate is exact for coordinates that are multiples of 2^-160 and at most 2^160 in
-// magnitude, with weights that are multiples of 2^-320 and at most 2^320 (whence: expansion.h). Surfaces of any
-// size come into it by scaling.h. One of degree d in the coordinates allows more: multiples of 2^-floor(1074/d),
-// at most 2^(floor(1000/d) - 4), weights their squares; at either end no product under- or overflows.
+// magnitude, with weights that are multiples of 2^-320 and at most 2^320 (whence: expansion.h). Surfaces of
+// any size come into it by scaling.h. One of degree d in the coordinates allows more: multiples of
+// 2^-floor(1074/d), at most 2^(floor(1000/d) - 4), weights their squares; at either end no product under- or
+// overflows.
 //
 //     d = 2   orient2, beats_at_vertex     2^-537 .. 2^496
 //         3   orient3                      2^-358 .. 2^329

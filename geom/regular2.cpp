@@ -117,7 +117,7 @@ CellId Regular2::create(const Corner& a, const Corner& b, const Corner& c) {
   return id;
 }
 
-// With the base at the origin and B = |b|^2 - w_b + w_a (same for C) the centre o solves 2 o.b = B, 2 o.c =
+// With the base at the origin and B = |b|^2 - w_b + w_a (same for C) the center o solves 2 o.b = B, 2 o.c =
 // C.
 //
 // Error. The differences b and c are exact. Let m = |b|^2 + |c|^2 + 4 max|w|, s the sum of the |coordinates|

@@ -20,7 +20,7 @@ namespace geom {
 /// sites) throws InputError before anything is modified.
 ///
 /// All decisions are exact (predicates.h; the rank of a site is its id), so the triangulation is a function
-/// of periods, sites, weights and ids alone. Each triangle keeps its dual power vertex: the centre of the
+/// of periods, sites, weights and ids alone. Each triangle keeps its dual power vertex: the center of the
 /// circle orthogonal to its corners. Steady state allocates nothing. Not thread-safe, reading included.
 class Regular2 {
  public:
@@ -104,7 +104,7 @@ class Regular2 {
     Triangle corner;
     std::array<Side, 3> neighbor;  ///< the other side of the same edge, by the corner opposite
     double center_x, center_y, radius2;
-    float tolerance;      ///< of the filter: relative, or infinite if the centre is not known well enough
+    float tolerance;      ///< of the filter: relative, or infinite if the center is not known well enough
     SiteId first_hidden;  ///< the sites that it witnesses, a list through Site::next_hidden
     std::uint32_t mark = 0;
   };

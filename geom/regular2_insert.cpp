@@ -47,7 +47,7 @@ void Regular2::insert_visible_or_hide(SiteId e, CellId hint) {
   star_cavity(e);
 }
 
-/// The filter asks the centre; see set_dual() for its tolerance. A periodic copy nearer than the right one
+/// The filter asks the center; see set_dual() for its tolerance. A periodic copy nearer than the right one
 /// can only make a non-conflict a conflict, when the cavity would meet its own copy: dig_cavity() rejects
 /// that.
 inline bool Regular2::in_conflict(const Cell& t, SiteId e, int corner) const {

@@ -67,7 +67,7 @@ Regular2::HoleScale Regular2::hole_scale() const {
 
 /// Which corner of the chain makes the triangle on its chord.
 ///
-/// Seen from a = rim[last], with b = rim[first]: the centres of the circles orthogonal to a and b are
+/// Seen from a = rim[last], with b = rim[first]: the centers of the circles orthogonal to a and b are
 /// (B / 2|b|^2) b + t b', where B = |b|^2 - w_b + w_a and b' is b turned left. The one orthogonal to c too
 /// has t = n / (2 |b|^2 D), n = C |b|^2 - B (b.c), D = det(b, c). Of the candidates on the left of the chord
 /// (D > 0) the one of least t has no other inside its circle: compare n / D by cross multiplication.

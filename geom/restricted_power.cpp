@@ -85,10 +85,10 @@ bool RestrictedPower::add_missing_heirs(SiteId p, const NeighbourSource& source)
   return division_.heirs().size() > known;
 }
 
-//     old fragment of k        Both are convex and share the edge between k and p, so their union (convex
-//    b ___________ a           again, a fragment of the new diagram) is the old polygon with that edge replaced
-//     \_____p_____/            by the rest of the share: its edges from a to b. The lines of a and b go on
-//      \  share  /             across the corners where they met p, so these corners vanish.
+//     old fragment of k       Both are convex and share the edge between k and p, so their union (convex
+//    b ___________ a          again, a fragment of the new diagram) is the old polygon with that edge
+//     \_____p_____/           replaced by the rest of the share: its edges from a to b. The lines of a and
+//      \  share  /            b go on across the corners where they met p, so these corners vanish.
 //       \__x1___/
 RestrictedPower::Seam RestrictedPower::seam_of(FragmentId old, const FacetPolygon& share, SiteId p) const {
   const EdgeLabel border = EdgeLabel::bisector(p);

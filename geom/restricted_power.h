@@ -1,7 +1,8 @@
 #pragma once
-// The restricted power diagram of a surface as a whole (paper, section 4.1): every fragment, the part of one cell on one
-// facet, with its polygon (clip.h). The optimization keeps the dual alone (dual/restricted_dual.h); this is built
-// where cells are looked at: for output, measures, and to give parts of a cell to others.
+// The restricted power diagram of a surface as a whole (paper, section 4.1): every fragment, the part of one
+// cell on one facet, with its polygon (clip.h). The optimization keeps the dual alone
+// (dual/restricted_dual.h); this is built where cells are looked at: for output, measures, and to give parts
+// of a cell to others.
 
 #include <span>
 #include <vector>
@@ -14,17 +15,17 @@ namespace geom {
 
 class RestrictedPower {
  public:
-  /// Of sites 0, 1, ..., at least one. Keeps a reference to the mesh. Throws InputError if that has no facet. `search`
-  /// must hold all sites and answer from several threads: a SiteTree. The number of threads does not matter to the
-  /// result. Cost: the facets and the fragments, times the logarithm of the number of sites.
+  /// Of sites 0, 1, ..., at least one. Keeps a reference to the mesh. Throws InputError if that has no facet.
+  /// `search` must hold all sites and answer from several threads: a SiteTree. The number of threads does not
+  /// matter to the result. Cost: the facets and the fragments, times the logarithm of the number of sites.
   RestrictedPower(const TriMesh& mesh, std::span<const WeightedPoint3> points, const NeighbourSource& search,
                   int threads = 1);
   RestrictedPower(const RestrictedPower&) = delete;
 
   /// Takes these fragments away from their owner p and divides them among the other sites, those in
-  /// `excluded` left out, as if only there p did not exist. From then on the diagram is no power diagram. `search` must
-  /// hold all sites. Does nothing, and says so, if no other site borders the fragments, or if the shares do not fit
-  /// together because of what was abandoned before.
+  /// `excluded` left out, as if only there p did not exist. From then on the diagram is no power diagram.
+  /// `search` must hold all sites. Does nothing, and says so, if no other site borders the fragments, or if
+  /// the shares do not fit together because of what was abandoned before.
   bool abandon(SiteId p, std::span<const FragmentId> fragments, std::span<const SiteId> excluded,
                const NeighbourSource& search);
 
@@ -66,8 +67,8 @@ class RestrictedPower {
   FacetPolygon polygon_;
 };
 
-/// A bound of the magnitude of all coordinates of the surface and of locations rounded from it. Throws InputError if it
-/// has no facet.
+/// A bound of the magnitude of all coordinates of the surface and of locations rounded from it. Throws
+/// InputError if it has no facet.
 double extent_of(const TriMesh& mesh);
 
 }  // namespace geom

@@ -7,8 +7,8 @@
 
 namespace geom {
 
-/// add() hands out the next element as it was left, without constructing it; clear() keeps all. References hold until
-/// the next add().
+/// add() hands out the next element as it was left, without constructing it; clear() keeps all. References
+/// hold until the next add().
 template <class T>
 class Reused {
  public:

@@ -14,9 +14,9 @@
 
 namespace geom {
 
-/// A list of Members (ids or small records) for each Key. A member's place in its list is told to the caller, who keeps it for
-/// erase(): there the last member takes the place of the erased one. O(1) amortised; memory is used again and
-/// no allocation happens once the tables have grown.
+/// A list of Members (ids or small records) for each Key. A member's place in its list is told to the caller,
+/// who keeps it for erase(): there the last member takes the place of the erased one. O(1) amortised; memory
+/// is used again and no allocation happens once the tables have grown.
 template <class Key, class Member>
 class ShortLists {
  public:

@@ -130,15 +130,16 @@ void SiteTree::refresh(NodeId node) {
   }
 }
 
-/// The squared distance within which a rounded position can be if that of its site is `reach`. With room for the
-/// rounding of the distances, which were computed from coordinates within a few ulps of each other or of a corner
-/// whose error is of that order.
+/// The squared distance within which a rounded position can be if that of its site is `reach`. With room for
+/// the rounding of the distances, which were computed from coordinates within a few ulps of each other or of
+/// a corner whose error is of that order.
 double SiteTree::limit2(double reach) const {
   const double far = reach + slack_;
   return far * far * (1 + 1e-9) + 1e-300;
 }
 
-/// From the leaf where x belongs up to the root, and down into those siblings on the way that are near enough.
+/// From the leaf where x belongs up to the root, and down into those siblings on the way that are near
+/// enough.
 template <class Limit2, class OnEntry>
 void SiteTree::visit(const Vec3& x, Limit2 limit2, OnEntry on_entry) const {
   const double widest = limit2(nodes_[NodeId(0)]);
@@ -218,7 +219,8 @@ void SiteTree::heirs(const Vacancy& vacancy, std::vector<SiteId>& out) const {
       });
 }
 
-/// What lies within slack of the best must be computed in doubles: (d - slack)^2 >= d^2 (1 - e) - slack^2 / e.
+/// What lies within slack of the best must be computed in doubles: (d - slack)^2 >= d^2 (1 - e) - slack^2 /
+/// e.
 NeighbourSource::Nearest SiteTree::nearest(const Vec3& x, SiteId without, SiteId) const {
   constexpr double e = 0x1p-10;
   const double allowance = slack_ * slack_ / e;

@@ -80,9 +80,9 @@ class SiteTree final : public NeighbourSource {
   void refresh(NodeId node);
   double distance2(const Vec3& x, const Entry& e) const;
   double limit2(double reach) const;
-  /// Calls on_entry(entry, squared distance of its rounded position) for the entries that are no farther from x than
-  /// limit2(node) of their leaf's node; leaves whose region is farther than that are not looked at. The limit of a node
-  /// must not be less than that of those below.
+  /// Calls on_entry(entry, squared distance of its rounded position) for the entries that are no farther from
+  /// x than limit2(node) of their leaf's node; leaves whose region is farther than that are not looked at.
+  /// The limit of a node must not be less than that of those below.
   template <class Limit2, class OnEntry>
   void visit(const Vec3& x, Limit2 limit2, OnEntry on_entry) const;
 

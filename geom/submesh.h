@@ -7,8 +7,8 @@
 
 namespace geom {
 
-/// Some facets of a mesh with their vertices. Ids ascend with those of the whole, adjacency and box are those of
-/// the whole, so whatever breaks ties by ids or measures errors by the box decides alike in both.
+/// Some facets of a mesh with their vertices. Ids ascend with those of the whole, adjacency and box are those
+/// of the whole, so whatever breaks ties by ids or measures errors by the box decides alike in both.
 struct Submesh {
   TriMesh mesh;
   std::vector<FacetId> facets;     ///< of the whole; ascending

@@ -28,8 +28,8 @@ std::string temporary_name() {
   return ".fpo-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp";
 }
 
-/// A file of the folder that has no name yet, so that a process which dies leaves nothing; -1 where the system
-/// knows no such files, or could not name it later.
+/// A file of the folder that has no name yet, so that a process which dies leaves nothing; -1 where the
+/// system knows no such files, or could not name it later.
 int open_nameless([[maybe_unused]] const fs::path& folder) {
 #ifdef O_TMPFILE
   if (::access("/proc/self/fd", X_OK) == 0)

@@ -10,10 +10,11 @@ namespace io {
 
 /// Writes to a temporary file in the folder of `path` and renames it to `path` on commit(). Without a commit
 /// (an exception, an early return) the temporary is removed and `path` stays as it was. Where the file system
-/// can (Linux's O_TMPFILE), the temporary has no name before commit(), where it takes that of `path` at once if there is
-/// no such file, so that even a process that is killed leaves nothing behind. Elsewhere, and in the moment of
-/// replacing a file, a kill may leave .fpo-PID-NUMBER.tmp. An existing file keeps its permissions, a new one gets
-/// those of the umask; a symbolic link is followed; a device or pipe is written directly. Every failure is a geom::InputError "cannot write path: reason".
+/// can (Linux's O_TMPFILE), the temporary has no name before commit(), where it takes that of `path` at once
+/// if there is no such file, so that even a process that is killed leaves nothing behind. Elsewhere, and in
+/// the moment of replacing a file, a kill may leave .fpo-PID-NUMBER.tmp. An existing file keeps its
+/// permissions, a new one gets those of the umask; a symbolic link is followed; a device or pipe is written
+/// directly. Every failure is a geom::InputError "cannot write path: reason".
 class AtomicFile {
  public:
   /// Throws if `path` is a directory, cannot be replaced, or its folder takes no new file.

@@ -155,8 +155,8 @@ std::string stroke(const Series& series) {
 
 std::string fill(const Series& series) { return "style=\"fill:" + series.colour + "\""; }
 
-/// Writes a curve's name above and left of one of its points, inside the frame, and so far above (else below) the
-/// names that are there already that both can be read.
+/// Writes a curve's name above and left of one of its points, inside the frame, and so far above (else below)
+/// the names that are there already that both can be read.
 void write_name(Svg& svg, const PlotFrame& frame, const Series& series, const Vec2& at,
                 std::vector<Vec2>& names) {
   if (series.name.empty()) return;

@@ -1,6 +1,6 @@
 #pragma once
-// A page in one file: text, tables, charts and scenes that can be turned. It opens in any browser, asks nothing of
-// any network, and follows the reader's light or dark colour scheme.
+// A page in one file: text, tables, charts and scenes that can be turned. It opens in any browser, asks
+// nothing of any network, and follows the reader's light or dark colour scheme.
 
 #include <filesystem>
 #include <span>

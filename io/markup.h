@@ -6,7 +6,8 @@
 
 namespace io {
 
-/// The text with the characters that markup claims written as entities; also fit for a value in double quotes.
+/// The text with the characters that markup claims written as entities; also fit for a value in double
+/// quotes.
 inline std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {

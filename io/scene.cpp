@@ -25,7 +25,7 @@ class Packed {
   }
   void place(const Vec3& p, const SceneFrame& frame) {
     for (int k = 0; k < 3; ++k) {
-      const double x = std::clamp((p[k] - frame.centre[k]) / frame.radius, -1.0, 1.0);
+      const double x = std::clamp((p[k] - frame.center[k]) / frame.radius, -1.0, 1.0);
       const auto steps = static_cast<unsigned>(std::lround((x + 1) * 32767.5));
       byte(steps), byte(steps >> 8);
     }
@@ -131,9 +131,9 @@ SceneFrame frame_of(std::span<const Vec3> points) {
   for (const Vec3& p : points) box.extend(p);
   SceneFrame frame;
   if (box.isEmpty()) return frame;
-  frame.centre = box.center();
+  frame.center = box.center();
   frame.radius = 0;
-  for (const Vec3& p : points) frame.radius = std::max(frame.radius, (p - frame.centre).norm());
+  for (const Vec3& p : points) frame.radius = std::max(frame.radius, (p - frame.center).norm());
   if (!(frame.radius > 0)) frame.radius = 1;
   return frame;
 }

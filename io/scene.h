@@ -26,7 +26,7 @@ struct SceneDot {
 
 /// What a picture shows: everything in a ball that keeps its middle and size while the scene turns.
 struct SceneFrame {
-  geom::Vec3 centre{0, 0, 0};
+  geom::Vec3 center{0, 0, 0};
   double radius = 1;
 };
 
@@ -52,8 +52,8 @@ struct SceneView {
 /// A frame that holds all points; a ball about the middle of their box.
 SceneFrame frame_of(std::span<const geom::Vec3> points);
 
-/// One JSON object, as report_view.js reads it. Places are rounded to 1/32767 of the frame's radius, normals to
-/// about a degree. About 20 bytes a triangle (with one place for two of them).
+/// One JSON object, as report_view.js reads it. Places are rounded to 1/32767 of the frame's radius, normals
+/// to about a degree. About 20 bytes a triangle (with one place for two of them).
 std::string scene_json(const Scene& scene);
 
 }  // namespace io

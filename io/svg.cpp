@@ -148,10 +148,10 @@ void Svg::line(const Vec2& from, const Vec2& to, std::string_view attributes) {
   end(attributes);
 }
 
-void Svg::circle(const Vec2& centre, double radius, std::string_view attributes) {
+void Svg::circle(const Vec2& center, double radius, std::string_view attributes) {
   begin("circle");
-  attribute("cx", centre.x());
-  attribute("cy", centre.y());
+  attribute("cx", center.x());
+  attribute("cy", center.y());
   attribute("r", radius);
   end(attributes);
 }

@@ -53,7 +53,7 @@ class Svg {
   void polygon(std::span<const geom::Vec2> corners, std::string_view attributes = {});
   void polyline(std::span<const geom::Vec2> corners, std::string_view attributes = {});
   void line(const geom::Vec2& from, const geom::Vec2& to, std::string_view attributes = {});
-  void circle(const geom::Vec2& centre, double radius, std::string_view attributes = {});
+  void circle(const geom::Vec2& center, double radius, std::string_view attributes = {});
   void path(const SvgPath& path, std::string_view attributes = {});
   void text(const geom::Vec2& at, std::string_view words, std::string_view attributes = {});
   /// A PNG (png.h), stretched to the rectangle.

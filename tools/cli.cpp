@@ -13,6 +13,8 @@
 #include <system_error>
 #include <thread>
 
+#include "geom/expansion.h"
+
 namespace tools {
 namespace {
 
@@ -327,6 +329,7 @@ int run(const std::string& program, int argc, const char* const* argv,
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error like a full disk
   CommandLine cli(program, std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
   try {
+    geom::self_test();
     return run_tool(cli, tool);
   } catch (const geom::Interrupted& end) {
     return complain(program, std::string(end.what()) + ": nothing is written", exit_interrupted);

@@ -4,8 +4,8 @@
 //   int remesh(tools::CommandLine& cli) {
 //     std::size_t count = 0;  // the initial value is the default
 //     cli.describe("INPUT", "Remeshes a surface.");
-//     cli.integer({.name = "count", .letter = 'n', .value = "COUNT", .help = "samples", .required = true},
-//     count, ...); const std::vector<std::string> operands = cli.parse(1, 1);
+//     cli.integer({.name = "count", .letter = 'n', .value = "COUNT", .help = "samples"}, count, 1, 100);
+//     const std::vector<std::string> operands = cli.parse(1, 1);
 //     ...
 //   }
 //   int main(int argc, char** argv) { return tools::run("fpo-remesh", argc, argv, remesh); }
@@ -86,8 +86,7 @@ class CommandLine {
   void custom_or_none(Option option, Assign assign);
 
   /// Reads all arguments and returns the operands, `least` to `most` of them. Throws UsageError,
-  /// geom::InputError
-  /// ("-n: '12x' is not a whole number"), and Finished after --help and --version.
+  /// geom::InputError ("-n: '12x' is not a whole number"), and Finished after --help and --version.
   std::vector<std::string> parse(std::size_t least, std::size_t most);
 
   std::string help() const;

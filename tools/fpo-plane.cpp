@@ -8,9 +8,9 @@
 #include "fpo/shortest_edge.h"
 #include "io/atomic_file.h"
 #include "io/points.h"
-#include "tools/bounded_plane.h"
 #include "tools/interrupt.h"
 #include "tools/plane_arguments.h"
+#include "tools/plane_bounded.h"
 #include "tools/plane_sizing_source.h"
 #include "tools/run_log.h"
 

@@ -14,8 +14,8 @@
 #include "io/points.h"
 #include "io/values.h"
 #include "tools/interrupt.h"
+#include "tools/picture_of_spectrum.h"
 #include "tools/spectrum_arguments.h"
-#include "tools/spectrum_picture.h"
 
 namespace {
 

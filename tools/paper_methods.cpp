@@ -1,25 +1,33 @@
 #include "tools/paper_methods.h"
 
-#include <array>
+#include <vector>
 
 #include "tools/remesh_defaults.h"
 
 namespace tools {
+namespace {
+
+void remove_shortest_edges_only(fpo::RemeshOptions& o) {
+  o.shortest_edge_removal = true;
+  o.optimize.max_iterations = 0;
+  o.optimize_angles = false;
+  o.improve_fidelity = false;
+}
+
+/// The baselines, then shortest edge removal, then ours.
+std::vector<PaperMethod> in_order_of_paper() {
+  std::vector<PaperMethod> result;
+  for (const fpo::MethodFacts& m : fpo::methods())
+    if (m.distribute) result.push_back({m.acronym, [&m](fpo::RemeshOptions& o) { use_method(o, m.method); }});
+  result.push_back({"SER", remove_shortest_edges_only});
+  result.push_back({fpo::facts_of(fpo::Method::fpo).acronym, [](fpo::RemeshOptions&) {}});
+  return result;
+}
+
+}  // namespace
 
 std::span<const PaperMethod> paper_methods() {
-  using fpo::Method;
-  static const std::array<PaperMethod, 5> methods = {
-      {{"CVT", [](fpo::RemeshOptions& o) { use_method(o, Method::cvt); }},
-       {"CPS", [](fpo::RemeshOptions& o) { use_method(o, Method::cps); }},
-       {"MPS", [](fpo::RemeshOptions& o) { use_method(o, Method::mps); }},
-       {"SER",
-        [](fpo::RemeshOptions& o) {
-          o.shortest_edge_removal = true;
-          o.optimize.max_iterations = 0;
-          o.optimize_angles = false;
-          o.improve_fidelity = false;
-        }},
-       {"FPO", [](fpo::RemeshOptions&) {}}}};
+  static const std::vector<PaperMethod> methods = in_order_of_paper();
   return methods;
 }
 

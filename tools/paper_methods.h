@@ -15,7 +15,8 @@ struct PaperMethod {
   std::function<void(fpo::RemeshOptions&)> set;
 };
 
-/// All of them. A method that is added here gets its rows in all tables where the paper has one, and its spectra.
+/// All of them. A method that is added here gets its rows in all tables where the paper has one, and its
+/// spectra.
 std::span<const PaperMethod> paper_methods();
 
 }  // namespace tools

@@ -60,8 +60,8 @@ io::HtmlTable::Row row(const fpo::PaperBlock& block, const std::string& whose, s
   return {all};
 }
 
-/// All blocks of one of the paper's tables: each of the paper's rows, beneath it ours and the difference. Models that
-/// are missing have the paper's rows only.
+/// All blocks of one of the paper's tables: each of the paper's rows, beneath it ours and the difference.
+/// Models that are missing have the paper's rows only.
 io::HtmlTable table(const PaperResults& results, int number) {
   io::HtmlTable out;
   out.head = {"model", "samples", "method"};

@@ -8,10 +8,10 @@
 
 #include "fpo/paper_rows.h"
 #include "tools/convergence.h"
+#include "tools/measures_table.h"
 #include "tools/paper_methods.h"
 #include "tools/paper_runtimes.h"
-#include "tools/paper_table.h"
-#include "tools/spectrum_picture.h"
+#include "tools/picture_of_spectrum.h"
 
 namespace tools {
 
@@ -32,8 +32,8 @@ struct PaperModel {
   std::filesystem::path file;  ///< empty: missing
 };
 
-/// All of the paper's tables, in the order of their first row. Of several files with a model's name the first one in
-/// alphabetical order counts.
+/// All of the paper's tables, in the order of their first row. Of several files with a model's name the first
+/// one in alphabetical order counts.
 std::vector<PaperModel> find_models(const std::filesystem::path& folder);
 
 /// One of our rows.
@@ -61,8 +61,9 @@ struct PaperResults {
   std::vector<RuntimeCurve> runtimes;
 };
 
-/// Runs everything, `threads` jobs at a time. Deterministic but for times. Throws geom::InputError if no model of the
-/// paper is there, or one cannot be read or remeshed. Cost: some 15 minutes of CPU for the seven models.
+/// Runs everything, `threads` jobs at a time. Deterministic but for times. Throws geom::InputError if no
+/// model of the paper is there, or one cannot be read or remeshed. Cost: some 15 minutes of CPU for the seven
+/// models.
 PaperResults run_paper(const PaperOptions& options);
 
 }  // namespace tools

@@ -17,13 +17,13 @@ struct RuntimeCurve {
   std::vector<geom::Vec2> points;
 };
 
-/// The mean delta at which runs of figure 11 (right) end, or after so many iterations. Adaptive samples on a surface
-/// come to about .877 in four to six and stay there.
+/// The mean delta at which runs of figure 11 (right) end, or after so many iterations. Adaptive samples on a
+/// surface come to about .877 in four to six and stay there.
 inline constexpr double enough_mean_delta = 0.87;
 inline constexpr int most_iterations = 20;
 
-/// All measurements, each a job that may run in a thread of its own. In the plane: the torus, uniform and with the
-/// field "waves5"; on the surface: uniform and by local feature size.
+/// All measurements, each a job that may run in a thread of its own. In the plane: the torus, uniform and
+/// with the field "waves5"; on the surface: uniform and by local feature size.
 class RuntimeJobs {
  public:
   /// Keeps a reference to the surface (the paper: Homer); null: none, and no curves for one. O(F log F).

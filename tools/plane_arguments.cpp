@@ -5,6 +5,7 @@
 #include "io/extension.h"
 #include "tools/interrupt.h"
 #include "tools/numbers.h"
+#include "tools/period.h"
 
 namespace tools {
 namespace {
@@ -87,15 +88,6 @@ void declare_optimization(CommandLine& cli, PlaneArguments& a, bool& local, bool
 }
 
 }  // namespace
-
-geom::Vec2 parse_period(const std::string& text) {
-  const std::size_t times = text.find('x');
-  geom::require(times != std::string::npos, "'" + text + "' is not WIDTHxHEIGHT");
-  const auto side = [](const std::string& number) {
-    return parse_number(number, geom::FlatTorus::least_period, geom::FlatTorus::largest_period);
-  };
-  return {side(text.substr(0, times)), side(text.substr(times + 1))};
-}
 
 bool PlaneArguments::writes_svg() const { return io::lower_extension(output) == ".svg"; }
 

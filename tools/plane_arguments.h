@@ -29,9 +29,6 @@ struct PlaneArguments {
   bool writes_svg() const;
 };
 
-/// "2x1.5". Throws geom::InputError.
-geom::Vec2 parse_period(const std::string& text);
-
 /// Reads it, and refuses output names that cannot be written before any work starts. Throws geom::InputError.
 PlaneArguments parse_plane_arguments(CommandLine& cli);
 

@@ -57,6 +57,30 @@ void choose_scope(RemeshArguments& a, bool local, bool global, double weight_sca
       weight_scale > 0 ? weight_scale : fpo::best_weight_factor(a.remesh.optimize.scope);
 }
 
+std::vector<std::pair<std::string, fpo::Method>> method_words() {
+  std::vector<std::pair<std::string, fpo::Method>> words;
+  for (const fpo::MethodFacts& m : fpo::methods()) words.emplace_back(m.name, m.method);
+  return words;
+}
+
+/// "fpo|cvt"
+std::string method_names() {
+  std::string names;
+  for (const fpo::MethodFacts& m : fpo::methods()) names += (names.empty() ? "" : "|") + std::string(m.name);
+  return names;
+}
+
+/// "fpo 100, 40 unless the sizing is uniform; cvt 100"
+std::string iterations_by_method() {
+  std::string text;
+  for (const fpo::MethodFacts& m : fpo::methods()) {
+    text += (text.empty() ? "" : "; ") + std::string(m.name) + " " + std::to_string(m.iterations);
+    if (m.adaptive_iterations != m.iterations)
+      text += ", " + std::to_string(m.adaptive_iterations) + " unless the sizing is uniform";
+  }
+  return text;
+}
+
 void parse(CommandLine& cli, RemeshArguments& a) {
   cli.describe("INPUT",
                std::string("Remeshes a surface (obj, off, ply, stl) with COUNT samples of blue noise. ") +
@@ -98,15 +122,11 @@ void parse(CommandLine& cli, RemeshArguments& a) {
 
   cli.group("Optimization");
   cli.choice({.name = "method",
-              .value = "fpo|cvt|mps|cps",
+              .value = method_names(),
               .help = "farthest point optimization, or what the paper compares it with: centroidal Voronoi "
                       "tessellation, maximal or constrained Poisson-disk sampling (these without angle "
                       "optimization and improvement of fidelity unless asked for)"},
-             a.remesh.method,
-             {{"fpo", fpo::Method::fpo},
-              {"cvt", fpo::Method::cvt},
-              {"mps", fpo::Method::mps},
-              {"cps", fpo::Method::cps}});
+             a.remesh.method, method_words());
   int iterations = -1;
   bool rest = false;
   cli.integer(
@@ -114,7 +134,7 @@ void parse(CommandLine& cli, RemeshArguments& a) {
        .value = "MAX",
        .help = "at most so many: of FPO; with cvt 5 of Lloyd's, then of L-BFGS; with mps and cps radii "
                "tried to come near COUNT",
-       .standard = "100; 40 unless the sizing is uniform; cvt 100; mps, cps 20"},
+       .standard = iterations_by_method()},
       iterations, 0, 1'000'000);
   cli.number({.name = "target-delta", .value = "D", .help = "stop when delta exceeds it"},
              a.remesh.optimize.target_delta, 0, 2);

@@ -5,18 +5,15 @@
 
 namespace tools {
 
-/// With uniform sizing the whole surface is searched for farthest points, which gives the best angles; else the
-/// neighbourhood, for samples that travel far change the density.
+/// With uniform sizing the whole surface is searched for farthest points, which gives the best angles; else
+/// the neighbourhood, for samples that travel far change the density.
 inline fpo::Scope default_scope(fpo::SizingKind sizing) {
   return sizing == fpo::SizingKind::uniform ? fpo::Scope::global : fpo::Scope::two_ring;
 }
 
-constexpr int most_radii = 20;  ///< tried by mps and cps to come near the count wanted
-
-/// By measurement (bench-adaptive) local iterations past 40 change nothing.
 inline int default_iterations(fpo::Method method, fpo::SizingKind sizing) {
-  if (method == fpo::Method::mps || method == fpo::Method::cps) return most_radii;
-  return sizing == fpo::SizingKind::uniform || method == fpo::Method::cvt ? 100 : 40;
+  const fpo::MethodFacts& facts = fpo::facts_of(method);
+  return sizing == fpo::SizingKind::uniform ? facts.iterations : facts.adaptive_iterations;
 }
 
 /// Samples a tile if there are so many that tiles pay; 0: none. With rest a round has less to do.

@@ -8,10 +8,10 @@
 #include "geom/vertex_clusters.h"
 #include "io/html_report.h"
 #include "tools/measures.h"
-#include "tools/paper_table.h"
+#include "tools/measures_table.h"
+#include "tools/picture_of_spectrum.h"
 #include "tools/report_charts.h"
 #include "tools/report_scenes.h"
-#include "tools/spectrum_picture.h"
 
 namespace tools {
 namespace {

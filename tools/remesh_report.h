@@ -19,9 +19,9 @@ struct RemeshRun {
   int threads = 1;
 };
 
-/// Measures the remesh (like fpo-quality with the input as reference) and writes the page, atomically. The run kept
-/// its cells (RemeshOptions::keep_cells). The spectrum is left out beyond 15,000 samples, which the page says.
-/// Throws geom::InputError if the file cannot be written.
+/// Measures the remesh (like fpo-quality with the input as reference) and writes the page, atomically. The
+/// run kept its cells (RemeshOptions::keep_cells). The spectrum is left out beyond 15,000 samples, which the
+/// page says. Throws geom::InputError if the file cannot be written.
 void write_remesh_report(const std::filesystem::path& path, const geom::TriMesh& input,
                          const fpo::RemeshResult& result, const RemeshRun& run);
 

@@ -30,17 +30,17 @@ constexpr Colour surface_colour{178, 203, 224}, pale_surface{214, 220, 226}, dot
 struct Window {
   io::SceneFrame frame;
   bool whole = true;
-  bool holds(const Vec3& p) const { return whole || (p - frame.centre).norm() <= frame.radius; }
+  bool holds(const Vec3& p) const { return whole || (p - frame.center).norm() <= frame.radius; }
 };
 
 /// The ball with the `count` samples around the one nearest to the viewer.
 Window window_of(const fpo::RemeshResult& result, const Vec3& towards_viewer, std::size_t count) {
   const auto nearness = [&](const fpo::SurfaceSample& x) { return x.position.dot(towards_viewer); };
-  const Vec3 centre = std::ranges::max_element(result.samples, {}, nearness)->position;
+  const Vec3 center = std::ranges::max_element(result.samples, {}, nearness)->position;
   std::vector<double> distances;
-  for (const fpo::SurfaceSample& x : result.samples) distances.push_back((x.position - centre).norm());
+  for (const fpo::SurfaceSample& x : result.samples) distances.push_back((x.position - center).norm());
   std::ranges::nth_element(distances, distances.begin() + static_cast<std::ptrdiff_t>(count - 1));
-  return {{centre, distances[count - 1]}, false};
+  return {{center, distances[count - 1]}, false};
 }
 
 std::string part_note(std::size_t shown, std::size_t all) {
@@ -269,7 +269,8 @@ Scene cell_scene(const RemeshPictures& of, Window window, const SceneLimits& lim
   return scene;
 }
 
-/// Edges of the remesh on borders and where it is folded by more than 20 degrees, between samples on features.
+/// Edges of the remesh on borders and where it is folded by more than 20 degrees, between samples on
+/// features.
 std::vector<std::array<Vec3, 2>> sharp_edges(const RemeshPictures& of, const Window& window) {
   const double least_cosine = std::cos(20 * std::numbers::pi / 180);
   const TriMesh& mesh = of.result.mesh;

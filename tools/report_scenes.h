@@ -15,8 +15,8 @@ struct RemeshPictures {
   const fpo::RemeshResult& result;  ///< with its cells (RemeshOptions::keep_cells)
 };
 
-/// Sizes beyond which pictures show a simplified input, and of samples, cells and remesh a part. They keep a report
-/// below some 10 MB.
+/// Sizes beyond which pictures show a simplified input, and of samples, cells and remesh a part. They keep a
+/// report below some 10 MB.
 struct SceneLimits {
   std::size_t input_facets = 120'000;
   std::size_t samples = 40'000;        ///< more: as many of them around the one nearest to the viewer

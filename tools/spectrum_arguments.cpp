@@ -4,7 +4,7 @@
 #include "io/atomic_file.h"
 #include "io/extension.h"
 #include "tools/interrupt.h"
-#include "tools/plane_arguments.h"
+#include "tools/period.h"
 
 namespace tools {
 namespace {

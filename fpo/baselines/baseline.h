@@ -1,6 +1,7 @@
 #pragma once
-// What the other methods of the paper's table 1 have in common here: each turns a surface, a sizing and a number
-// of samples into samples. Meshes are made of them as of those of farthest point optimization (pipeline.h).
+// What the other methods of the paper's table 1 have in common here: each turns a surface, a sizing and a
+// number of samples into samples. Meshes are made of them as of those of farthest point optimization
+// (pipeline.h).
 
 #include <cstdint>
 #include <span>
@@ -30,8 +31,8 @@ struct BaselineResult {
   OptimizeResult run;                  ///< iterations, or radii tried
 };
 
-/// delta and mean delta (optimize.h) of samples without a diagram: distances over h to the nearest other sample
-/// in space, fixed ones left out unless all are. O(n log n).
+/// delta and mean delta (optimize.h) of samples without a diagram: distances over h to the nearest other
+/// sample in space, fixed ones left out unless all are. O(n log n).
 IterationReport measure(const BaselineTask& task, std::span<const SurfaceSample> samples);
 
 /// Whether somebody wants the end.

@@ -1,8 +1,8 @@
 #pragma once
 // Masses and centroids of restricted Voronoi cells, for methods that move all samples at once.
 //
-// The diagram of geom/restricted_power.h is made for moves of single samples. Here every facet is divided anew for
-// each set of sites (geom/facet_cells.h), on several threads, and nothing is kept but the integrals.
+// The diagram of geom/restricted_power.h is made for moves of single samples. Here every facet is divided
+// anew for each set of sites (geom/facet_cells.h), on several threads, and nothing is kept but the integrals.
 
 #include <vector>
 
@@ -27,7 +27,8 @@ struct CellMoments {
 /// (h_0 / h)^4: so that in a centroidal tessellation cell diameters are proportional to h.
 class VoronoiMoments {
  public:
-  /// Keeps references. h_0 = unit_length only scales the density. `threads` at least 1; no matter to the result.
+  /// Keeps references. h_0 = unit_length only scales the density. `threads` at least 1; no matter to the
+  /// result.
   VoronoiMoments(const geom::TriMesh& surface, const Sizing& sizing, double unit_length, int threads);
   VoronoiMoments(const VoronoiMoments&) = delete;
   VoronoiMoments& operator=(const VoronoiMoments&) = delete;

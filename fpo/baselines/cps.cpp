@@ -12,8 +12,8 @@ constexpr std::size_t pool_per_sample = 15;  // with it the quality is that of t
 
 }  // namespace
 
-// The pool is in random order: to pick a random one of those left is to take the next that is left, and a sample
-// is left as long as it is in no disk.
+// The pool is in random order: to pick a random one of those left is to take the next that is left, and a
+// sample is left as long as it is in no disk.
 BaselineResult constrained_poisson_disks(const BaselineTask& task, const OptimizeOptions& options) {
   const std::vector<SurfaceSample> pool = random_pool(task, pool_per_sample);
   return search_radius(task, options, [&](double radius_factor) {

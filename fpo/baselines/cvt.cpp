@@ -76,8 +76,8 @@ class Tessellation {
     return state;
   }
 
-  /// The samples displaced and put back on the surface. A part of their displacement is cut off where it is too
-  /// long.
+  /// The samples displaced and put back on the surface. A part of their displacement is cut off where it is
+  /// too long.
   std::vector<SurfaceSample> moved(const std::vector<SurfaceSample>& samples, const VectorXd& by) const {
     std::vector<SurfaceSample> result = samples;
     for (std::size_t i = task_.fixed.size(); i < samples.size(); ++i) {
@@ -112,7 +112,8 @@ VectorXd difference(const std::vector<SurfaceSample>& to, const std::vector<Surf
   return result;
 }
 
-/// Goes along the direction, half as far again and again until the energy sinks enough. False if it never does.
+/// Goes along the direction, half as far again and again until the energy sinks enough. False if it never
+/// does.
 bool descend(Tessellation& tessellation, State& state, const VectorXd& direction) {
   const double slope = direction.dot(state.gradient);
   double t = 1;

@@ -48,10 +48,10 @@ inline constexpr double usual_radius_factor = 0.777;
 
 /// Searches the c for which about the wanted number of samples comes out: tries c sqrt(number / wanted) next,
 /// as the number goes with c^-2, until at most one sample in a thousand is missing or too much, or
-/// options.max_iterations radii have been tried. The result is that with the nearest number (of equal ones the
-/// first). The number scatters from radius to radius as it does from seed to seed, so the search ends near the
-/// number, seldom on it. If interrupted, the try in hand does not count; throws geom::Interrupted if it is the
-/// first.
+/// options.max_iterations radii have been tried. The result is that with the nearest number (of equal ones
+/// the first). The number scatters from radius to radius as it does from seed to seed, so the search ends
+/// near the number, seldom on it. If interrupted, the try in hand does not count; throws geom::Interrupted if
+/// it is the first.
 BaselineResult search_radius(const BaselineTask& task, const OptimizeOptions& options,
                              const DiskSampling& sample);
 

@@ -1,6 +1,6 @@
 #pragma once
-// The limited-memory BFGS method (Nocedal, Updating quasi-Newton matrices with limited storage, 1980): what the
-// last steps tell of the curvature, and the direction that follows. Liu et al. 2009 use it for CVT.
+// The limited-memory BFGS method (Nocedal, Updating quasi-Newton matrices with limited storage, 1980): what
+// the last steps tell of the curvature, and the direction that follows. Liu et al. 2009 use it for CVT.
 
 #include <Eigen/Core>
 #include <cstddef>

@@ -56,8 +56,8 @@ class DiskDiagram {
   Disks disks_;
 };
 
-/// Divides a triangle in four, `depth` times over, as long as the owner's disk covers it in part. What it covers
-/// wholly is left out: all corners in a disk means all of the triangle.
+/// Divides a triangle in four, `depth` times over, as long as the owner's disk covers it in part. What it
+/// covers wholly is left out: all corners in a disk means all of the triangle.
 void divide(const std::array<Vec3, 3>& c, const geom::WeightedPoint3& owner, FacetId facet, int depth,
             std::vector<GapTriangle>& out) {
   const auto num_free = std::ranges::count_if(c, [&](const Vec3& x) { return geom::power(x, owner) > 0; });
@@ -104,8 +104,8 @@ void throw_darts(DiskDiagram& disks, const std::vector<GapTriangle>& gaps, const
   }
 }
 
-/// Puts samples at corners of fragments until no corner is free. Each is at least as far from all others as its
-/// power says.
+/// Puts samples at corners of fragments until no corner is free. Each is at least as far from all others as
+/// its power says.
 void fill_corners(DiskDiagram& disks) {
   std::vector<SurfaceSample> free;
   do {

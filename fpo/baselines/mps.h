@@ -11,10 +11,10 @@
 
 namespace fpo {
 
-/// Disks of radius c h; c is searched for the number of samples (search_radius in disks.h). No sample is in the
-/// disk of an earlier one (with uniform sizing: any two are at least c h apart), and the disks cover the
-/// surface, up to rounding. Distances are straight ones. O(n log n + F) expected a radius. Deterministic. Throws
-/// geom::InputError like random_samples().
+/// Disks of radius c h; c is searched for the number of samples (search_radius in disks.h). No sample is in
+/// the disk of an earlier one (with uniform sizing: any two are at least c h apart), and the disks cover the
+/// surface, up to rounding. Distances are straight ones. O(n log n + F) expected a radius. Deterministic.
+/// Throws geom::InputError like random_samples().
 BaselineResult maximal_poisson_disks(const BaselineTask& task, const OptimizeOptions& options);
 
 }  // namespace fpo

@@ -27,7 +27,7 @@ Vec3 sphere(Rng& rng) {
   return Vec3(r * std::cos(angle), r * std::sin(angle), z).normalized();
 }
 
-/// An ellipsoid with waves: no two of its centres of curvature coincide.
+/// An ellipsoid with waves: no two of its centers of curvature coincide.
 Vec3 blob(Rng& rng) {
   const Vec3 u = sphere(rng);
   return (1 + 0.05 * std::sin(5 * u.x() + 4 * u.y()) + 0.05 * std::cos(6 * u.z())) *

@@ -2,10 +2,10 @@
 //   bench-scaling [PREFIX [LARGEST]]     writes PREFIX.csv and PREFIX.svg; LARGEST n (default 100000). Models
 //   are those in the folder named by FPO_MODELS (default ../shared/models) that are there.
 //
-// us_per_move: microseconds of a global move, the first iteration left out; with tiles of all from the samples to
-// the last diagram, over all moves. to_90, to_92: seconds from samples to delta .90 and .92, the first diagram
-// included (-: not within 100 iterations or 3 million moves). Times are those of the clock, so run it on an idle
-// machine. peak: memory of the process at its largest, and that per sample.
+// us_per_move: microseconds of a global move, the first iteration left out; with tiles of all from the
+// samples to the last diagram, over all moves. to_90, to_92: seconds from samples to delta .90 and .92, the
+// first diagram included (-: not within 100 iterations or 3 million moves). Times are those of the clock, so
+// run it on an idle machine. peak: memory of the process at its largest, and that per sample.
 
 #include <sys/resource.h>
 #include <sys/wait.h>

@@ -1,4 +1,5 @@
-// Farthest point optimization in tiles beside that on the whole surface: quality and wall-clock time, by turns.
+// Farthest point optimization in tiles beside that on the whole surface: quality and wall-clock time, by
+// turns.
 //   bench-tiles MODEL.obj N ITERATIONS global|local [SAMPLES_A_TILE] [SWEEPS] [THREADS] [SEED]
 //   SAMPLES_A_TILE 0: the whole surface
 

@@ -1,6 +1,6 @@
-// How long one removal and insertion takes, ours and CGAL's on the same points, by turns. CGAL's alone also tells
-// how fast this machine is beside another one where it was measured. (In the plane ours is periodic and gets no hint,
-// CGAL's is not and does.)
+// How long one removal and insertion takes, ours and CGAL's on the same points, by turns. CGAL's alone also
+// tells how fast this machine is beside another one where it was measured. (In the plane ours is periodic and
+// gets no hint, CGAL's is not and does.)
 //   build-cgal/cgal-tests --no-skip --test-suite=yardstick
 
 #include <CGAL/Delaunay_triangulation_2.h>
@@ -50,7 +50,8 @@ void compare(const char* what, std::size_t n, const std::function<void()>& ours,
 using Plane = CGAL::Delaunay_triangulation_2<Kernel>;
 using Space = CGAL::Regular_triangulation_3<Kernel>;
 
-// Each vertex is taken out and put back where it was, the search for its place starting at a former neighbour.
+// Each vertex is taken out and put back where it was, the search for its place starting at a former
+// neighbour.
 
 void remove_and_insert_all(Plane& t, std::vector<Plane::Vertex_handle>& vertices) {
   for (Plane::Vertex_handle& v : vertices) {

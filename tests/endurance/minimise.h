@@ -7,8 +7,8 @@
 namespace endurance {
 
 /// A subsequence that still fails and from which no single element can be left out without its passing.
-/// `fails(items)` must hold. Cost: O(n log n) to O(n^2) calls, of which at most `most_calls` are made: the best
-/// so far is returned then.
+/// `fails(items)` must hold. Cost: O(n log n) to O(n^2) calls, of which at most `most_calls` are made: the
+/// best so far is returned then.
 template <class T, class Fails>
 std::vector<T> minimised(std::vector<T> items, const Fails& fails, std::size_t most_calls) {
   std::size_t calls = 0;

@@ -50,9 +50,9 @@ void MoveMaker::farthest_point_move(Stage& stage, std::vector<Operation>& log) {
   const std::size_t before = stage.present().size();
   apply(stage, {false, x, {}}, log);
   if (stage.present().size() == before) return;  // refused
-  Vec3 centre = old.position;
-  const bool found = stage.farthest(rng_.below(2) == 0, centre);
-  apply(stage, {true, x, found ? weighted(centre, stage.area()) : old}, log);
+  Vec3 center = old.position;
+  const bool found = stage.farthest(rng_.below(2) == 0, center);
+  apply(stage, {true, x, found ? weighted(center, stage.area()) : old}, log);
   if (stage.present().size() < before) apply(stage, {true, x, old}, log);
 }
 

@@ -24,8 +24,8 @@ class MoveMaker {
   /// Keeps a reference. Every course has its own random numbers.
   MoveMaker(const Course& course, std::uint64_t seed);
 
-  /// One farthest point move (Algorithm 1, globally or locally), or one removal or insertion anywhere. Appends
-  /// each operation to `log` before it does it. Throws geom::Bug.
+  /// One farthest point move (Algorithm 1, globally or locally), or one removal or insertion anywhere.
+  /// Appends each operation to `log` before it does it. Throws geom::Bug.
   void move(Stage& stage, std::vector<Operation>& log);
   geom::Rng& rng() { return rng_; }
 

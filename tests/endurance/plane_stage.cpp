@@ -105,7 +105,7 @@ void PlaneStage::check_nearest(SiteId id) const {
   geom::ensure(found.id == best.id && found.power == best.power, "brute force finds another nearest site");
 }
 
-/// No site is closer to the centre than the corners, but for rounding.
+/// No site is closer to the center than the corners, but for rounding.
 void PlaneStage::check_empty(CellId t) const {
   const double radius2 = triangulation_.radius2(t), unit2 = std::pow(triangulation_.torus().unit(), 2);
   for (const SiteId s : all_sites()) {

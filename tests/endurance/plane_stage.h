@@ -1,5 +1,6 @@
 #pragma once
-// A regular triangulation of the flat torus. A lattice of anchors, which stay, leaves no gap of half a period.
+// A regular triangulation of the flat torus. A lattice of anchors, which stay, leaves no gap of half a
+// period.
 
 #include "geom/regular2.h"
 #include "tests/endurance/stage.h"

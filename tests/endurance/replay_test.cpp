@@ -1,5 +1,5 @@
-// Replays of faults that were once found, and of hard sequences; a moment of endurance on every domain; and that
-// a fault would be found, minimised and written down.
+// Replays of faults that were once found, and of hard sequences; a moment of endurance on every domain; and
+// that a fault would be found, minimised and written down.
 
 #include <algorithm>
 #include <filesystem>

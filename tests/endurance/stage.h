@@ -21,7 +21,7 @@ class Stage {
   const std::vector<geom::SiteId>& present() const { return present_; }
   const geom::WeightedPoint3& point(geom::SiteId s) const { return points_[s]; }
 
-  /// The centre of the largest empty circle, or of the largest that the last change has made. False: none.
+  /// The center of the largest empty circle, or of the largest that the last change has made. False: none.
   virtual bool farthest(bool of_last_change, geom::Vec3& out) const = 0;
   /// A location of the domain: anywhere, or (`special`) where ties are likely.
   virtual geom::Vec3 anywhere(bool special, geom::Rng& rng) const = 0;

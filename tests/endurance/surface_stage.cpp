@@ -122,7 +122,7 @@ void SurfaceStage::apply_change(const geom::RestrictedDual::Change& change) {
   for (const CircleId c : change.circles_created) {
     geom::ensure(!heap_.contains(c), "a circle is created that is there");
     geom::ensure(surface_->mesh.box().contains(dual_->circle(c).center),
-                 "a circle's centre is outside of the mesh's box");
+                 "a circle's center is outside of the mesh's box");
     heap_.push(c, dual_->circle(c).radius2);
     most_circles_ = std::max(most_circles_, c.index() + 1);
   }

@@ -4,6 +4,7 @@
 #include "geom/aabb_tree.h"
 #include "geom/check.h"
 #include "geom/rng.h"
+#include "tests/fixtures/effort.h"
 #include "tests/fixtures/surfaces.h"
 
 namespace {
@@ -99,9 +100,9 @@ TEST_CASE("hausdorff: parallel squares") {
 TEST_CASE("hausdorff: nested cubes are farthest at the corners") {
   const Vec3 size(1, 1, 1);
   const TriMesh inner = fixtures::box(size, 3), outer = fixtures::box(1.2 * size, 4);
-  Table<VertexId, Vec3> centred;
-  for (const Vec3& p : outer.vertices()) centred.push_back(p - 0.1 * size);
-  const SurfaceDistance d = surface_distance(inner, TriMesh(std::move(centred), outer.facets()));
+  Table<VertexId, Vec3> centered;
+  for (const Vec3& p : outer.vertices()) centered.push_back(p - 0.1 * size);
+  const SurfaceDistance d = surface_distance(inner, TriMesh(std::move(centered), outer.facets()));
   CHECK(d.max == Approx(0.1 * std::sqrt(3)));
   check_gap(d, outer.diagonal());
 }
@@ -139,6 +140,7 @@ TEST_CASE("hausdorff: no sample exceeds the bound, some come near the distance")
       {fixtures::blob(8), moved(fixtures::blob(8))},
       {fixtures::box(Vec3(1, 1, 1), 3), moved(fixtures::box(Vec3(1, 1, 0.01), 4))},
       {fixtures::three_components(), fixtures::blob(5)}};
+  const int grid = fixtures::effort(25, 50);
   for (const auto& [a, b] : pairs) {
     const SurfaceDistance d = surface_distance(a, b), reverse = surface_distance(b, a);
     check_gap(d, b.diagonal());
@@ -146,7 +148,7 @@ TEST_CASE("hausdorff: no sample exceeds the bound, some come near the distance")
     CHECK(d.max <= reverse.max_bound);
     CHECK(reverse.max <= d.max_bound);
     CHECK(d.rms == Approx(reverse.rms));
-    const double sampled = std::max(sampled_distance(a, b, 50), sampled_distance(b, a, 50));
+    const double sampled = std::max(sampled_distance(a, b, grid), sampled_distance(b, a, grid));
     CHECK(sampled <= d.max_bound);
     CHECK(sampled >= 0.9 * d.max);
   }
@@ -180,7 +182,7 @@ TEST_CASE(
     "hausdorff: needles, whose length is out of all proportion to their area, need no endless quadrature") {
   Table<VertexId, Vec3> vertices;
   Table<FacetId, TriMesh::Facet> facets;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < fixtures::effort(5, 20); ++i) {
     const VertexId v = vertices.next_id();
     for (const Vec3& p : {Vec3(0, i, 0), Vec3(100, i, 0), Vec3(100, i + 1e-12, 0)}) vertices.push_back(p);
     facets.push_back({v, VertexId(v.value + 1), VertexId(v.value + 2)});

@@ -2,6 +2,7 @@
 
 #include "doctest.h"
 #include "geom/check.h"
+#include "tests/fixtures/effort.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
@@ -24,13 +25,14 @@ bool same(const geom::TriMesh& a, const geom::TriMesh& b) {
 }  // namespace
 
 TEST_CASE("pipeline: both engines give the same bits, a repeated run too, another seed does not") {
+  const std::size_t samples = fixtures::effort(80, 150);
   for (const fixtures::NamedSurface& surface : fixtures::surfaces()) {
     CAPTURE(surface.name);
-    const RemeshResult a = run(surface.mesh, 150, Engine::search),
-                       b = run(surface.mesh, 150, Engine::triangulation),
-                       c = run(surface.mesh, 150, Engine::search),
-                       d = run(surface.mesh, 150, Engine::search, 2);
-    CHECK(a.mesh.num_vertices() == 150);
+    const RemeshResult a = run(surface.mesh, samples, Engine::search),
+                       b = run(surface.mesh, samples, Engine::triangulation),
+                       c = run(surface.mesh, samples, Engine::search),
+                       d = run(surface.mesh, samples, Engine::search, 2);
+    CHECK(a.mesh.num_vertices() == samples);
     CHECK(same(a.mesh, b.mesh));
     CHECK(same(a.mesh, c.mesh));
     CHECK(!same(a.mesh, d.mesh));
@@ -40,12 +42,13 @@ TEST_CASE("pipeline: both engines give the same bits, a repeated run too, anothe
 
 TEST_CASE(
     "pipeline: adaptive, with removal of short edges, local and global: both engines give the same bits") {
+  const std::size_t samples = fixtures::effort(60, 150);
   for (const fixtures::NamedSurface& surface : fixtures::surfaces())
     for (const Scope scope : {Scope::global, Scope::two_ring})
       for (const geom::CornerTypes corners : {geom::CornerTypes::c_only, geom::CornerTypes::all}) {
         CAPTURE(surface.name);
         RemeshOptions options;
-        options.num_samples = 150;
+        options.num_samples = samples;
         options.sizing = SizingKind::given;
         for (const geom::Vec3& p : surface.mesh.vertices())
           options.rho.push_back(1 + std::abs(p.x() + p.y()));
@@ -57,7 +60,7 @@ TEST_CASE(
         const RemeshResult a = remesh(surface.mesh, options);
         options.surface.engine = Engine::triangulation;
         const RemeshResult b = remesh(surface.mesh, options);
-        CHECK(a.mesh.num_vertices() == 150);
+        CHECK(a.mesh.num_vertices() == samples);
         CHECK(same(a.mesh, b.mesh));
         CHECK(a.optimization.last.delta == b.optimization.last.delta);
         CHECK(a.shortest_edges.moves == b.shortest_edges.moves);

@@ -86,7 +86,7 @@ TEST_CASE("quality: valences count edges of interior vertices only") {
     for (const VertexId v : f) ++degree[v.index()];  // closed: as many facets as edges
   const auto regular = std::ranges::count_if(degree, [](int d) { return d >= 5 && d <= 7; });
   CHECK(quality(cube, 6).v567_pct == Approx(100.0 * double(regular) / 8));
-  // a fan of 4 about vertex 0: closed its centre is interior, open it is not
+  // a fan of 4 about vertex 0: closed its center is interior, open it is not
   Table<VertexId, Vec3> v{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, -1, 0)};
   Table<FacetId, TriMesh::Facet> f;
   for (int i = 0; i < 4; ++i) f.push_back({VertexId(0), VertexId(1 + i), VertexId(1 + (i + 1) % 4)});

@@ -25,12 +25,12 @@ TEST_CASE("surface_length: great circles on spheres, seen from outside or inside
   geom::Rng rng(1);
   for (int trial = 0; trial < 2000; ++trial) {
     const double radius = rng.uniform(0.1, 10), side = trial % 2 ? 1 : -1;
-    const Vec3 u = random_direction(rng), centre = 3 * random_direction(rng);
+    const Vec3 u = random_direction(rng), center = 3 * random_direction(rng);
     // Near ones, too, where the formula is a quotient of small differences.
     const Vec3 v = (u + std::pow(10, rng.uniform(-7, 0.5)) * random_direction(rng)).normalized();
     if (u.dot(v) < -0.99) continue;
-    const SpectrumPoint a{.position = centre + radius * u, .normal = side * u};
-    const SpectrumPoint b{.position = centre + radius * v, .normal = side * v};
+    const SpectrumPoint a{.position = center + radius * u, .normal = side * u};
+    const SpectrumPoint b{.position = center + radius * v, .normal = side * v};
     const double arc = radius * 2 * std::asin((u - v).norm() / 2);
     REQUIRE(fpo::surface_length(a, b) == doctest::Approx(arc).epsilon(1e-5));
     REQUIRE(fpo::surface_length(a, b) == doctest::Approx(fpo::surface_length(b, a)).epsilon(1e-12));

@@ -21,8 +21,8 @@ double total_area(const std::vector<SurfacePiece>& pieces) {
   return sum;
 }
 
-/// How far the pieces' centre of gravity is from the mesh's.
-double centre_error(const std::vector<SurfacePiece>& pieces, const geom::TriMesh& mesh) {
+/// How far the pieces' center of gravity is from the mesh's.
+double center_error(const std::vector<SurfacePiece>& pieces, const geom::TriMesh& mesh) {
   Vec3 error(0, 0, 0);
   for (const SurfacePiece& p : pieces) error += p.area * p.at.position;
   for (std::size_t f = 0; f < mesh.num_facets(); ++f) {
@@ -70,7 +70,7 @@ TEST_CASE("SpectrumSurface: pieces make up the surface and keep to a limit, cons
         [&](const SpectrumPoint& x) { return part * (0.2 + (x.position - low).norm() / s.mesh.diagonal()); });
     for (const auto* pieces : {&even, &graded}) {
       CHECK(total_area(*pieces) == doctest::Approx(s.mesh.area()));
-      CHECK(centre_error(*pieces, s.mesh) < 1e-9 * s.mesh.diagonal());
+      CHECK(center_error(*pieces, s.mesh) < 1e-9 * s.mesh.diagonal());
       for (const SurfacePiece& p : *pieces) CHECK(std::abs(p.at.normal.norm() - 1) < 1e-9);
     }
     for (const SurfacePiece& p : even) CHECK(p.area <= 1.5 * part);

@@ -149,8 +149,8 @@ TEST_CASE("surface domain: samples at one place, a single sample, none") {
 }
 
 TEST_CASE("surface domain: degenerate facets are borne") {
-  // A triangle with a fourth point in the middle of one side, so that a facet without area fills the gap to the two
-  // triangles beyond; and a triangle whose corners are at one place.
+  // A triangle with a fourth point in the middle of one side, so that a facet without area fills the gap to
+  // the two triangles beyond; and a triangle whose corners are at one place.
   const auto v = [](int i) { return geom::VertexId(i); };
   const TriMesh mesh(
       {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.4, 1, 0.1), Vec3(0.5, 0, 0), Vec3(0.6, -1, 0.2), Vec3(1, 0, 0),

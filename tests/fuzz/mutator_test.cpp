@@ -6,6 +6,7 @@
 #include "fpo/pipeline.h"
 #include "geom/repair/repair.h"
 #include "io/mesh_io.h"
+#include "tests/fixtures/effort.h"
 #include "tests/io/sample_meshes.h"
 #include "tests/io/scratch_folder.h"
 
@@ -61,9 +62,10 @@ TEST_CASE("fuzz: any soup can be repaired to manifold sheets, or is refused in o
 TEST_CASE("fuzz: spoilt surfaces are remeshed or refused in one line, alike by both engines") {
   const fixtures::ScratchFolder folder;
   int remeshed = 0, refused = 0;
-  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+  const int count = fixtures::effort(40, 300);
+  for (int seed = 0; seed < count; ++seed) {
     CAPTURE(seed);
-    const fuzz::Mutant mutant = fuzz::mutant(seed);
+    const fuzz::Mutant mutant = fuzz::mutant(static_cast<std::uint64_t>(seed));
     const auto path = folder.write(mutant.name, mutant.bytes);
     fpo::RemeshResult a, b;
     const std::string fault = fixtures::complaint([&] {
@@ -80,6 +82,6 @@ TEST_CASE("fuzz: spoilt surfaces are remeshed or refused in one line, alike by b
       CHECK(fault.find('\n') == fault.npos);
     }
   }
-  CHECK(remeshed > 50);
-  CHECK(refused > 10);
+  CHECK(remeshed > count / 3);
+  CHECK(refused > count / 15);
 }

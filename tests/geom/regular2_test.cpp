@@ -81,7 +81,7 @@ std::vector<Kind> kinds() {
     return r.below(2) ? WeightedPoint2{{x, y}, some(r) / 8} : WeightedPoint2{{y, x}, some(r) / 8};
   };
   all.push_back({"near the seam", unit, jittered(7, unit, rng, none), seam});
-  // Twelve cocircular points and the centre of their circle, over and over.
+  // Twelve cocircular points and the center of their circle, over and over.
   const auto circle = [](Rng& r) {
     const std::uint64_t k = r.below(13);
     if (k == 12) return WeightedPoint2{{0.5, 0.5}, 0};

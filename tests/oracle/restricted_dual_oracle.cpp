@@ -84,7 +84,8 @@ const FacetPolygon* BruteDiagram::find(FacetId t, SiteId owner) const {
   return at == polygons_.end() ? nullptr : &at->second;
 }
 
-/// C: once for its three sites. B: by the smaller site, in the smaller facet. A: in the first facet of the vertex.
+/// C: once for its three sites. B: by the smaller site, in the smaller facet. A: in the first facet of the
+/// vertex.
 bool BruteDiagram::is_registered(const FacetPolygon& polygon, std::size_t k, CornerTypes types) const {
   const EdgeLabel before = polygon.edge_before(k), after = polygon.corners[k].edge;
   if (before.is_site() && after.is_site())
@@ -106,7 +107,8 @@ KnownCircle BruteDiagram::known(const FacetPolygon& polygon, std::size_t k) cons
   c.name.facet = polygon.facet;
   c.name.sites[0] = polygon.owner;
   if (before.is_site() && after.is_site()) {
-    // Counterclockwise around the corner the polygons are those of the owner, of the site before it, of the one after.
+    // Counterclockwise around the corner the polygons are those of the owner, of the site before it, of the
+    // one after.
     c.name.sites = ascending(polygon.owner, before.site(), after.site());
     c.clockwise = after.site() < before.site();
   } else if (before.is_site() || after.is_site()) {

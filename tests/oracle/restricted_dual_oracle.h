@@ -1,6 +1,6 @@
 #pragma once
-// The restricted dual, slow and obvious: all facets clipped for all sites, corners registered as state.h says, edges
-// followed from facet to facet.
+// The restricted dual, slow and obvious: all facets clipped for all sites, corners registered as state.h
+// says, edges followed from facet to facet.
 
 #include <array>
 #include <cstdint>
@@ -54,8 +54,8 @@ class BruteDiagram {
   std::vector<KnownCircle> circles_on(geom::FacetId t, geom::CornerTypes types) const;
   /// -infinity: no cell.
   double reach(geom::SiteId p) const;
-  /// Is the cell connected across edges of the surface, clear of the surface's borders, its own border one closed curve
-  /// with circles? What the fast way calls regular.
+  /// Is the cell connected across edges of the surface, clear of the surface's borders, its own border one
+  /// closed curve with circles? What the fast way calls regular.
   bool is_simple(geom::SiteId p) const;
   /// The circle at the other end of the edge between a and b that begins at the corner of a, b, c in t.
   CircleName other_end(geom::FacetId t, geom::SiteId a, geom::SiteId b, geom::SiteId c) const;
@@ -74,8 +74,8 @@ class BruteDiagram {
   std::map<std::pair<geom::FacetId, geom::SiteId>, geom::FacetPolygon> polygons_;
 };
 
-/// The circles of a dual whose sites are these. Throws geom::Bug if one is not listed at each of its sites, or one
-/// beyond is not one of them.
+/// The circles of a dual whose sites are these. Throws geom::Bug if one is not listed at each of its sites,
+/// or one beyond is not one of them.
 std::vector<KnownCircle> circles_of(const geom::RestrictedDual& dual, std::span<const geom::SiteId> present);
 
 /// The polygon of one site on one facet, by brute force. O(n). No corners: none.

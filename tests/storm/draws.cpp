@@ -45,7 +45,8 @@ void draw_twins(Points points, Rng& rng) {
   }
 }
 
-/// Sites that all have the same power at one integer point, which is a corner, or on an edge, or in the facet.
+/// Sites that all have the same power at one integer point, which is a corner, or on an edge, or in the
+/// facet.
 void draw_common_corner(Points points, const Kind::Order& order, Rng& rng) {
   const auto integers = [&](int n) {
     Vec3 p;

@@ -39,8 +39,8 @@ struct Tally {
   Tally& operator+=(const Tally& other);
 };
 
-/// Asks until `count` draws could be asked, or 20 `count` were made. Every `rational_every`th is compared with
-/// the rational oracle (0: none). A function of its arguments. Throws Fault.
+/// Asks until `count` draws could be asked, or 20 `count` were made. Every `rational_every`th is compared
+/// with the rational oracle (0: none). A function of its arguments. Throws Fault.
 struct Run {
   std::uint64_t count, seed, rational_every;
 };

@@ -27,8 +27,8 @@ Wide lift(const WideSite& p, const WideSite& a) {
   return dot(d, d) - (p.weight - a.weight);
 }
 
-/// The sign of an affine function of the weights, perturbed: where it vanishes, the smallest rank whose weights
-/// change it decides.
+/// The sign of an affine function of the weights, perturbed: where it vanishes, the smallest rank whose
+/// weights change it decides.
 template <std::size_t N, class Value>
 Decision decide(std::span<const WideSite, N> sites, const Value& value) {
   if (const int sign = value(sites).sign(); sign != 0) return {sign, false};

@@ -1,6 +1,6 @@
 #pragma once
-// What the tests of interruptions and faults share: one small job for every tool, and what must hold after it,
-// whatever has happened.
+// What the tests of interruptions and faults share: one small job for every tool, and what must hold after
+// it, whatever has happened.
 
 #include <map>
 #include <string>

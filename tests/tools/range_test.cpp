@@ -1,5 +1,5 @@
-// Inputs of any size: the tools' results are those of the input scaled by a power of two, to the bit, or there
-// is one line that says why not.
+// Inputs of any size: the tools' results are those of the input scaled by a power of two, to the bit, or
+// there is one line that says why not.
 
 #include <algorithm>
 #include <cmath>

@@ -24,6 +24,15 @@ constexpr std::array others{Method::cvt, Method::mps, Method::cps};
 
 }  // namespace
 
+TEST_CASE("methods: each has one line in the table; one that has none is not taken for another") {
+  for (const MethodFacts& m : methods()) CHECK(&facts_of(m.method) == &m);
+  for (const Method m : others) CHECK(bool(facts_of(m).distribute));
+  CHECK(!facts_of(Method::fpo).distribute);
+  const Method forgotten = static_cast<Method>(methods().size());
+  CHECK_THROWS_AS(facts_of(forgotten), geom::Bug);
+  CHECK_THROWS_AS(remesh(geom::make_shape("cube"), raw(forgotten, 50)), geom::Bug);
+}
+
 TEST_CASE("baselines: a closed smooth surface keeps its topology; each method has its quality") {
   const geom::TriMesh mesh = geom::make_shape("double-torus", 24);
   double q_avg[3], mean_delta[3];

@@ -1,4 +1,4 @@
-#include "tools/spectrum_picture.h"
+#include "tools/picture_of_spectrum.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "tools/bounded_plane.h"
+#include "tools/plane_bounded.h"
 
 #include <algorithm>
 #include <cmath>

@@ -21,11 +21,8 @@ std::vector<std::string> difference_cells(const fpo::PaperFigures& a, const fpo:
 /// Those of a mesh that was compared with its reference.
 fpo::PaperFigures figures_of(const Measures& measures);
 
-/// A method as table 1 calls it.
-std::string acronym(fpo::Method method);
-
-/// This run; above it the paper's rows, if the model (by its file's stem), the number of samples and the kind of
-/// sizing are in the paper; below it how it differs from the paper's figures of its method.
+/// This run; above it the paper's rows, if the model (by its file's stem), the number of samples and the kind
+/// of sizing are in the paper; below it how it differs from the paper's figures of its method.
 io::HtmlTable quality_table(const std::string& stem, const fpo::RemeshOptions& options,
                             const Measures& measures);
 

@@ -1,4 +1,4 @@
-#include "tools/paper_table.h"
+#include "tools/measures_table.h"
 
 #include <array>
 #include <cstdio>
@@ -57,20 +57,6 @@ fpo::PaperFigures figures_of(const Measures& m) {
           q.theta_max, q.theta_lt30_pct, q.v567_pct,  m.distance.max};
 }
 
-/// As in table 1.
-std::string acronym(fpo::Method method) {
-  switch (method) {
-    case fpo::Method::cvt:
-      return "CVT";
-    case fpo::Method::mps:
-      return "MPS";
-    case fpo::Method::cps:
-      return "CPS";
-    default:
-      return "FPO";
-  }
-}
-
 io::HtmlTable quality_table(const std::string& stem, const fpo::RemeshOptions& options,
                             const Measures& measures) {
   const auto row = [](std::string who, std::string samples, const std::vector<std::string>& cells) {
@@ -83,7 +69,7 @@ io::HtmlTable quality_table(const std::string& stem, const fpo::RemeshOptions& o
   const auto block =
       fpo::find_paper_block(stem, options.num_samples, options.sizing != fpo::SizingKind::uniform);
   const fpo::PaperFigures own = figures_of(measures);
-  const std::string name = acronym(options.method);
+  const std::string name = fpo::facts_of(options.method).acronym;
   const fpo::PaperRow* theirs = nullptr;
   if (block) {
     for (const fpo::PaperRow& r : block->rows) {
