@@ -68,13 +68,13 @@ struct RemeshResult {
 };
 
 /// Remeshes with exactly num_samples vertices; with mps and cps, whose parameter is a radius, with about as
-/// many. Deterministic. If interrupted, the result is that of the moves done; throws geom::Interrupted if that is
-/// before the first samples (mps, cps: before the first whole set of disks). Computes on a copy of the input that
-/// is scaled by a power of two and snapped to multiples of 2^-160 of its size, so that no product in a predicate
-/// over- or underflows (geom/scaling.h), and scales back, which is exact. A body many diagonals away from the origin is
-/// computed near it (geom/centring.h); results are rounded when they are moved back. Throws geom::InputError on an unusable
-/// input (no area, or a largest coordinate beyond 2^-900 to 2^900) or number of samples (also too few for the
-/// features), geom::Bug with seed and move number.
+/// many. Deterministic. If interrupted, the result is that of the moves done; throws geom::Interrupted if
+/// that is before the first samples (mps, cps: before the first whole set of disks). Computes on a copy of
+/// the input that is scaled by a power of two and snapped to multiples of 2^-160 of its size, so that no
+/// product in a predicate over- or underflows (geom/scaling.h), and scales back, which is exact. A body many
+/// diagonals away from the origin is computed near it (geom/centring.h); results are rounded when they are
+/// moved back. Throws geom::InputError on an unusable input (no area, or a largest coordinate beyond 2^-900
+/// to 2^900) or number of samples (also too few for the features), geom::Bug with seed and move number.
 RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options);
 
 }  // namespace fpo

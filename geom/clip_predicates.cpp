@@ -73,8 +73,8 @@ Expansion exact_denominator_in_facet(const FacetCorners& q, const Vec3& p0, cons
   return exact_minor(dot(d1, u), dot(d2, v), dot(d1, v), dot(d2, u));
 }
 
-/// A corner test: whether the numerator, which never ties, and the denominator have different signs; each by doubles, by
-/// numbers of twice their precision, or exactly.
+/// A corner test: whether the numerator, which never ties, and the denominator have different signs; each by
+/// doubles, by numbers of twice their precision, or exactly.
 template <class Filter, class Numerator, class Denominator>
 bool differ(Filter filter, Numerator exact_numerator, Denominator exact_denominator) {
   const auto is_decided = [](const filter::Estimate& e) { return e.certain() && e.value != 0; };

@@ -51,8 +51,8 @@ struct DoubleDouble {
   }
 };
 
-// What a filter needs of a number type, double or DoubleDouble: a difference of doubles, a rounded value, a bound u of
-// the relative error of one operation.
+// What a filter needs of a number type, double or DoubleDouble: a difference of doubles, a rounded value, a
+// bound u of the relative error of one operation.
 inline void subtract(double a, double b, double& out) { out = a - b; }
 inline void subtract(double a, double b, DoubleDouble& out) { out = DoubleDouble::sum(a, -b); }
 inline double rounded(double x) { return x; }

@@ -1,15 +1,16 @@
 #pragma once
-// A facet clipped as in clip.h, known by its labels alone: what a cut takes is decided by doubles where they are certain,
-// else by the exact tests, which need no more than labels. Places are computed for those corners only that are left.
+// A facet clipped as in clip.h, known by its labels alone: what a cut takes is decided by doubles where they
+// are certain, else by the exact tests, which need no more than labels. Places are computed for those corners
+// only that are left.
 //
-// A location of the facet is given by its weights (l_0, l_1, l_2) at the facet's corners, l_0 + l_1 + l_2 = 1, all in
-// [0, 1], and a line by the values f_i of an affine function at these corners: f = sum f_i l_i. An edge of the facet
-// is the line l_i = 0. Two lines F and G meet where l = (F x G) / sum (F x G).
+// A location of the facet is given by its weights (l_0, l_1, l_2) at the facet's corners, l_0 + l_1 + l_2 =
+// 1, all in [0, 1], and a line by the values f_i of an affine function at these corners: f = sum f_i l_i. An
+// edge of the facet is the line l_i = 0. Two lines F and G meet where l = (F x G) / sum (F x G).
 //
-// Errors. With m1, m2 the largest values of two forms and e1, e2 their errors, each component of F x G is off by at most
-// e = 2 (m1 e2 + m2 e1) + 4u m1 m2, the sum by 3e + 12u m1 m2, so each l_i, which is exactly in [0, 1], by
-// d = 1.01 (4e + 12u m1 m2) / |sum| + 8u. A form H there is off by its own error, by 3 max|H_i| d, and by roundings of
-// at most 8u max|H_i| (3 products and 2 sums, of l_i no more than 1 + d, d < 1/2).
+// Errors. With m1, m2 the largest values of two forms and e1, e2 their errors, each component of F x G is off
+// by at most e = 2 (m1 e2 + m2 e1) + 4u m1 m2, the sum by 3e + 12u m1 m2, so each l_i, which is exactly in
+// [0, 1], by d = 1.01 (4e + 12u m1 m2) / |sum| + 8u. A form H there is off by its own error, by 3 max|H_i| d,
+// and by roundings of at most 8u max|H_i| (3 products and 2 sums, of l_i no more than 1 + d, d < 1/2).
 
 #include <array>
 #include <cstdint>
@@ -26,7 +27,8 @@ class LazyPolygon {
 
   /// The whole facet.
   void start(FacetId facet, SiteId owner);
-  /// Takes away what j beats; the new edge is labelled j. `b` is that of owner and j. What is swallowed is of no more use.
+  /// Takes away what j beats; the new edge is labelled j. `b` is that of owner and j. What is swallowed is of
+  /// no more use.
   Clip clip(SiteId j, const Bisector& b) { return cut(j, b, true); }
   /// Takes away what j does not beat.
   Clip clip_beyond(SiteId j, const Bisector& b) { return cut(j, b, false); }

@@ -72,8 +72,8 @@ void MeshBuilder::append_triangles(std::span<const VertexId> corners, Facets& fa
   for (const auto& [a, b, c] : triangulate(polygon)) facets.push_back({corner(a), corner(b), corner(c)});
 }
 
-/// What is left of a facet without corners that repeat the one before them, and triangles that still name a vertex
-/// twice.
+/// What is left of a facet without corners that repeat the one before them, and triangles that still name a
+/// vertex twice.
 void MeshBuilder::append_the_rest(std::span<const VertexId> corners, Facets& facets) const {
   std::vector<VertexId> rest;
   for (const VertexId v : corners)

@@ -30,9 +30,9 @@ class MeshBuilder {
   std::size_t num_vertices() const { return vertices_.size(); }
   const geom::Table<geom::VertexId, geom::Vec3>& vertices() const { return vertices_; }
 
-  /// Throws if there is no facet or an index is out of range. A facet that names a vertex twice is refused, or,
-  /// if `repeated` is given, loses that corner, and goes if it has not three others; how many such facets there
-  /// were is added to it.
+  /// Throws if there is no facet or an index is out of range. A facet that names a vertex twice is refused,
+  /// or, if `repeated` is given, loses that corner, and goes if it has not three others; how many such facets
+  /// there were is added to it.
   geom::TriMesh finish(std::size_t* repeated = nullptr) &&;
 
  private:

@@ -17,8 +17,8 @@ MeshFormat mesh_format(const std::filesystem::path& path);
 /// facet. Throws geom::InputError of one line: "path: what", "path:line: what" or, in binary files,
 /// "path:byte offset: what". Cost: linear in the file.
 geom::TriMesh read_mesh(const std::filesystem::path& path);
-/// The same, but facets that name a vertex twice are no fault: they are dropped, polygons but for that corner. Their
-/// number is added to `repeated`.
+/// The same, but facets that name a vertex twice are no fault: they are dropped, polygons but for that
+/// corner. Their number is added to `repeated`.
 geom::TriMesh read_mesh(const std::filesystem::path& path, std::size_t& repeated);
 
 /// Writes the file atomically (atomic_file.h). OBJ, OFF (text) and PLY (binary) keep every bit of the

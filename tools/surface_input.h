@@ -35,9 +35,10 @@ struct SurfaceInput {
   std::string faults;              ///< those that matter, with the option that mends them; empty: none
 };
 
-/// The mesh of a file. Unless it is taken as it is, facets that name a vertex twice are dropped and the repairs
-/// wanted are done; notes tell that in one line if no step was asked for, else in a line a step, and faults that are
-/// left in another. Nothing is printed: should the input be refused, one line says why. Throws geom::InputError.
+/// The mesh of a file. Unless it is taken as it is, facets that name a vertex twice are dropped and the
+/// repairs wanted are done; notes tell that in one line if no step was asked for, else in a line a step, and
+/// faults that are left in another. Nothing is printed: should the input be refused, one line says why.
+/// Throws geom::InputError.
 SurfaceInput read_surface(const std::filesystem::path& path, const RepairArguments& repair);
 
 /// Prints the notes on stderr, and forgets them.

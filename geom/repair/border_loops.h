@@ -12,8 +12,8 @@ struct BorderLoop {
   bool simple = true;         ///< false: a chain that does not close (next to edges of more than two facets)
 };
 
-/// Edges with one facet, taken apart into simple cycles: where borders meet in a vertex each ends there. In the order
-/// of their first edges. O(F log F).
+/// Edges with one facet, taken apart into simple cycles: where borders meet in a vertex each ends there. In
+/// the order of their first edges. O(F log F).
 std::vector<BorderLoop> border_loops(const Table<VertexId, Vec3>& vertices,
                                      const Table<FacetId, TriMesh::Facet>& facets);
 

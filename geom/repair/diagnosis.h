@@ -29,8 +29,8 @@ struct Diagnosis {
 /// O(F log F).
 Diagnosis diagnosis(const TriMesh& mesh, bool with_intersections);
 
-/// What of it makes a remesh other than the user expects, and the option that mends it; empty if nothing does:
-/// "3 non-manifold edges; --repair splits sheets, fills holes, ...". One line.
+/// What of it makes a remesh other than the user expects, and the option that mends it; empty if nothing
+/// does: "3 non-manifold edges; --repair splits sheets, fills holes, ...". One line.
 std::string warning(const Diagnosis& found);
 
 }  // namespace geom

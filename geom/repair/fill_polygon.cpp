@@ -30,8 +30,8 @@ Vec3 unit(const Vec3& normal) {
   return length > 0 ? Vec3(normal / length) : Vec3(0, 0, 0);
 }
 
-/// How much two triangles bend at their common edge. Facets without a normal say nothing, triangles of the filling
-/// without area are the worst.
+/// How much two triangles bend at their common edge. Facets without a normal say nothing, triangles of the
+/// filling without area are the worst.
 double bend(const Vec3& m, const Vec3& n) { return std::round((1 - m.dot(n)) / bend_step); }
 
 /// The polygon of some corners, in order.

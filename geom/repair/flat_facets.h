@@ -18,8 +18,8 @@ struct Flattening {
   std::size_t left = 0;     ///< neither was possible
 };
 
-/// Mends facets whose corners lie on one line; no two may share a place. `vertices`: in the range of collinear().
-/// O(F log F) a pass; a pass is needed for each facet without area next to another.
+/// Mends facets whose corners lie on one line; no two may share a place. `vertices`: in the range of
+/// collinear(). O(F log F) a pass; a pass is needed for each facet without area next to another.
 Flattening mend_flat(const Table<VertexId, Vec3>& vertices, Table<FacetId, TriMesh::Facet>& facets);
 
 /// Removes the facets that are marked; the others keep their order.

@@ -47,7 +47,8 @@ class Filler {
  private:
   static Ends ends(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
 
-  /// Sides that the facets across run through the same way as the rim, less those they run through as they should.
+  /// Sides that the facets across run through the same way as the rim, less those they run through as they
+  /// should.
   long against(const std::vector<VertexId>& rim) const {
     long result = 0;
     for (std::size_t i = 0; i < rim.size(); ++i) {

@@ -12,8 +12,8 @@ constexpr std::size_t most_tries = 1000;  // a facet, on average
 
 using Corners = std::array<Vec3, 3>;
 
-/// Whether the segment from p to q passes through the triangle, neither beginning nor ending in its plane, not along a
-/// side: a proper crossing.
+/// Whether the segment from p to q passes through the triangle, neither beginning nor ending in its plane,
+/// not along a side: a proper crossing.
 bool crosses(const Vec3& p, const Vec3& q, const Corners& t) {
   const int at_p = orient3(t[0], t[1], t[2], p), at_q = orient3(t[0], t[1], t[2], q);
   if (at_p == 0 || at_q == 0 || at_p == at_q) return false;

@@ -12,9 +12,9 @@ struct Intersections {
   bool all = true;  ///< false: there are too many facets near one another, and not all pairs were looked at
 };
 
-/// Pairs of facets whose interiors or edges pass through one another; exact. Coplanar facets that overlap are not
-/// counted. `mesh`: in the unit box (scaling.h). O(F log F) where facets are of similar size; at worst 1000 F pairs are
-/// tried.
+/// Pairs of facets whose interiors or edges pass through one another; exact. Coplanar facets that overlap are
+/// not counted. `mesh`: in the unit box (scaling.h). O(F log F) where facets are of similar size; at worst
+/// 1000 F pairs are tried.
 Intersections self_intersections(const TriMesh& mesh);
 
 }  // namespace geom

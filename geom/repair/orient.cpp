@@ -38,7 +38,8 @@ Neighbours neighbours_of(const Facets& facets) {
   return result;
 }
 
-/// Walks over the part of `start`; `turn` says of each facet whether it is to be turned: 0 no, 1 yes, -1 not known.
+/// Walks over the part of `start`; `turn` says of each facet whether it is to be turned: 0 no, 1 yes, -1 not
+/// known.
 Part walk(FacetId start, const Neighbours& neighbours, Table<FacetId, signed char>& turn) {
   Part part;
   part.facets.push_back(start);

@@ -23,7 +23,8 @@ struct CrumbLimits {
   double most_share = 0.2;     ///< of the area: crumbs of more in all are no crumbs, and stay
 };
 
-/// Removes parts below the limits; the largest (the first of them) stays. Returns the number of parts removed.
+/// Removes parts below the limits; the largest (the first of them) stays. Returns the number of parts
+/// removed.
 std::size_t drop_crumbs(const Table<VertexId, Vec3>& vertices, Table<FacetId, TriMesh::Facet>& facets,
                         const CrumbLimits& limits);
 

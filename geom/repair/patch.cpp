@@ -116,7 +116,8 @@ class Patch {
     return any;
   }
 
-  /// Least squares of the differences between vertices and the means of their neighbours, at new vertices and the rim.
+  /// Least squares of the differences between vertices and the means of their neighbours, at new vertices and
+  /// the rim.
   void fair() {
     std::map<VertexId, std::set<VertexId>> around = around_;
     for (FacetId t = first_; t.index() < facets_.size(); t = FacetId(t.value + 1))

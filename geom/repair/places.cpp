@@ -26,7 +26,8 @@ class Grid {
   template <class Visit>
   void near(const Vec3& p, double reach, Visit visit) const {
     const Cell low = cell(p - Vec3::Constant(reach)), high = cell(p + Vec3::Constant(reach));
-    // Two cubes on each axis at most, for the reach is less than a cube's width. (Far out there is no next number.)
+    // Two cubes on each axis at most, for the reach is less than a cube's width. (Far out there is no next
+    // number.)
     for (int corner = 0; corner < 8; ++corner) {
       Cell at = low;
       bool is_new = true;

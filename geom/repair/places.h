@@ -10,9 +10,9 @@ using Places = Table<VertexId, VertexId>;
 /// For each vertex the least id among those with equal coordinates (-0 equals 0). O(V log V).
 Places exact_places(const Table<VertexId, Vec3>& vertices);
 
-/// Likewise, but border vertices (those of an edge with one facet) whose distance is at most `tolerance` share a
-/// place too, nearest pairs first, unless a facet would then have two corners at one place. O(V log V) unless the
-/// tolerance reaches over many vertices.
+/// Likewise, but border vertices (those of an edge with one facet) whose distance is at most `tolerance`
+/// share a place too, nearest pairs first, unless a facet would then have two corners at one place. O(V log
+/// V) unless the tolerance reaches over many vertices.
 Places near_places(const Table<VertexId, Vec3>& vertices, const Table<FacetId, TriMesh::Facet>& facets,
                    double tolerance);
 

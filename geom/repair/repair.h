@@ -26,8 +26,8 @@ struct Repaired {
   std::vector<std::string> lines;  ///< one for each step that found something to do, or could not do it all
 };
 
-/// O(F log F), and what the steps' headers say. Deterministic. Throws InputError if nothing is left, or the coordinates
-/// are beyond what scaling.h takes.
+/// O(F log F), and what the steps' headers say. Deterministic. Throws InputError if nothing is left, or the
+/// coordinates are beyond what scaling.h takes.
 Repaired repaired(const TriMesh& mesh, const RepairSteps& steps);
 
 }  // namespace geom

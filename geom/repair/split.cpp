@@ -58,8 +58,8 @@ class Sheets {
 
   const std::vector<Sides>& crowded() const { return crowded_; }
 
-  /// Facets by new vertices, those beyond the number of old ones copies of `copied`. `whole`: vertices all of whose
-  /// fans part, too.
+  /// Facets by new vertices, those beyond the number of old ones copies of `copied`. `whole`: vertices all of
+  /// whose fans part, too.
   Facets parted(Fans fans, const std::set<VertexId>& whole, std::vector<VertexId>& copied) {
     Facets result = facets_;
     std::map<std::pair<VertexId, std::size_t>, VertexId> names;
@@ -157,8 +157,8 @@ std::vector<std::vector<HalfEdge>> crowded_edges(const Facets& facets) {
   return result;
 }
 
-/// Gives the last two facets at each crowded edge (or the one too many) a vertex in its middle; facets change once.
-/// Returns how many vertices are new.
+/// Gives the last two facets at each crowded edge (or the one too many) a vertex in its middle; facets change
+/// once. Returns how many vertices are new.
 std::size_t part_in_the_middle(Table<VertexId, Vec3>& vertices, Facets& facets) {
   std::set<FacetId> changed;
   std::size_t added = 0;

@@ -97,8 +97,8 @@ class Zip {
     cuts[edge].push_back({at, v});
   }
 
-  /// The fan of facets from the corner across to the points along the edge. Of points nearer to each other than the
-  /// tolerance the first stands for all. Nothing if an edge would come to have three facets.
+  /// The fan of facets from the corner across to the points along the edge. Of points nearer to each other
+  /// than the tolerance the first stands for all. Nothing if an edge would come to have three facets.
   std::size_t cut(const HalfEdge& h, const std::vector<Cut>& points) {
     const double length = (vertices_[h.high] - vertices_[h.low]).norm();
     const VertexId apex = facets_[h.facet][static_cast<std::size_t>((h.edge + 2) % 3)];

@@ -14,9 +14,9 @@ struct Welding {
 /// manifold (split.h decides then who belongs to whom).
 enum class Crowds { leave, weld };
 
-/// Facets are led to the vertex of least id among those that are welded; no vertex is removed or moved. Only ends of
-/// border edges that pair up are welded, so closed sheets that touch stay apart, and with Crowds::leave no edge
-/// comes to have more than two facets that had not. O(F log F).
+/// Facets are led to the vertex of least id among those that are welded; no vertex is removed or moved. Only
+/// ends of border edges that pair up are welded, so closed sheets that touch stay apart, and with
+/// Crowds::leave no edge comes to have more than two facets that had not. O(F log F).
 Welding weld_borders(const Places& places, Table<FacetId, TriMesh::Facet>& facets, Crowds crowds);
 
 }  // namespace geom

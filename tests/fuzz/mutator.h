@@ -20,8 +20,8 @@ struct Mutant {
 /// speak of.
 Mutant mutant(std::uint64_t seed);
 
-/// A closed shape of some hundred facets spoilt in one of ten ways (fixtures/spoilt.h), as an exporter or a scanner
-/// would: --repair makes a closed manifold of it.
+/// A closed shape of some hundred facets spoilt in one of ten ways (fixtures/spoilt.h), as an exporter or a
+/// scanner would: --repair makes a closed manifold of it.
 Mutant export_fault(std::uint64_t seed);
 
 /// The bytes with one to four of them changed, a stretch removed or repeated, lines cut or doubled, words

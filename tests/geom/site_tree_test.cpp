@@ -62,7 +62,8 @@ TEST_CASE("site tree: rivals, heirs and nearest against brute force while sites 
     }
     CHECK(rivals.size() <= expected + 5);
 
-    // Of one that is not in: the same and, if it is where another one is, that too. Those of more reach are among them.
+    // Of one that is not in: the same and, if it is where another one is, that too. Those of more reach are
+    // among them.
     std::vector<SiteId> of_point;
     tree.rivals(own.point, of_point);
     std::erase(of_point, q);

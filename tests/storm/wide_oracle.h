@@ -31,7 +31,8 @@ long common_unit(std::span<const geom::WeightedPoint3> points);
 int orient2(const WideSite& a, const WideSite& b, const WideSite& c);
 int orient3(const WideSite& a, const WideSite& b, const WideSite& c, const WideSite& d);
 
-/// A sign, and whether it took the perturbation to find it. The sign of a tie may be 0 only if ranks are equal.
+/// A sign, and whether it took the perturbation to find it. The sign of a tie may be 0 only if ranks are
+/// equal.
 struct Decision {
   int sign;
   bool tie;
