@@ -12,8 +12,8 @@ namespace geom {
 /// Plans the division, changes nothing. One object serves all divisions of a diagram.
 class CellDivision {
  public:
-  /// What an heir gets of one vacated fragment: a polygon in which the edge on the removed site's bisector, if
-  /// there is one, is labelled with that site.
+  /// What an heir gets of one vacated fragment: a polygon in which the edge on the removed site's bisector,
+  /// if there is one, is labelled with that site.
   struct Share {
     FragmentId joins;  ///< the fragment of the heir that continues it across that edge, or none: it is new
     FacetPolygon polygon;

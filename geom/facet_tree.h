@@ -14,8 +14,8 @@ class FacetTree {
   /// `order`: all facets, along a curve (facets_along_curve()). O(F).
   FacetTree(const TriMesh& mesh, std::vector<FacetId> order);
 
-  /// Appends all facets that have a point within that distance of x, and some more. Cost: those, times the logarithm
-  /// of F at most.
+  /// Appends all facets that have a point within that distance of x, and some more. Cost: those, times the
+  /// logarithm of F at most.
   void near(const Vec3& x, double distance, std::vector<FacetId>& out) const;
   /// The same but for facets in balls (center, radius) of which is_of_no_use says so.
   using OfNoUse = std::function<bool(const Vec3&, double)>;

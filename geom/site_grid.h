@@ -10,7 +10,8 @@
 
 namespace geom {
 
-/// insert, move, near: O(1) expected, and the sites near. Coordinates divided by the cell size must stay below 2^20.
+/// insert, move, near: O(1) expected, and the sites near. Coordinates divided by the cell size must stay
+/// below 2^20.
 class SiteGrid {
  public:
   /// Without cells: is_in_use() is false, and nothing may be asked or done.

@@ -19,8 +19,9 @@ double CellClipper::clip(SiteId p, CellPieces& out) {
   return clip(p, state_.reach[p], around_, out);
 }
 
-// What is left after some sites is more than the cell. So whoever takes anything of it is found by the bound of the
-// power on what is left; but when that is more than the cell is known to have, it pays to look less far first.
+// What is left after some sites is more than the cell. So whoever takes anything of it is found by the bound
+// of the power on what is left; but when that is more than the cell is known to have, it pays to look less
+// far first.
 double CellClipper::clip(SiteId p, double power, std::span<const SiteId> around, CellPieces& out) {
   out.clear();
   const double radius = state_.distance_at(power, p);
@@ -50,8 +51,8 @@ void CellClipper::consider(SiteId p, std::span<const SiteId> sites) {
   }
 }
 
-/// All sites that were not considered and may take something of locations of at most that power; if they are too many,
-/// the nearest of them. Returns the power up to which that is so, -infinity if they are too many.
+/// All sites that were not considered and may take something of locations of at most that power; if they are
+/// too many, the nearest of them. Returns the power up to which that is so, -infinity if they are too many.
 double CellClipper::find_others(SiteId p, double power) {
   const Vec3& center = state_.sites[p].position;
   const double radius = state_.distance_at(power, p);
@@ -75,8 +76,8 @@ double CellClipper::find_others(SiteId p, double power) {
   return power;
 }
 
-/// Leaves in polygon_ what others_ from the first one on leave to p of a polygon, or of the whole facet if there is none.
-/// False if that is nothing.
+/// Leaves in polygon_ what others_ from the first one on leave to p of a polygon, or of the whole facet if
+/// there is none. False if that is nothing.
 bool CellClipper::cut(FacetId t, SiteId p, std::span<const PolygonCorner> corners, std::size_t first) {
   cutting_.clear();
   if (last_ < others_.size() &&

@@ -1,7 +1,7 @@
 #pragma once
-// One cell of the diagram from nothing, by exact clipping (clip.h): each facet that it may meet is cut by the sites
-// around. Those that are known to border the cell come first, and leave little of it or nothing; what else may come near
-// what is left is found by a search.
+// One cell of the diagram from nothing, by exact clipping (clip.h): each facet that it may meet is cut by the
+// sites around. Those that are known to border the cell come first, and leave little of it or nothing; what
+// else may come near what is left is found by a search.
 
 #include <cstdint>
 #include <span>
@@ -42,9 +42,9 @@ class CellClipper {
  public:
   explicit CellClipper(DualState& state) : state_(state), lazy_(state.clipper) {}
 
-  /// The cell of p, which is in. `power`: no location of the cell has more. `around`: sites that are likely to border it,
-  /// without p, each once; the more of those that do, the faster. Returns the least bound of the power in the cell,
-  /// -infinity if that is empty.
+  /// The cell of p, which is in. `power`: no location of the cell has more. `around`: sites that are likely
+  /// to border it, without p, each once; the more of those that do, the faster. Returns the least bound of
+  /// the power in the cell, -infinity if that is empty.
   double clip(SiteId p, double power, std::span<const SiteId> around, CellPieces& out);
   /// The same, with what is known of a cell whose circles are right.
   double clip(SiteId p, CellPieces& out);

@@ -1,9 +1,10 @@
 #pragma once
 // The edges of the diagram, put together facet by facet: which circles lie beyond each other.
 //
-//      c1 *---o---o-----o---* c2      On each facet an edge between two cells is a segment. Its ends are circles, or
-//           t   u    v    w           points (o) on edges of the facet, where it goes on across: there segments are
-//                                     joined to chains, and a chain between two circles is done.
+//      c1 *---o---o-----o---* c2      On each facet an edge between two cells is a segment. Its ends are
+//           t   u    v    w           circles, or points (o) on edges of the facet, where it goes on across:
+//                                     there segments are joined to chains, and a chain between two circles is
+//                                     done.
 
 #include <array>
 #include <span>
@@ -21,13 +22,13 @@ class EdgeChains {
 
   /// Adds the segments of the polygons of one facet, whose circles are registered.
   void add(FacetId t, std::span<const FacetPiece> pieces);
-  /// Sites of which an edge is a closed curve without a circle, or runs from border to border. In order of facets,
-  /// maybe more than once.
+  /// Sites of which an edge is a closed curve without a circle, or runs from border to border. In order of
+  /// facets, maybe more than once.
   std::span<const SiteId> without_circle() const { return without_circle_; }
 
  private:
-  /// A point of the diagram on an edge of the surface, named by the smaller facet there: 3 facet + edge, and the sites,
-  /// the smaller one first.
+  /// A point of the diagram on an edge of the surface, named by the smaller facet there: 3 facet + edge, and
+  /// the sites, the smaller one first.
   struct Point {
     std::int64_t edge = -1;
     SiteId a, b;

@@ -35,7 +35,8 @@ void Chart::set(int i, const Vec3& d, double c) {
   largest_ = std::sqrt(largest2_);
 }
 
-// n = e x e' is steep if |n_z| > su |n_x| + sv |n_y|, which is at most 2 Z (su Y + sv X) for the largest components X, Y, Z.
+// n = e x e' is steep if |n_z| > su |n_x| + sv |n_y|, which is at most 2 Z (su Y + sv X) for the largest
+// components X, Y, Z.
 bool Chart::is_simple_with(int last, double radius) const {
   const auto k = static_cast<std::size_t>(last);
   const double least = small * largest_, least2 = 4 * small * largest_ * largest_;
@@ -80,8 +81,9 @@ bool Chart::meets_axis_once(int first, int second, int third, double radius) con
          is_far(first, second, third, radius);
 }
 
-// The axis is where 2 e.y = f and 2 e'.y = f' for e = d_i - d_k, f = c_i - c_k, and e', f' of j: its place next to the
-// origin is ((f e' - f' e) x n) / (2 |n|^2) with n = e x e', so |f e' - f' e| = 2 |n| times its distance.
+// The axis is where 2 e.y = f and 2 e'.y = f' for e = d_i - d_k, f = c_i - c_k, and e', f' of j: its place
+// next to the origin is ((f e' - f' e) x n) / (2 |n|^2) with n = e x e', so |f e' - f' e| = 2 |n| times its
+// distance.
 bool Chart::is_far(int first, int second, int third, double radius) const {
   const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second),
              k = static_cast<std::size_t>(third);
@@ -92,10 +94,10 @@ bool Chart::is_far(int first, int second, int third, double radius) const {
                       small * largest2_ * (e.norm() + g.norm());
 }
 
-// A location y at horizontal distance t lies, seen from above, between two neighbours; one is within half the angle of
-// them, gamma. For that one 2 d.y >= 2 t (|d_h| cos(gamma) - s|a|), where |y| / sqrt(1 + s^2) <= t <= |y|. So with |y|
-// given its power is at most |y|^2 - w + c - 2 |y| C: convex in |y|, as is |y| plus the root of that and of the heaviest
-// weight. Both are largest at 0 or at the radius.
+// A location y at horizontal distance t lies, seen from above, between two neighbours; one is within half the
+// angle of them, gamma. For that one 2 d.y >= 2 t (|d_h| cos(gamma) - s|a|), where |y| / sqrt(1 + s^2) <= t
+// <= |y|. So with |y| given its power is at most |y|^2 - w + c - 2 |y| C: convex in |y|, as is |y| plus the
+// root of that and of the heaviest weight. Both are largest at 0 or at the radius.
 Chart::Gain Chart::most_gain(int count, double radius, double weight, double heaviest) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Gain most{-infinity, 0};
@@ -121,10 +123,11 @@ Chart::Gain Chart::most_gain(int count, double radius, double weight, double hea
 }
 
 // In the plane of the bisector let w be the horizontal direction and m' the one across, tilted from m by psi,
-// tan(psi) = |a| / |e_h|. A normal within s of m, at an angle b around it, gives the surface the slope s cos(b) /
-// (cos(psi) - s sin(b) sin(psi)) there: at most k = s / (cos(psi) cos(phi)), where sin(phi) = s tan(psi). On a chord with
-// components (t, z) a path of such slopes is farthest off at |t| (1 +- |z| / (k |t|)) / 2, by (k^2 t^2 - z^2) /
-// (2 k |t|); that place of the chord is |z| / (2 k) times its length over |t| from the middle.
+// tan(psi) = |a| / |e_h|. A normal within s of m, at an angle b around it, gives the surface the slope s
+// cos(b) / (cos(psi) - s sin(b) sin(psi)) there: at most k = s / (cos(psi) cos(phi)), where sin(phi) = s
+// tan(psi). On a chord with components (t, z) a path of such slopes is farthest off at |t| (1 +- |z| / (k
+// |t|)) / 2, by (k^2 t^2 - z^2) / (2 k |t|); that place of the chord is |z| / (2 k) times its length over |t|
+// from the middle.
 double Chart::farthest2(int first, int second, const Vec3& from, const Vec3& to) const {
   const auto i = static_cast<std::size_t>(first), j = static_cast<std::size_t>(second);
   const double ex = x_[i] - x_[j], ey = y_[i] - y_[j], ez = z_[i] - z_[j];

@@ -1,41 +1,45 @@
 #pragma once
-// A few sites near a place on a sheet of the surface: where their cells are those of the plane, but for bends.
+// A few sites near a place on a sheet of the surface: where their cells are those of the plane, but for
+// bends.
 //
-// Let the surface near be the graph of a function h over a convex part W of a plane (sheets.h). "Horizontal" is along that
-// plane, m its normal; u, v are directions along it such that the gradient of h is within su and sv of 0 along them,
-// and at most s in all, s < 1. A bisector is where a plane of space meets the surface, and the three bisectors of three
-// sites meet where a line does, their axis.
+// Let the surface near be the graph of a function h over a convex part W of a plane (sheets.h). "Horizontal"
+// is along that plane, m its normal; u, v are directions along it such that the gradient of h is within su
+// and sv of 0 along them, and at most s in all, s < 1. A bisector is where a plane of space meets the
+// surface, and the three bisectors of three sites meet where a line does, their axis.
 //
-//   (1) For sites i, j let e = p_j - p_i, with horizontal part e_h and height a. From z to z' on the surface the lead of i
-//       over j changes by -2 (e_h + a t).(z' - z)_h, with t an average of gradients. If |e_u| > su |a| or |e_v| > sv |a|,
-//       it falls all the way in direction u, -u, v or -v: where j has a lead over i it keeps one in that direction, up to
-//       the end of W.
-//   (2) If z and z' are both on the axis of i, j, k, then z' - z is along n = e x e', so its rise is n_z / |n_h| of its run.
-//       If |n_z| > su |n_u| + sv |n_v|, the surface is nowhere so steep that way: the axis meets it at most once, and on
-//       the bisector of i and j, k begins or ceases to be nearer once at most. Never, if the axis is far: farther from a
-//       place than all that is spoken of.
+//   (1) For sites i, j let e = p_j - p_i, with horizontal part e_h and height a. From z to z' on the surface
+//   the lead of i
+//       over j changes by -2 (e_h + a t).(z' - z)_h, with t an average of gradients. If |e_u| > su |a| or
+//       |e_v| > sv |a|, it falls all the way in direction u, -u, v or -v: where j has a lead over i it keeps
+//       one in that direction, up to the end of W.
+//   (2) If z and z' are both on the axis of i, j, k, then z' - z is along n = e x e', so its rise is n_z /
+//   |n_h| of its run.
+//       If |n_z| > su |n_u| + sv |n_v|, the surface is nowhere so steep that way: the axis meets it at most
+//       once, and on the bisector of i and j, k begins or ceases to be nearer once at most. Never, if the
+//       axis is far: farther from a place than all that is spoken of.
 //
-// A chart is simple if (1) holds for all pairs and (2) for all triples. Let edges of a division be drawn between circles
-// that are known to be empty, each on the bisector of the two sites that the circles share.
+// A chart is simple if (1) holds for all pairs and (2) for all triples. Let edges of a division be drawn
+// between circles that are known to be empty, each on the bisector of the two sites that the circles share.
 //
 //   - All of such an edge belongs to it: a site that were nearer somewhere would be nearer at an end, by (2).
-//   - What is surrounded by edges and arcs on which i is nearest belongs to i: if j were nearer inside, it would be so in
-//     one direction up to the border, by (1).
+//   - What is surrounded by edges and arcs on which i is nearest belongs to i: if j were nearer inside, it
+//     would be so in one direction up to the border, by (1).
 //
-// Removal of x: its cell H is a disc (x is regular), its border is known. The circles that fill the hole and the edges
-// between them, and to the old circles, make a tree in H with an end at each old circle. It divides H into as many
-// parts as there are neighbours, the sites turn counterclockwise around each circle, so each part has one owner along its
-// border, hence inside.
+// Removal of x: its cell H is a disc (x is regular), its border is known. The circles that fill the hole and
+// the edges between them, and to the old circles, make a tree in H with an end at each old circle. It divides
+// H into as many parts as there are neighbours, the sites turn counterclockwise around each circle, so each
+// part has one owner along its border, hence inside.
 //
-// Insertion of p: the edges around it are a closed curve of the lengths between its circles, and what it surrounds belongs
-// to p. That it has p inside, and that p has nothing beyond: see sheets.h.
+// Insertion of p: the edges around it are a closed curve of the lengths between its circles, and what it
+// surrounds belongs to p. That it has p inside, and that p has nothing beyond: see sheets.h.
 //
-// How far is what a site has? Distances grow along horizontal lines (t^2 + h^2 has derivative at least 2t (1 - s^2)), so
-// the farthest location of a cell, or of a part of it, is on its border. An edge runs in the plane of the bisector; how far
-// it can be off the chord between two of its points follows from s (farthest2).
+// How far is what a site has? Distances grow along horizontal lines (t^2 + h^2 has derivative at least 2t (1
+// - s^2)), so the farthest location of a cell, or of a part of it, is on its border. An edge runs in the
+// plane of the bisector; how far it can be off the chord between two of its points follows from s
+// (farthest2).
 //
-// Rounding: coordinates here are off by some 1e-15 of the largest distance of two sites, and the code asks for a
-// millionth more than the bounds say, and for 1e-9 of the largest where a difference is small.
+// Rounding: coordinates here are off by some 1e-15 of the largest distance of two sites, and the code asks
+// for a millionth more than the bounds say, and for 1e-9 of the largest where a difference is small.
 
 #include <array>
 
@@ -58,21 +62,22 @@ class Chart {
   double x(int i) const { return x_[static_cast<std::size_t>(i)]; }
   double y(int i) const { return y_[static_cast<std::size_t>(i)]; }
 
-  /// (1) and (2) for all pairs and triples with that site and those before it. `radius`: all that is spoken of is that
-  /// near to the origin.
+  /// (1) and (2) for all pairs and triples with that site and those before it. `radius`: all that is spoken
+  /// of is that near to the origin.
   bool is_simple_with(int k, double radius) const;
   /// (1) for two, and (2) for three of the sites.
   bool is_monotone(int i, int j) const;
   bool meets_axis_once(int i, int j, int k, double radius) const;
-  /// Of the sites before the last, in counterclockwise order around that one, the origin, whose cell is in the ball of that
-  /// radius: bounds of the power to the nearest of them there, and of the distance of a site that may be nearer there, if
-  /// its weight is at most that of the heaviest. Infinite if they do not surround it.
+  /// Of the sites before the last, in counterclockwise order around that one, the origin, whose cell is in
+  /// the ball of that radius: bounds of the power to the nearest of them there, and of the distance of a site
+  /// that may be nearer there, if its weight is at most that of the heaviest. Infinite if they do not
+  /// surround it.
   struct Gain {
     double power, range;
   };
   Gain most_gain(int count, double radius, double weight, double heaviest) const;
-  /// A bound, squared, of the distance of an edge of i and j from the origin of two locations on it. Infinite unless
-  /// s|a| < |e_h|, which is a little more than (1) asks.
+  /// A bound, squared, of the distance of an edge of i and j from the origin of two locations on it. Infinite
+  /// unless s|a| < |e_h|, which is a little more than (1) asks.
   double farthest2(int i, int j, const Vec3& from, const Vec3& to) const;
 
  private:

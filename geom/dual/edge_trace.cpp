@@ -14,8 +14,8 @@ constexpr std::size_t most_facets = 32;
 
 }  // namespace
 
-// It leaves a facet where, along the facet's border, the left site becomes the nearer one: from u to v. Across, the edge
-// runs from v to u, and the third corner w tells which of the two others is next.
+// It leaves a facet where, along the facet's border, the left site becomes the nearer one: from u to v.
+// Across, the edge runs from v to u, and the third corner w tells which of the two others is next.
 TracedEdge::Extent extent_of_edge(const TriMesh& mesh, const WeightedPoint3& left,
                                   const WeightedPoint3& right, const TracedEdge& edge) {
   const TracedEdge::Extent unknown{std::numeric_limits<double>::infinity(), Vec3(0, 0, 0)};

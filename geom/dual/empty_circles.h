@@ -1,11 +1,11 @@
 #pragma once
 // The state of the restricted dual: its empty circles, each with the three around it.
 //
-//        .------ b ------.        The sites a, b, c meet in the corner of their cells that is the circle's center.
-//         \     /|\     /         Three edges of the diagram begin there; each ends in another corner, where a
-//          \   / | \   /          fourth site meets two of them: the circle `beyond` that edge. In the dual a circle
-//           \ /  |  \ /           is a triangle, and the circle beyond is the triangle across its edge.
-//            a-------c
+//        .------ b ------.        The sites a, b, c meet in the corner of their cells that is the circle's
+//         \     /|\     /         center. Three edges of the diagram begin there; each ends in another
+//          \   / | \   /          corner, where a fourth site meets two of them: the circle `beyond` that
+//           \ /  |  \ /           edge. In the dual a circle is a triangle, and the circle beyond is the
+//            a-------c            triangle across its edge.
 
 #include <array>
 #include <cstdint>
@@ -19,8 +19,8 @@
 
 namespace geom {
 
-/// A corner of the diagram. All fields but `beyond` are functions of the mesh and of the sites that meet there, not
-/// of history. One line of the cache.
+/// A corner of the diagram. All fields but `beyond` are functions of the mesh and of the sites that meet
+/// there, not of history. One line of the cache.
 struct EmptyCircle {
   Vec3 center{0, 0, 0};
   double radius2 = 0;

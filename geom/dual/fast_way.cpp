@@ -111,8 +111,8 @@ bool FastWay::flatten_rim() {
   return true;
 }
 
-// Gift wrapping in the plane of the rim, as in regular2: in the part of the polygon beyond a chord the apex is the corner
-// whose circle with the chord's ends holds no other.
+// Gift wrapping in the plane of the rim, as in regular2: in the part of the polygon beyond a chord the apex
+// is the corner whose circle with the chord's ends holds no other.
 bool FastWay::guess_triangles() {
   if (!flatten_rim()) return false;
   struct Chord {
@@ -155,8 +155,8 @@ int FastWay::apex(int first, int last) const {
   return best;
 }
 
-/// Where the axis of three sites (none: the origin) meets the surface, counterclockwise there: from facet to facet across
-/// the edge that is farthest beyond.
+/// Where the axis of three sites (none: the origin) meets the surface, counterclockwise there: from facet to
+/// facet across the edge that is farthest beyond.
 FacetId FastWay::walk(int a, int b, int c, FacetId start) {
   FacetId t = start;
   for (std::size_t step = 0; step < walk_limit; ++step) {
@@ -185,7 +185,8 @@ bool FastWay::find_circle(Triangle& triangle, FacetId start) {
   return true;
 }
 
-/// The surface has the last word: flips edges until no circle holds the corner across, then looks at the whole rim.
+/// The surface has the last word: flips edges until no circle holds the corner across, then looks at the
+/// whole rim.
 bool FastWay::flip_until_empty() {
   const auto holds = [&](const Triangle& triangle, int site, bool& certain) {
     const Sure lead = triangle.values.difference(site, triangle.corners[0]);
@@ -221,8 +222,8 @@ bool FastWay::flip_until_empty() {
   return certain;
 }
 
-//      p            p           Edge (q, r) of triangles i = (p, q, r) and j = (o, r, q) becomes (p, o): i = (p, q, o) and
-//     /i\          /|\          j = (p, o, r).
+//      p            p           Edge (q, r) of triangles i = (p, q, r) and j = (o, r, q) becomes (p, o): i =
+//     /i\          /|\          (p, q, o) and j = (p, o, r).
 //    q---r   ->   q | r
 //     \j/          \|/
 //      o            o
@@ -309,8 +310,8 @@ bool FastWay::bound_hole() {
   return range_ < infinity;
 }
 
-/// A bound, squared, of how far an edge of the diagram comes from one of its sites: by the chart, if that is enough, else
-/// from facet to facet.
+/// A bound, squared, of how far an edge of the diagram comes from one of its sites: by the chart, if that is
+/// enough, else from facet to facet.
 double FastWay::farthest2(const Edge& edge, double enough) const {
   const Vec3 d = frame_.offset(edge.left);
   if (edge.from == edge.to) return std::max((edge.start - d).squaredNorm(), (edge.end - d).squaredNorm());
@@ -423,8 +424,8 @@ void FastWay::remove(DualChange& change) {
   std::ranges::sort(change.cells);
 }
 
-/// What the rim has now of the hole is bounded by the old border, which it reached before, and the new edges. Across the side from a to b of a
-/// triangle the edge has b on its left.
+/// What the rim has now of the hole is bounded by the old border, which it reached before, and the new edges.
+/// Across the side from a to b of a triangle the edge has b on its left.
 void FastWay::raise_by_hole() {
   if (!hole_on_sheet_) {
     for (const SiteId r : rim_) state_.raise_reach(r, max_radius2_);

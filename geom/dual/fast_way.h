@@ -1,34 +1,36 @@
 #pragma once
-// The fast way of a move: on a sheet of the surface, a removal or an insertion is that of the plane (paper, section 3.2),
-// with a walk over facets where the plane has a formula.
+// The fast way of a move: on a sheet of the surface, a removal or an insertion is that of the plane (paper,
+// section 3.2), with a walk over facets where the plane has a formula.
 //
-//        r4 ____ r3             The star of x is a cycle of circles, and the sites around it are the rim. Without x the
-//         /\    /\              hole is filled by triangles of the rim. They are guessed in the plane of the rim, and for
-//       /___\ x/___\  r2        each the circle is found where the axis of the three sites meets the surface. x comes to
-//      r5   /\  /\   /          a center: circles that it beats go, reached from one another, and a new star is made.
-//        \/____\/___/
+//        r4 ____ r3             The star of x is a cycle of circles, and the sites around it are the rim.
+//         /\    /\              Without x the hole is filled by triangles of the rim. They are guessed in the
+//       /___\ x/___\  r2        plane of the rim, and for each the circle is found where the axis of the
+//      r5   /\  /\   /          three sites meets the surface. x comes to a center: circles that it beats go,
+//        \/____\/___/           reached from one another, and a new star is made.
 //        r0      r1
 //
-// The guess is proven for the hole, and then for the new cell: where the surface is a sheet of small slope by looking at
-// the sites alone (chart.h), else by tracing the cells over the facets that they meet (flood.h), where sites beyond the
-// rim are tested at all corners found. A second component is excluded by the shape of the surface (sheets.h). The cells
-// of the others are then right, too: they change in the hole and in the new cell only.
+// The guess is proven for the hole, and then for the new cell: where the surface is a sheet of small slope by
+// looking at the sites alone (chart.h), else by tracing the cells over the facets that they meet (flood.h),
+// where sites beyond the rim are tested at all corners found. A second component is excluded by the shape of
+// the surface (sheets.h). The cells of the others are then right, too: they change in the hole and in the new
+// cell only.
 //
-// What no tracing from circles would see are cells that no circle leads to, or that have several borders. A site is
-// called regular if its cell is known to be connected, with one border, a closed curve through all of its circles.
-// Only regular sites are removed in the fast way. Why regular sites stay so: the rim's sites are distinct, so each wins a
-// part of the hole along one arc, or loses a part of its cell along one arc.
+// What no tracing from circles would see are cells that no circle leads to, or that have several borders. A
+// site is called regular if its cell is known to be connected, with one border, a closed curve through all of
+// its circles. Only regular sites are removed in the fast way. Why regular sites stay so: the rim's sites are
+// distinct, so each wins a part of the hole along one arc, or loses a part of its cell along one arc.
 //
 //   - Winning: the parts hang together with their cells, as the dual of the hole is a triangulated polygon.
-//   - Losing: were the rest of a cell in two pieces, each would border the new cell, in an arc of its own. The part that
-//     is lost of its border lies between the two circles at the ends of the arc: one interval, so what is left closes to
-//     one curve.
-//   - That all circles which the new site beats are reached: all edges of the diagram that cross the border of the new
-//     cell end at its circles, and are counted (as many as the rim has sites). A circle inside that is not reached would
-//     belong to cells surrounded by another one; that one then had two borders, with circles on each: it is irregular,
-//     and the circles of irregular sites that may lose something are looked at one by one. (If the surrounded cell is that
-//     of a single site there is no circle between the two. That site has none on this border: irregular as well, and if it
-//     has no circle at all the general way is taken, which finds out whether it is hidden.)
+//   - Losing: were the rest of a cell in two pieces, each would border the new cell, in an arc of its own.
+//     The part that is lost of its border lies between the two circles at the ends of the arc: one interval,
+//     so what is left closes to one curve.
+//   - That all circles which the new site beats are reached: all edges of the diagram that cross the border
+//     of the new cell end at its circles, and are counted (as many as the rim has sites). A circle inside
+//     that is not reached would belong to cells surrounded by another one; that one then had two borders,
+//     with circles on each: it is irregular, and the circles of irregular sites that may lose something are
+//     looked at one by one. (If the surrounded cell is that of a single site there is no circle between the
+//     two. That site has none on this border: irregular as well, and if it has no circle at all the general
+//     way is taken, which finds out whether it is hidden.)
 //
 // False, from any of these, means: not certain, nothing is done.
 
@@ -52,8 +54,8 @@ class FastWay {
 
   /// Plans the removal of p, which changes nothing.
   bool plan(SiteId p);
-  /// Of the plan: the circles that the hole would have, without `beyond`; the rim, whose sites all win something; bounds
-  /// of the power in the cell of p, and in the hole without p.
+  /// Of the plan: the circles that the hole would have, without `beyond`; the rim, whose sites all win
+  /// something; bounds of the power in the cell of p, and in the hole without p.
   std::span<const EmptyCircle> circles() const { return circles_; }
   std::span<const SiteId> rim() const { return rim_; }
   double reach() const { return reach_; }

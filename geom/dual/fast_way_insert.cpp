@@ -65,8 +65,8 @@ bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, Dua
   return true;
 }
 
-/// Of the rim, by what it won: that lies between the old border of p_ and the new one, and is divided by what is left of
-/// the edges of the hole.
+/// Of the rim, by what it won: that lies between the old border of p_ and the new one, and is divided by what
+/// is left of the edges of the hole.
 void FastWay::raise_reaches(const WeightedPoint3& old, double reach_before) {
   const WeightedPoint3& site = state_.sites[p_];
   for (int j = 0; hole_on_sheet_ && j < size(); ++j) {
@@ -93,8 +93,8 @@ void FastWay::raise_reaches(const WeightedPoint3& old, double reach_before) {
   for (const SiteId r : rim_) state_.raise_reach(r, power);
 }
 
-/// p_ is at its new place, but not in the tree; the rim and the facets to start from are known. `reached`: the circles
-/// that p_ beats, or had before. They, and what was not someone else's, are within that distance.
+/// p_ is at its new place, but not in the tree; the rim and the facets to start from are known. `reached`:
+/// the circles that p_ beats, or had before. They, and what was not someone else's, are within that distance.
 bool FastWay::prove_new_cell(FacetId home, double least_distance, std::span<const CircleId> reached) {
   if (!home.valid() || !find_star_corners()) return false;
   if (state_.paper) state_.paper->insert(p_, state_.sites[p_], rim_.front());
@@ -135,8 +135,8 @@ void FastWay::find_far_rivals(double distance) {
                     [](const FarRival& a, const FarRival& b) { return a.distance > b.distance; });
 }
 
-/// All that p_ has is known if its cell is, within that distance: not less than `near`, for which it is so of what hangs
-/// together with a reached circle.
+/// All that p_ has is known if its cell is, within that distance: not less than `near`, for which it is so of
+/// what hangs together with a reached circle.
 double FastWay::distance_to_search(double near, std::span<const CircleId> reached) {
   for (const FarRival& rival : far_rivals_) {
     if (rival.distance <= near) break;
@@ -187,8 +187,8 @@ bool FastWay::chart_around(double distance) {
   return sheet;
 }
 
-/// Is the new cell of p_ what its corners say (chart.h), and all that p_ has where the chart is, at least within that
-/// distance? Sets cell_reach_.
+/// Is the new cell of p_ what its corners say (chart.h), and all that p_ has where the chart is, at least
+/// within that distance? Sets cell_reach_.
 bool FastWay::enclose_on_sheet(double distance) {
   const WeightedPoint3& site = state_.sites[p_];
   const Vec3& origin = frame_.origin().position;
@@ -237,7 +237,8 @@ bool FastWay::trace_cell(FacetId home) {
   return no_stranger_in_cell(std::sqrt(radius2 * more));
 }
 
-/// Are the sites beyond the rim farther at all corners of the cell, and at those of the flood? The cell is in that ball.
+/// Are the sites beyond the rim farther at all corners of the cell, and at those of the flood? The cell is in
+/// that ball.
 bool FastWay::no_stranger_in_cell(double radius) {
   const WeightedPoint3& site = state_.sites[p_];
   kept_radius_ = radius;
@@ -269,8 +270,8 @@ bool FastWay::may_beat_unreached(std::span<const CircleId> reached) {
   });
 }
 
-/// Has the cell that was traced all that p_ owns within that distance? By the shape of the surface, or else by looking at
-/// each facet there that the cell does not meet.
+/// Has the cell that was traced all that p_ owns within that distance? By the shape of the surface, or else
+/// by looking at each facet there that the cell does not meet.
 bool FastWay::has_one_component(double distance) {
   const Vec3& p = state_.sites[p_].position;
   link_.clear();
@@ -291,8 +292,9 @@ bool FastWay::has_one_component(double distance) {
   });
 }
 
-/// Is some site nearer than p_, everywhere on the facet? Mostly it is one and the same at all three corners. Else the facet
-/// is clipped, in doubles, by those who are nearer somewhere, and what is left kept a little too large.
+/// Is some site nearer than p_, everywhere on the facet? Mostly it is one and the same at all three corners.
+/// Else the facet is clipped, in doubles, by those who are nearer somewhere, and what is left kept a little
+/// too large.
 bool FastWay::owns_nothing_of(FacetId t) {
   const TriMesh::Facet& corners = state_.mesh.facet(t);
   const Frame::Slot s0 = frame_.with_signs(corners[0]), s1 = frame_.with_signs(corners[1]),
@@ -314,8 +316,8 @@ bool FastWay::owns_nothing_of(FacetId t) {
   });
 }
 
-/// Clips part_ to where a site, given by its d and c, is not nearer than p_. True if nothing is left. `size` bounds all
-/// |y|; what rounding may have misplaced, by far less than a 2^-40th of it, is kept.
+/// Clips part_ to where a site, given by its d and c, is not nearer than p_. True if nothing is left. `size`
+/// bounds all |y|; what rounding may have misplaced, by far less than a 2^-40th of it, is kept.
 bool FastWay::keep_part(const Vec3& d, double c, double size) {
   const double length = d.norm(), slack = 0x1p-40 * (length * (size + length) + std::abs(c));
   const auto value = [&](const Vec3& y) { return c - 2 * d.dot(y) + slack; };
@@ -375,8 +377,9 @@ bool FastWay::insert(SiteId p, const WeightedPoint3& point, FacetId home, Circle
   return true;
 }
 
-/// Of a regular site whose cell became smaller: from the edges around it, if they are on a sheet that goes on beyond them.
-/// Counterclockwise around the site they have its cell inside, where nothing is farther (chart.h).
+/// Of a regular site whose cell became smaller: from the edges around it, if they are on a sheet that goes on
+/// beyond them. Counterclockwise around the site they have its cell inside, where nothing is farther
+/// (chart.h).
 void FastWay::lower_reach(SiteId r) {
   const WeightedPoint3& site = state_.sites[r];
   const Sheet* sheet = sheets_.known(r);

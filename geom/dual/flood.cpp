@@ -79,9 +79,10 @@ bool Flood::trace_edge(std::uint32_t slot, std::size_t e) {
   return true;
 }
 
-// Along the edge from u to v, site i is nearer than the origin before t_i = g_i(u) / (g_i(u) - g_i(v)) if it is so at u,
-// and after t_i if at v. So the origin has what lies after the last t_i of the former and before the first of the latter.
-// t_i < t_j iff M_ij = g_i(u) g_j(v) - g_j(u) g_i(v) > 0 for two of the same kind, < 0 for two of different kinds.
+// Along the edge from u to v, site i is nearer than the origin before t_i = g_i(u) / (g_i(u) - g_i(v)) if it
+// is so at u, and after t_i if at v. So the origin has what lies after the last t_i of the former and before
+// the first of the latter. t_i < t_j iff M_ij = g_i(u) g_j(v) - g_j(u) g_i(v) > 0 for two of the same kind, <
+// 0 for two of different kinds.
 Flood::Meets Flood::interval(const Frame::Vertex& u, const Frame::Vertex& v, Interval& out) {
   out = {at_vertex, at_vertex};
   for (std::uint32_t set = u.beaten_by; set != 0; set &= set - 1) {
@@ -110,9 +111,9 @@ Flood::Meets Flood::interval(const Frame::Vertex& u, const Frame::Vertex& v, Int
   return m.value < 0 ? Meets::yes : Meets::no;
 }
 
-// The owners along the part without the origin: at a vertex the nearest site, where it is as near as site i that one. If
-// both ends have one owner, all between has. Else the bisectors of consecutive owners meet the edge, and a third site
-// that is nearer there comes between.
+// The owners along the part without the origin: at a vertex the nearest site, where it is as near as site i
+// that one. If both ends have one owner, all between has. Else the bisectors of consecutive owners meet the
+// edge, and a third site that is nearer there comes between.
 bool Flood::divide(const Frame::Vertex& u, const Frame::Vertex& v, const Interval& part) {
   const int first = part.begin == at_vertex ? frame_.nearest(u) : part.begin,
             last = part.end == at_vertex ? frame_.nearest(v) : part.end;
@@ -145,9 +146,9 @@ bool Flood::divide(const Frame::Vertex& u, const Frame::Vertex& v, const Interva
   return true;
 }
 
-/// The point of the edge where sites i and j (none: the origin) are equally near. In parameter t = f(u) / (f(u) - f(v)) it
-/// is off by (1.01 E + E') / |f(u) - f(v)| and roundings at most, E and E' the errors of f. Points of the cell's border
-/// are ends of the cell's own edges, but not of those of the division.
+/// The point of the edge where sites i and j (none: the origin) are equally near. In parameter t = f(u) /
+/// (f(u) - f(v)) it is off by (1.01 E + E') / |f(u) - f(v)| and roundings at most, E and E' the errors of f.
+/// Points of the cell's border are ends of the cell's own edges, but not of those of the division.
 bool Flood::add_point(const Frame::Vertex& u, const Frame::Vertex& v, int i, int j) {
   const double fu = u.g[i] - u.g[j], fv = v.g[i] - v.g[j];
   const double difference = std::abs(fu - fv), error = 4 * (u.error + v.error);

@@ -1,31 +1,33 @@
 #pragma once
 // The certificate of the fast way: a cell traced over the facets that it meets, without polygons.
 //
-//          |\         |         The cell of the frame's origin p among the frame's sites, from facets where it is known
-//      a   | \ B   b  |         to be, across every edge of the surface of which it has a part. On each such edge the
-//     -----B--\-------B----     part is an interval, between vertices (A) and points (B) where p is as near as a site.
-//          |   \  C   |         Inside a facet, two bisectors meet in circles (C).
-//       p  |    B     |
+//          |\         |         The cell of the frame's origin p among the frame's sites, from facets where
+//      a   | \ B   b  |         it is known to be, across every edge of the surface of which it has a part.
+//     -----B--\-------B----     On each such edge the part is an interval, between vertices (A) and points
+//          |   \  C   |         (B) where p is as near as a site. Inside a facet, two bisectors meet in
+//       p  |    B     |         circles (C).
 //
-// What is proven. On a facet t the cell is a convex polygon P, and so is what another site has of it. Let all B on the
-// edges of t be known, and some C, each a true corner. If every label, the pair of sites whose bisector ends there,
-// occurs at none or exactly two of these ends, then all C on t are known:
+// What is proven. On a facet t the cell is a convex polygon P, and so is what another site has of it. Let all
+// B on the edges of t be known, and some C, each a true corner. If every label, the pair of sites whose
+// bisector ends there, occurs at none or exactly two of these ends, then all C on t are known:
 //
-//   - division of P among the sites if p is removed. Its edges make a plane graph whose ends on the border of P are the
-//     B and the old corners of P (there the bisector of two neighbours enters); at each C three edges meet. Two cells
-//     share at most one segment in P, for both are convex; so an edge with one known end has a second end that must be
-//     known, too. Hence the known ends make up whole components of the graph. A component without a known end would have
-//     no end on the border of P, and the cell around it would not be convex. So there is none.
-//   - the border of P itself, where p is a site: the same with one closed curve instead of the graph. If it has no known
-//     end, P is the facet: its three vertices are checked to be owned.
+//   - division of P among the sites if p is removed. Its edges make a plane graph whose ends on the border of
+//     P are the B and the old corners of P (there the bisector of two neighbours enters); at each C three
+//     edges meet. Two cells share at most one segment in P, for both are convex; so an edge with one known
+//     end has a second end that must be known, too. Hence the known ends make up whole components of the
+//     graph. A component without a known end would have no end on the border of P, and the cell around it
+//     would not be convex. So there is none.
+//   - the border of P itself, where p is a site: the same with one closed curve instead of the graph. If it
+//     has no known end, P is the facet: its three vertices are checked to be owned.
 //
-// Joined from facet to facet at the B, the segments make chains. Each end of a chain is a C or an old corner; if the
-// walk along all chains passes every B, there is no closed curve: no island, no second border. What no walk can
-// reach, another component of the cell, is excluded elsewhere (sheets.h), and sites that are not in the frame by
-// testing them at all corners, on whose convex hulls the difference of two powers is affine (fast_way.cpp).
+// Joined from facet to facet at the B, the segments make chains. Each end of a chain is a C or an old corner;
+// if the walk along all chains passes every B, there is no closed curve: no island, no second border. What no
+// walk can reach, another component of the cell, is excluded elsewhere (sheets.h), and sites that are not in
+// the frame by testing them at all corners, on whose convex hulls the difference of two powers is affine
+// (fast_way.cpp).
 //
-// All decisions are by Sure values; where one is not certain, or the surface has a border or an edge of three facets
-// there, there is no certificate, and the general way is taken (redivision.h).
+// All decisions are by Sure values; where one is not certain, or the surface has a border or an edge of three
+// facets there, there is no certificate, and the general way is taken (redivision.h).
 
 #include <array>
 #include <span>
@@ -42,18 +44,19 @@ class Flood {
 
   /// Forgets what was traced.
   void clear();
-  /// Traces the cell of the frame's origin from these facets on. `division`: also how it is divided among the sites of
-  /// the frame if the origin is removed. False if something is not certain.
+  /// Traces the cell of the frame's origin from these facets on. `division`: also how it is divided among the
+  /// sites of the frame if the origin is removed. False if something is not certain.
   bool trace(std::span<const FacetId> from, bool division);
 
-  /// Ends that are not on edges of the surface, after trace(): a circle, or an old corner of the cell, in a facet, where
-  /// edges end between site i and the origin (j = Frame::none), or between sites i and j. False if the facet was not met.
+  /// Ends that are not on edges of the surface, after trace(): a circle, or an old corner of the cell, in a
+  /// facet, where edges end between site i and the origin (j = Frame::none), or between sites i and j. False
+  /// if the facet was not met.
   bool add_end(FacetId t, int i, int j);
   /// After all ends: whether they are complete, and no edge is a closed curve.
   bool is_complete();
 
-  /// A corner on the surface's edges: a vertex, or a point on an edge. Of the division, if that was asked for, else of
-  /// the cell.
+  /// A corner on the surface's edges: a vertex, or a point on an edge. Of the division, if that was asked
+  /// for, else of the cell.
   struct Corner {
     Vec3 y;            ///< from the origin; for B rounded, off by at most
     double tolerance;  ///< this
@@ -88,7 +91,8 @@ class Flood {
     bool is_joined = false;
   };
   static constexpr int num_names = Frame::most + 1;  ///< of sites and the origin
-  /// Where an interval of the edge from u to v begins or ends: at the vertex, or where the origin is as near as a site.
+  /// Where an interval of the edge from u to v begins or ends: at the vertex, or where the origin is as near
+  /// as a site.
   static constexpr int at_vertex = -1;
   struct Interval {
     int begin, end;

@@ -72,7 +72,8 @@ void Frame::fill(double x2, double y2, double z2, double* out) const {
   for (int k = 0; k < count; ++k) out[k] = g[k];
 }
 
-// The lead of site i is affine, hence in the ball at least what it is at the center less 2 |d - d_i| times the radius.
+// The lead of site i is affine, hence in the ball at least what it is at the center less 2 |d - d_i| times
+// the radius.
 bool Frame::is_behind(const Vec3& d, double c, const Vec3& center, double radius, int first) const {
   const double d2 = d.squaredNorm(), limit2 = 4 * (1 + 1e-6) * radius * radius;
   const double base = c - 2 * d.dot(center) - 1e-9 * (d2 + largest2_ + heaviest_ + std::abs(c));
@@ -140,9 +141,9 @@ int Frame::nearest(const Vertex& v) const {
   return nearest;
 }
 
-// lambda_i = a_j b_k - a_k b_j for the values a, b of two bisectors at the corners: the barycentric coordinates of the
-// axis up to scale. One bound for the three: with A and B the largest |a|, |b| and E the largest error of one,
-// 2 E (A + B) + 2 E E + 6u A B.
+// lambda_i = a_j b_k - a_k b_j for the values a, b of two bisectors at the corners: the barycentric
+// coordinates of the axis up to scale. One bound for the three: with A and B the largest |a|, |b| and E the
+// largest error of one, 2 E (A + B) + 2 E E + 6u A B.
 Frame::Meets Frame::axis_meets(const std::array<const Values*, 3>& corners, const std::array<int, 3>& sites,
                                int& farthest) {
   double a[3], b[3], error = 0, most_a = 0, most_b = 0;

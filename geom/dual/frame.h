@@ -1,32 +1,34 @@
 #pragma once
-// A few sites seen from one of them, and their powers at locations: the doubles that the fast way of a move decides by,
-// with a bound on their errors.
+// A few sites seen from one of them, and their powers at locations: the doubles that the fast way of a move
+// decides by, with a bound on their errors.
 //
-// Let p be the origin, y = z - p for a location z, d_i = p_i - p for a site i. The power of z to site i less that to the
-// origin is
+// Let p be the origin, y = z - p for a location z, d_i = p_i - p for a site i. The power of z to site i less
+// that to the origin is
 //
 //     g_i(z) = Pi(z, p_i) - Pi(z, p) = c_i - 2 d_i.y,      c_i = |d_i|^2 - (w_i - w),
 //
-// affine in z. What decides is the sign of a g_i, of a difference of two, and of 2 x 2 determinants of such values.
+// affine in z. What decides is the sign of a g_i, of a difference of two, and of 2 x 2 determinants of such
+// values.
 //
-// Errors. Let u = 2^-53. The components of d and y are rounded differences of doubles, off by u relatively. Hence
-// |d|^2 is off by 5u |d|^2 (2 for the difference squared, 1 for the product, 2 sums), the difference of weights by
-// u |dw|, c by u (6 |d|^2 + 2 |dw|) with its own rounding; 2 d.y by 10u |d| |y| (twice 2 for the factors, 1 for the
-// product, 2 for the sums; the sum of |d_k y_k| is at most |d| |y|), and the last subtraction adds
-// u (|d|^2 + |dw| + 2 |d| |y|):
+// Errors. Let u = 2^-53. The components of d and y are rounded differences of doubles, off by u relatively.
+// Hence |d|^2 is off by 5u |d|^2 (2 for the difference squared, 1 for the product, 2 sums), the difference of
+// weights by u |dw|, c by u (6 |d|^2 + 2 |dw|) with its own rounding; 2 d.y by 10u |d| |y| (twice 2 for the
+// factors, 1 for the product, 2 for the sums; the sum of |d_k y_k| is at most |d| |y|), and the last
+// subtraction adds u (|d|^2 + |dw| + 2 |d| |y|):
 //
 //     |computed g_i - g_i| <= u (7 |d|^2 + 3 |dw| + 12 |d| |y|)   to first order,
 //
-// which the code takes as e = 16u (|d|^2 + |dw| + |d| |y|), with the largest |d| and |dw| of all sites and |y|_1 for
-// |y|: room for higher orders and for the rounding of e itself. A difference of two values then is off by 2e + u times
-// itself, less than 3e if it is no larger than a few |d|^2, and is taken to be certain beyond 4e. Of a location that is
-// only known within a distance `off` all values move by 2 |d| off at most, which is added to e.
+// which the code takes as e = 16u (|d|^2 + |dw| + |d| |y|), with the largest |d| and |dw| of all sites and |y|_1
+// for |y|: room for higher orders and for the rounding of e itself. A difference of two values then is off by
+// 2e + u times itself, less than 3e if it is no larger than a few |d|^2, and is taken to be certain beyond
+// 4e. Of a location that is only known within a distance `off` all values move by 2 |d| off at most, which is
+// added to e.
 //
-// A determinant M = a b' - a' b of values at two vertices, each off by at most E at the one and E' at the other, is
-// off by E (|b'| + |a'|) + E' (|a| + |b|) + 2 E E' + 3u (|a b'| + |a' b|) at most.
+// A determinant M = a b' - a' b of values at two vertices, each off by at most E at the one and E' at the
+// other, is off by E (|b'| + |a'|) + E' (|a| + |b|) + 2 E E' + 3u (|a b'| + |a' b|) at most.
 //
-// Underflow does not count: coordinates and weights are in the valid range of predicates.h, whose products of two
-// lengths do not underflow.
+// Underflow does not count: coordinates and weights are in the valid range of predicates.h, whose products of
+// two lengths do not underflow.
 
 #include <algorithm>
 #include <array>
@@ -68,8 +70,8 @@ class Frame {
   /// The number of the origin as a site, and that of no site.
   static constexpr int none = most, nobody = -1;
   void evaluate(const Vec3& y, double off, Values& out) const;
-  /// Is a site given by its d and c surely farther than one of these in all of the ball? `first`: the one that is tried
-  /// first, if any; it may be the origin.
+  /// Is a site given by its d and c surely farther than one of these in all of the ball? `first`: the one
+  /// that is tried first, if any; it may be the origin.
   bool is_behind(const Vec3& d, double c, const Vec3& center, double radius, int first) const;
   /// Of a site given by its d and c.
   Sure difference(const Values& at, const Vec3& d, double c, int j) const;
@@ -100,8 +102,8 @@ class Frame {
 
   /// M = a(u) b(v) - a(v) b(u) for a = g_i - g_k, b = g_j - g_k.
   static Sure determinant(const Values& u, const Values& v, int i, int j, int k);
-  /// Does the axis of three sites meet the triangle with these corners, and the sites run counterclockwise there? Else the
-  /// corner from which it is farthest, on the other side of the edge opposite.
+  /// Does the axis of three sites meet the triangle with these corners, and the sites run counterclockwise
+  /// there? Else the corner from which it is farthest, on the other side of the edge opposite.
   enum class Meets { inside, beyond, unsure };
   static Meets axis_meets(const std::array<const Values*, 3>& corners, const std::array<int, 3>& sites,
                           int& farthest);

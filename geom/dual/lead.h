@@ -17,10 +17,11 @@ struct Sure {
 
 /// The power of z to the other site less that to the owner. `off`: at most so far is z off.
 ///
-/// A computed squared distance is off by 5u of itself (u = 2^-53: 2 for the difference squared, 1 for the product, 2 sums),
-/// each of the three subtractions adds u of what it subtracts: less than 9u of all terms, taken as 16u. Where z moves by
-/// `off` the lead moves by twice that times the distance of the two sites, which is at most the sum of their distances
-/// from z, at most sqrt(2) times the root of the sum of squares, and twice `off`.
+/// A computed squared distance is off by 5u of itself (u = 2^-53: 2 for the difference squared, 1 for the
+/// product, 2 sums), each of the three subtractions adds u of what it subtracts: less than 9u of all terms,
+/// taken as 16u. Where z moves by `off` the lead moves by twice that times the distance of the two sites,
+/// which is at most the sum of their distances from z, at most sqrt(2) times the root of the sum of squares,
+/// and twice `off`.
 inline Sure lead_of(const WeightedPoint3& owner, const WeightedPoint3& other, const Vec3& z, double off) {
   const double here2 = (z - owner.position).squaredNorm(), there2 = (z - other.position).squaredNorm();
   const double both2 = here2 + there2;

@@ -71,8 +71,8 @@ void Redivision::remove(DualChange& change) {
 
 // --- insertion -----------------------------------------------------------------------------------
 
-// Whoever loses something to p is among the rivals. So no location of the new cell has more power than the farthest
-// of their cells.
+// Whoever loses something to p is among the rivals. So no location of the new cell has more power than the
+// farthest of their cells.
 void Redivision::insert(SiteId p, const WeightedPoint3& point, DualChange& change) {
   const SiteId hint =
       state_.paper && state_.num_sites > 0 ? state_.tree.nearest(point.position, SiteId()).site : SiteId();
@@ -170,7 +170,8 @@ void Redivision::build(int threads, DualChange& change) {
 
 // --- edges ---------------------------------------------------------------------------------------
 
-/// The edges of a piece: of p's own cell all, of a share those that are not on p's border, once for both cells.
+/// The edges of a piece: of p's own cell all, of a share those that are not on p's border, once for both
+/// cells.
 void Redivision::add_segments(SiteId p, const CellPieces& pieces, const CellPieces::Piece& piece) {
   const std::span<const PolygonCorner> corners = pieces.corners_of(piece);
   const SiteId a = piece.owner;
@@ -256,8 +257,8 @@ Redivision::End Redivision::outside(std::size_t own) const {
   return {End::present, static_cast<std::uint8_t>(side), beyond.value};
 }
 
-/// Joins what comes into the cell of the removed site through its circles to what is inside; it may leave the cell and
-/// come back.
+/// Joins what comes into the cell of the removed site through its circles to what is inside; it may leave the
+/// cell and come back.
 void Redivision::join_across() {
   const auto go_on = [&](End end, bool is_inside) {
     for (std::size_t steps = 0; end.kind == End::own && steps <= star_.size();
@@ -288,9 +289,10 @@ void Redivision::connect(const End& one, const End& two, std::size_t first_creat
   if (second.valid()) state_.circles.set_beyond(second, two.side, first);
 }
 
-// An edge of a and b that p has cut ends at p's cell, in new circles. On a facet it is one segment, so if another circle
-// of a and b lies in the facet of a new one, these are its two ends. What is left of an edge that has lost one end ends in
-// a new circle; if one such edge and one new circle are left, these belong together. In other cases the edge is followed.
+// An edge of a and b that p has cut ends at p's cell, in new circles. On a facet it is one segment, so if
+// another circle of a and b lies in the facet of a new one, these are its two ends. What is left of an edge
+// that has lost one end ends in a new circle; if one such edge and one new circle are left, these belong
+// together. In other cases the edge is followed.
 void Redivision::connect_outwards(SiteId p, std::size_t first_created, const DualChange& change) {
   outwards_.clear();
   for (std::size_t i = 0; i < found_.size(); ++i) {
@@ -329,11 +331,11 @@ CircleId Redivision::circle_at(FacetId t, SiteId a, SiteId b, CircleId but) cons
   return CircleId();
 }
 
-//         v             The edge of the diagram between a and b, from a corner with p on, through one facet after the
-//        / \    b       other. The part of it on a facet is one segment. If the facet has another circle of a and b, that
-//       /___\___        is its end. Else it ends on a facet's edge, one of the two whose ends a and b are nearer to: not
-//      / a   \          the one where it came in; or, in the first facet, the one where p is not nearer.
-//     u-------w
+//         v             The edge of the diagram between a and b, from a corner with p on, through one facet
+//        / \    b       after the other. The part of it on a facet is one segment. If the facet has another
+//       /___\___        circle of a and b, that is its end. Else it ends on a facet's edge, one of the two
+//      / a   \          whose ends a and b are nearer to: not the one where it came in; or, in the first
+//     u-------w         facet, the one where p is not nearer.
 CircleId Redivision::other_end(const OpenSide& from) const {
   const auto [id, side, a, b] = from;
   const EmptyCircle& circle = state_.circles[id];

@@ -1,15 +1,16 @@
 #pragma once
-// The general way of an update: cells are clipped from nothing, by exact clipping (cell_clipper.h), on the facets that
-// they meet. It needs no assumption on the surface, the sites or the cells, and is what the fast way (fast_way.h) is
-// held against.
+// The general way of an update: cells are clipped from nothing, by exact clipping (cell_clipper.h), on the
+// facets that they meet. It needs no assumption on the surface, the sites or the cells, and is what the fast
+// way (fast_way.h) is held against.
 //
-// Removal of p. The circles of p go, and its cell is divided among the others (vacancy_division.h). The new circles are
-// the corners of their shares that p's cell did not have.
+// Removal of p. The circles of p go, and its cell is divided among the others (vacancy_division.h). The new
+// circles are the corners of their shares that p's cell did not have.
 //
-// Insertion of p. The circles that it beats go: they belong to sites of which it takes something. The new circles are
-// the corners of p's cell.
+// Insertion of p. The circles that it beats go: they belong to sites of which it takes something. The new
+// circles are the corners of p's cell.
 //
-// The edges of the diagram within the old cell, or around the new one, are put together facet by facet, as in chains.h.
+// The edges of the diagram within the old cell, or around the new one, are put together facet by facet, as in
+// chains.h.
 
 #include <cstdint>
 #include <span>
@@ -29,8 +30,8 @@ class Redivision {
 
   /// Plans the removal of p, which changes nothing. The plan holds until the next update.
   void plan(SiteId p);
-  /// Of the plan: does any other site border the cell? The circles to be, in their order (circle_before()); those who win
-  /// something, ascending; bounds of the power in what p has, with p, and with p or without.
+  /// Of the plan: does any other site border the cell? The circles to be, in their order (circle_before());
+  /// those who win something, ascending; bounds of the power in what p has, with p, and with p or without.
   bool has_neighbours() const { return has_neighbours_; }
   std::span<const EmptyCircle> circles() const { return found_; }
   std::span<const SiteId> heirs() const { return heirs_; }

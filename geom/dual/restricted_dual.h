@@ -1,6 +1,6 @@
 #pragma once
-// The restricted dual of a surface's power diagram under insertion and removal of sites (paper, section 4.2): its empty
-// circles and who lies beside whom, without the polygons of the diagram.
+// The restricted dual of a surface's power diagram under insertion and removal of sites (paper, section 4.2):
+// its empty circles and who lies beside whom, without the polygons of the diagram.
 
 #include <limits>
 #include <optional>
@@ -18,22 +18,23 @@ class RestrictedDual {
  public:
   using Change = DualChange;
 
-  /// Empty. Keeps references. `paper`: if given, it is filled with the same sites and names those that can matter to
-  /// each other (the paper's regular triangulation); else a search does. Throws InputError if the mesh has no facet.
+  /// Empty. Keeps references. `paper`: if given, it is filled with the same sites and names those that can
+  /// matter to each other (the paper's regular triangulation); else a search does. Throws InputError if the
+  /// mesh has no facet.
   RestrictedDual(const TriMesh& mesh, CornerTypes types, NeighbourSource* paper = nullptr);
 
-  /// Sites 0, 1, ... at once, there being none. `order`: in which they enter the search; it and the number of threads do
-  /// not matter to the result. Cost: the facets and the fragments, times the logarithm of the number of sites.
-  /// `homes`: for each site a facet that it was rounded from.
+  /// Sites 0, 1, ... at once, there being none. `order`: in which they enter the search; it and the number of
+  /// threads do not matter to the result. Cost: the facets and the fragments, times the logarithm of the
+  /// number of sites. `homes`: for each site a facet that it was rounded from.
   const Change& build(std::span<const WeightedPoint3> points, std::span<const FacetId> homes,
                       std::span<const SiteId> order, int threads);
-  /// `home`: a facet that the point was rounded from, or none (then the general way is taken). `at`: a circle that p
-  /// beats, or none: then it is looked for.
+  /// `home`: a facet that the point was rounded from, or none (then the general way is taken). `at`: a circle
+  /// that p beats, or none: then it is looked for.
   const Change& insert(SiteId p, const WeightedPoint3& point, FacetId home, CircleId at = CircleId());
   const Change& remove(SiteId p);
 
-  // A removal and an insertion in one, for a site that mostly comes back nearby. First the removal is only planned;
-  // then stay() or move() follows.
+  // A removal and an insertion in one, for a site that mostly comes back nearby. First the removal is only
+  // planned; then stay() or move() follows.
   struct Plan {
     std::span<const SiteId> heirs;         ///< that win something
     std::span<const EmptyCircle> circles;  ///< that the hole would have
@@ -45,14 +46,16 @@ class RestrictedDual {
   /// The same plan with the least bounds. Cost: the facets around p.
   Plan plan_exactly(SiteId p);
   const Change& stay(SiteId p);
-  /// To the center of a circle: a planned one by its place among Plan::circles, or any other that does not touch p.
+  /// To the center of a circle: a planned one by its place among Plan::circles, or any other that does not
+  /// touch p.
   struct Target {
     std::size_t planned = 0;
     CircleId circle;  ///< none: the planned one
   };
   const Change& move(SiteId p, const WeightedPoint3& point, FacetId home, Target target);
 
-  /// p is going to be removed, so many calls later: asks the memory for a part of what that reads. No effect but on speed.
+  /// p is going to be removed, so many calls later: asks the memory for a part of what that reads. No effect
+  /// but on speed.
   void expect(SiteId p, int calls) const;
 
   const TriMesh& mesh() const { return state_.mesh; }

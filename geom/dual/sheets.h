@@ -1,37 +1,40 @@
 #pragma once
 // Where the surface is one sheet: the proof that a cell has no second component.
 //
-// Let S be the surface, p0 on it, and R such that (1) every facet that meets the ball B about p0 of radius R has a unit
-// normal n with n.m >= cos(theta), tan(theta) = s < 1, for one axis m; (2) every edge that meets B has two facets; (3) the
-// facets that meet B hang together by edges that meet B.
+// Let S be the surface, p0 on it, and R such that (1) every facet that meets the ball B about p0 of radius R
+// has a unit normal n with n.m >= cos(theta), tan(theta) = s < 1, for one axis m; (2) every edge that meets B
+// has two facets; (3) the facets that meet B hang together by edges that meet B.
 //
-// Then S within B is the graph of a function over the plane normal to m. From p0 walk along S above a straight line:
-// by (1) and (2) S goes on, with slope at most s, until B ends. At horizontal distance t and height h,
-// |h| <= s t, and the squared distance t^2 + h^2 grows, its derivative being at least 2t (1 - s^2): so a walk that
-// has left B does not come back. The walks in all directions cover a part A of S in B that is open (they can be
-// turned a little) and closed in the interior of B (a limit of walks is one that stays in B, for distances grow). By (3)
-// S in B is connected, so A is all of it. Let H bound the height |h| of the facets that meet B, as far as they lie within
-// R of p0 horizontally; H <= s R. A walk leaves B at t^2 + h^2 = R^2, so not before the width W = sqrt(R^2 - H^2): S in B
-// lies once above each location within W of p0, horizontally.
+// Then S within B is the graph of a function over the plane normal to m. From p0 walk along S above a
+// straight line: by (1) and (2) S goes on, with slope at most s, until B ends. At horizontal distance t and
+// height h, |h| <= s t, and the squared distance t^2 + h^2 grows, its derivative being at least 2t (1 - s^2):
+// so a walk that has left B does not come back. The walks in all directions cover a part A of S in B that is
+// open (they can be turned a little) and closed in the interior of B (a limit of walks is one that stays in
+// B, for distances grow). By (3) S in B is connected, so A is all of it. Let H bound the height |h| of the
+// facets that meet B, as far as they lie within R of p0 horizontally; H <= s R. A walk leaves B at t^2 + h^2
+// = R^2, so not before the width W = sqrt(R^2 - H^2): S in B lies once above each location within W of p0,
+// horizontally.
 //
-// Now let p be on S at distance r from p0, and a part K of the cell of p known that has p inside: near p, bounded by the
-// bisectors of sites q ("link"), all within distance r_K of p. Let z be a location of S at distance at most
-// D <= W - r of p that is nearest to p of all sites. The straight horizontal line from p to z stays within W of p0, hence
-// S has one path above it, from p to z. Let d = q - p, a = d.m its height and d_h its
-// horizontal part, and for each q of the link g(t) = c - 2 d.(z(t) - p), c = |d|^2 - (w_q - w_p) > 0, the lead of p over q on
-// the path, in direction u:
+// Now let p be on S at distance r from p0, and a part K of the cell of p known that has p inside: near p,
+// bounded by the bisectors of sites q ("link"), all within distance r_K of p. Let z be a location of S at
+// distance at most D <= W - r of p that is nearest to p of all sites. The straight horizontal line from p to
+// z stays within W of p0, hence S has one path above it, from p to z. Let d = q - p, a = d.m its height and
+// d_h its horizontal part, and for each q of the link g(t) = c - 2 d.(z(t) - p), c = |d|^2 - (w_q - w_p) > 0,
+// the lead of p over q on the path, in direction u:
 //
-//     g' = -2 (d_h.u + a h'),  |h'| <= s.   If d_h.u > s|a|, the lead falls all the way: once lost it stays lost. If
-//     d_h.u < -s|a|, it grows and is never lost. Between the two it falls by at most 4 s |a| r_K up to the border of K.
+//     g' = -2 (d_h.u + a h'),  |h'| <= s.   If d_h.u > s|a|, the lead falls all the way: once lost it stays
+//     lost. If d_h.u < -s|a|, it grows and is never lost. Between the two it falls by at most 4 s |a| r_K up
+//     to the border of K.
 //
-// So if c > 4 s |a| r_K for every q of the link, no lead that is lost at the border of K is won back. If z were not in K,
-// the path would leave K, where some q of the link takes the lead from p and keeps it up to z: then p is not nearest there.
-// Hence there is no other component within D of p. (That p is inside of a K known by its border alone follows in the
-// same way: the locations where p leads over the link make a set that no such line from p leaves twice, up to r_K.)
+// So if c > 4 s |a| r_K for every q of the link, no lead that is lost at the border of K is won back. If z
+// were not in K, the path would leave K, where some q of the link takes the lead from p and keeps it up to z:
+// then p is not nearest there. Hence there is no other component within D of p. (That p is inside of a K
+// known by its border alone follows in the same way: the locations where p leads over the link make a set
+// that no such line from p leaves twice, up to r_K.)
 //
-// Rounding: p is off S by the last bits; the known cell holds the location of S next to it, as c is positive by far.
-// Distances and products here are computed with relative errors of some 1e-15, normals within 1e-7 (needles, whose
-// normals are not, make no sheet); the code asks for a millionth more than the bounds say.
+// Rounding: p is off S by the last bits; the known cell holds the location of S next to it, as c is positive
+// by far. Distances and products here are computed with relative errors of some 1e-15, normals within 1e-7
+// (needles, whose normals are not, make no sheet); the code asks for a millionth more than the bounds say.
 
 #include <array>
 #include <limits>
@@ -68,15 +71,15 @@ class Sheets {
   Sheets(const TriMesh& mesh, const FacetTree& facets)
       : mesh_(mesh), facets_(facets), stamp_of_(mesh.num_facets(), 0) {}
 
-  /// A sheet that covers that distance about x, the place of the site, on the surface; null if there is none, or was none
-  /// when the site was nearly there. Valid until the next call.
+  /// A sheet that covers that distance about x, the place of the site, on the surface; null if there is none,
+  /// or was none when the site was nearly there. Valid until the next call.
   const Sheet* around(SiteId site, const Vec3& x, double distance);
   /// The one that is kept, or null.
   const Sheet* known(SiteId site) const {
     return site.index() < of_site_.size() && of_site_[site].sheet.width > 0 ? &of_site_[site].sheet : nullptr;
   }
-  /// Is there surely no second component of the cell of p within the distance that the sheet covers, given its link: the
-  /// differences q - p and the numbers c? `radius`: r_K.
+  /// Is there surely no second component of the cell of p within the distance that the sheet covers, given
+  /// its link: the differences q - p and the numbers c? `radius`: r_K.
   struct Neighbour {
     Vec3 offset;
     double lead;

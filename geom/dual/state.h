@@ -1,6 +1,6 @@
 #pragma once
-// What the restricted dual is made of: the surface, the sites, and the empty circles that follow from them. Its
-// operations (redivision.h, fast_way.h) share it.
+// What the restricted dual is made of: the surface, the sites, and the empty circles that follow from them.
+// Its operations (redivision.h, fast_way.h) share it.
 
 #include <span>
 #include <vector>
@@ -14,12 +14,13 @@
 
 namespace geom {
 
-/// Which corners of the diagram are registered as empty circles. Type C are the candidates for the farthest point in
-/// the paper (section 4.1); power being convex on a fragment, the farthest point of the whole surface can also be of
-/// type B (border, crease) or A (tip).
+/// Which corners of the diagram are registered as empty circles. Type C are the candidates for the farthest
+/// point in the paper (section 4.1); power being convex on a fragment, the farthest point of the whole
+/// surface can also be of type B (border, crease) or A (tip).
 enum class CornerTypes { c_only, all };
 
-/// What one update did. Valid until the next one. An id may be erased and created in the same change: erase first.
+/// What one update did. Valid until the next one. An id may be erased and created in the same change: erase
+/// first.
 struct DualChange {
   std::vector<CircleId> circles_erased, circles_created;
   std::vector<CircleId> circles_moved;  ///< other centers, the same sites
@@ -27,8 +28,8 @@ struct DualChange {
 };
 
 struct DualState {
-  /// Without sites. Keeps a reference to the mesh. Throws InputError if it has no facet. `paper`: if given, it holds the
-  /// same sites and names those that can matter to each other; else the tree does.
+  /// Without sites. Keeps a reference to the mesh. Throws InputError if it has no facet. `paper`: if given,
+  /// it holds the same sites and names those that can matter to each other; else the tree does.
   DualState(const TriMesh& mesh, CornerTypes types, NeighbourSource* paper);
   DualState(const DualState&) = delete;
 
@@ -47,9 +48,9 @@ struct DualState {
   bool find_near(const Vec3& x, double distance, std::vector<SiteId>& out) const;
   /// NeighbourSource::nearest().
   NeighbourSource::Nearest nearest(const Vec3& x, SiteId without) const;
-  /// A corner of a polygon of the diagram as a circle; none if another polygon registers it. Each C corner is seen from
-  /// three cells: the one of smallest id registers it. A B corner is registered by the smaller id in the smaller facet,
-  /// an A corner in the first facet of the vertex.
+  /// A corner of a polygon of the diagram as a circle; none if another polygon registers it. Each C corner is
+  /// seen from three cells: the one of smallest id registers it. A B corner is registered by the smaller id
+  /// in the smaller facet, an A corner in the first facet of the vertex.
   struct Polygon {
     FacetId facet;
     SiteId owner;
@@ -60,8 +61,8 @@ struct DualState {
   bool corner_circle_of_any(const Polygon& polygon, std::size_t corner, EmptyCircle& out) const;
   /// A circle as a corner of the cell of its first site. `tolerance`: of its center.
   CellCorner corner_of(const EmptyCircle& circle, double tolerance) const;
-  /// Sets center and radius2 of a circle whose facet and sites are known. The corner is rounded; a site may come to the
-  /// center: not outside of the facet's box, hence the mesh's.
+  /// Sets center and radius2 of a circle whose facet and sites are known. The corner is rounded; a site may
+  /// come to the center: not outside of the facet's box, hence the mesh's.
   void center_circle(EmptyCircle& circle, const Vec3& corner) const;
   /// The power of its center to the point less that to its sites.
   Sure lead_at(const EmptyCircle& circle, const WeightedPoint3& point) const {

@@ -37,8 +37,8 @@ void Strangers::find_rivals(SiteId p, const Vec3& center, double radius) {
   state_.paper->rivals(p, found_);
 }
 
-// At a location z that s loses, |z - s| is at most the distance of s at its reach, and |z - p| that of p at the same
-// power. The two together are at least |p - s|: who is not known is far, and so one of them is.
+// At a location z that s loses, |z - s| is at most the distance of s at its reach, and |z - p| that of p at
+// the same power. The two together are at least |p - s|: who is not known is far, and so one of them is.
 void Strangers::find_rivals_beyond(double power, SiteId p, std::vector<SiteId>& out) const {
   const WeightedPoint3& point = state_.sites[p];
   for (const SiteId s : found_) {

@@ -1,5 +1,6 @@
 #pragma once
-// The sites around one that moves, its neighbours left out: who else may own what it leaves, or lose something to it.
+// The sites around one that moves, its neighbours left out: who else may own what it leaves, or lose
+// something to it.
 
 #include <span>
 #include <vector>
@@ -16,13 +17,14 @@ class Strangers {
 
   /// Nothing is known.
   void forget() { found_.clear(), radius_ = -1; }
-  /// Sees to it that all who may own a location of the vacancy are known; they are that near to its center. A search finds
-  /// some more, and they stay known.
+  /// Sees to it that all who may own a location of the vacancy are known; they are that near to its center. A
+  /// search finds some more, and they stay known.
   void find_heirs(const Vacancy& vacancy, double range);
   /// All who may lose something to p, whose cell is in that ball; p is in with the paper's source.
   void find_rivals(SiteId p, const Vec3& center, double radius);
 
-  /// Appends those who may lose something to p, at its present place, where the power to them is more than that.
+  /// Appends those who may lose something to p, at its present place, where the power to them is more than
+  /// that.
   void find_rivals_beyond(double power, SiteId p, std::vector<SiteId>& out) const;
 
   struct Stranger {
@@ -30,8 +32,8 @@ class Strangers {
     Vec3 d;  ///< from the frame's origin
     double c;
   };
-  /// Keeps those who, somewhere in the ball, may be nearer than all sites of the frame, which are the rim and perhaps p.
-  /// `first`: the number there of the one that is most likely nearer, or Frame::nobody.
+  /// Keeps those who, somewhere in the ball, may be nearer than all sites of the frame, which are the rim and
+  /// perhaps p. `first`: the number there of the one that is most likely nearer, or Frame::nobody.
   struct Ball {
     Vec3 center;  ///< from the frame's origin
     double radius;

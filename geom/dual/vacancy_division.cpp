@@ -56,7 +56,8 @@ void VacancyDivision::divide_piece(FacetId t, std::span<const PolygonCorner> cor
   note_new_corners(first);
 }
 
-/// Those that are not farther than another one at all corners; mostly that is seen from a ball about the piece.
+/// Those that are not farther than another one at all corners; mostly that is seen from a ball about the
+/// piece.
 void VacancyDivision::find_winners(std::span<const PolygonCorner> corners) {
   const std::size_t n = corners.size();
   Box3 box;
@@ -127,8 +128,8 @@ void VacancyDivision::add_share(FacetId t, std::span<const PolygonCorner> corner
   shares_.add(polygon_);
 }
 
-/// A corner of a share of `own`; null if it is not known: those on p's border are corners of its cell, others may be of
-/// shares that were found before on the same facet.
+/// A corner of a share of `own`; null if it is not known: those on p's border are corners of its cell, others
+/// may be of shares that were found before on the same facet.
 const RoundedPoint* VacancyDivision::known_corner(FacetId t, std::span<const PolygonCorner> corners,
                                                   EdgeLabel own, EdgeLabel before, EdgeLabel after) const {
   const EdgeLabel gone = EdgeLabel::bisector(p_);
@@ -258,8 +259,8 @@ bool VacancyDivision::is_behind(const WeightedPoint3& j, const WeightedPoint3& o
          4 * ball.radius * ball.radius * (1 + 1e-6) * (j.position - owner.position).squaredNorm();
 }
 
-/// The lead of the owner over j is off by some ulps of what it is made of, and by the tolerance of the corner times its
-/// slope, which is twice the distance of the two sites.
+/// The lead of the owner over j is off by some ulps of what it is made of, and by the tolerance of the corner
+/// times its slope, which is twice the distance of the two sites.
 bool VacancyDivision::beats_at(SiteId j, const NewCorner& at) const {
   const WeightedPoint3& site = state_.sites[j];
   const auto& [position, tolerance] = at.corner.point;

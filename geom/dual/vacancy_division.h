@@ -1,15 +1,17 @@
 #pragma once
-// How the cell of a site is divided among the others if that site is not there (paper, section 4.2, figure 6 (c)).
+// How the cell of a site is divided among the others if that site is not there (paper, section 4.2, figure 6
+// (c)).
 //
-//      b  \       / c        On a facet the part of p's cell is a convex polygon V, and an edge of V with label b means
-//      ____\_____/____       that b wins something next to it. The share of k is
-//         /       \  .
-//     V  /    p    \              { x on the facet: p beats k at x, and k beats the other heirs at x }:
+//      b  \       / c        On a facet the part of p's cell is a convex polygon V, and an edge of V with
+//      ____\_____/____       label b means that b wins something next to it. The share of k is { x on the
+//         /       \  .       facet: p beats k at x, and k beats the other heirs at x }: where k beats those
+//     V  /    p    \         that V is labelled with, p does, too, so it lies within V.
 //       /___________\  .
-//      /      a      \       where k beats those that V is labelled with, p does, too, so it lies within V.
+//      /      a      \
 //
-// Heirs are found at corners. The difference of two powers is affine on a share, so a site that is no heir wins
-// something iff it does at a corner of some share, and not at one on the border of p's cell, as p is nearer there.
+// Heirs are found at corners. The difference of two powers is affine on a share, so a site that is no heir
+// wins something iff it does at a corner of some share, and not at one on the border of p's cell, as p is
+// nearer there.
 
 #include <optional>
 #include <span>
@@ -26,7 +28,8 @@ class VacancyDivision {
   explicit VacancyDivision(DualState& state)
       : state_(state), stamp_of_(state.mesh.num_vertices(), 0), lazy_(state.clipper) {}
 
-  /// `cell`: that of p, which is in, and `reach` the least bound of the power there. Some other site must be in.
+  /// `cell`: that of p, which is in, and `reach` the least bound of the power there. Some other site must be
+  /// in.
   void divide(SiteId p, const CellPieces& cell, double reach);
 
   /// There are no shares.

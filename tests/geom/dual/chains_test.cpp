@@ -121,7 +121,8 @@ TEST_CASE("edge chains: the circles beyond are those at the other ends of edges,
         CHECK(shuffled.known() == expected);
         CHECK_NOTHROW(along.state.circles.check());
         circles += expected.size();
-        // An edge of three facets, and a facet that has no area, end a chain or begin it in places of their own.
+        // An edge of three facets, and a facet that has no area, end a chain or begin it in places of their
+        // own.
         std::set<SiteId> sites;
         for (const auto& [a, b] : edges_without_circle(mesh, brute)) sites.insert({a, b});
         for (const Joined* joined : {&along, &shuffled}) {

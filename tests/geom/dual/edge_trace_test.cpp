@@ -49,7 +49,8 @@ struct Scene {
   std::unique_ptr<oracle::BruteDiagram> brute;
 };
 
-/// Of each pair, how far the corners on their bisector are from the first one, squared, and on which facets it runs.
+/// Of each pair, how far the corners on their bisector are from the first one, squared, and on which facets
+/// it runs.
 struct Edge {
   double far2 = 0;
   std::set<FacetId> facets;

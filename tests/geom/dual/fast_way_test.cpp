@@ -1,5 +1,5 @@
-// The fast way by itself: what it calls regular is so, before and after everything that it does; what it plans is what
-// the general way does; and it refuses what it cannot know.
+// The fast way by itself: what it calls regular is so, before and after everything that it does; what it
+// plans is what the general way does; and it refuses what it cannot know.
 
 #include "geom/dual/fast_way.h"
 

@@ -271,8 +271,8 @@ TEST_CASE("flood: on hard surfaces what is accepted is so") {
   CHECK(all.holes > 100);
 }
 
-//        ___             q is above the peak and has all of it down to a closed curve, which no circle tells of; p has
-//      q/   \            the slope below. Without q in the frame, p has the peak.
+//        ___             q is above the peak and has all of it down to a closed curve, which no circle tells
+//      q/   \            of; p has the slope below. Without q in the frame, p has the peak.
 //   ___/  p  \___
 TEST_CASE("flood: an island in a cell is seen") {
   const TriMesh peak = fixtures::sheet(24, 1, [](double x, double y) {
@@ -300,8 +300,8 @@ TEST_CASE("flood: an island in a cell is seen") {
   }
 }
 
-// A cell that has all of a closed surface but for two far cells has two borders, one around each. The circles of one do
-// not tell of the other.
+// A cell that has all of a closed surface but for two far cells has two borders, one around each. The circles
+// of one do not tell of the other.
 TEST_CASE("flood: a second border is seen") {
   const TriMesh tube = fixtures::parametric({40, 12, false, true, 0.1}, [](double u, double v) {
     const double a = 2 * std::numbers::pi * v;

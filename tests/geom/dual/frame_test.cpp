@@ -182,8 +182,8 @@ TEST_CASE(
   }
 }
 
-// Where rounding is worst: places and sites close together far from the origin of coordinates, and as near to one site
-// as to another one.
+// Where rounding is worst: places and sites close together far from the origin of coordinates, and as near to
+// one site as to another one.
 TEST_CASE("frame: bounds where everything nearly ties, and far away") {
   Rng rng(9);
   Count count;

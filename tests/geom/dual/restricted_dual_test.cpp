@@ -220,7 +220,8 @@ TEST_CASE("restricted dual: local updates equal a rebuild after each of hundreds
     }
 }
 
-// Where all is fast, and where little is: bounds that were once raised or lowered wrongly would stay so for a while.
+// Where all is fast, and where little is: bounds that were once raised or lowered wrongly would stay so for a
+// while.
 TEST_CASE(
     "restricted dual: after each of many moves circles are those of a rebuild, and reaches bound the cells") {
   const auto waves = [](double x, double y) { return 0.06 * std::sin(9 * x) * std::cos(8 * y); };

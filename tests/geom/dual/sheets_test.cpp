@@ -1,4 +1,5 @@
-// What is said of the surface near a place: that it is a graph, and that a cell has no second component there.
+// What is said of the surface near a place: that it is a graph, and that a cell has no second component
+// there.
 
 #include "geom/dual/sheets.h"
 
@@ -36,8 +37,8 @@ std::array<Vec3, 3> corners(const TriMesh& mesh, FacetId t) {
   return {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
 }
 
-/// How often the line through x along the axis meets the surface within that distance of the center, which is never
-/// higher than told. -1 if it comes too near to an edge to tell.
+/// How often the line through x along the axis meets the surface within that distance of the center, which is
+/// never higher than told. -1 if it comes too near to an edge to tell.
 int crossings(const TriMesh& mesh, const Vec3& x, const Sheet& sheet, double radius) {
   const Vec3 &axis = sheet.axis, &center = sheet.center;
   const Vec3 u = axis.unitOrthogonal(), v = axis.cross(u);
@@ -111,7 +112,8 @@ std::size_t check_graphs(Place& place, Rng& rng, int queries) {
   return graphs;
 }
 
-/// The components of a cell, each with its facets, neighbours and its least and its greatest distance from the site.
+/// The components of a cell, each with its facets, neighbours and its least and its greatest distance from
+/// the site.
 struct Component {
   std::set<FacetId> facets;
   std::set<SiteId> link;
