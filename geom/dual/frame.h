@@ -18,11 +18,11 @@
 //
 //     |computed g_i - g_i| <= u (7 |d|^2 + 3 |dw| + 12 |d| |y|)   to first order,
 //
-// which the code takes as e = 16u (|d|^2 + |dw| + |d| |y|), with the largest |d| and |dw| of all sites and |y|_1
-// for |y|: room for higher orders and for the rounding of e itself. A difference of two values then is off by
-// 2e + u times itself, less than 3e if it is no larger than a few |d|^2, and is taken to be certain beyond
-// 4e. Of a location that is only known within a distance `off` all values move by 2 |d| off at most, which is
-// added to e.
+// which the code takes as e = 16u (|d|^2 + |dw| + |d| |y|), with the largest |d| and |dw| of all sites and
+// |y|_1 for |y|: room for higher orders and for the rounding of e itself. A difference of two values then is
+// off by 2e + u times itself, less than 3e if it is no larger than a few |d|^2, and is taken to be certain
+// beyond 4e. Of a location that is only known within a distance `off` all values move by 2 |d| off at most,
+// which is added to e.
 //
 // A determinant M = a b' - a' b of values at two vertices, each off by at most E at the one and E' at the
 // other, is off by E (|b'| + |a'|) + E' (|a| + |b|) + 2 E E' + 3u (|a b'| + |a' b|) at most.
