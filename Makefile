@@ -119,7 +119,7 @@ clean:
 help:
 	@echo "make demo            build, remesh a double torus with 2000 samples, print its quality"
 	@echo "make test            build and run every test, JOBS at a time"
-	@echo "make prove           the same tests with many times more and larger examples"
+	@echo "make prove           the same tests with more and larger examples"
 	@echo "make check           test, then check format and layering of the sources"
 	@echo "make lint            clang-tidy and Cppcheck over all sources (installs them)"
 	@echo "make cgal-check      predicates, triangulations and diagrams against CGAL (installs libcgal-dev)"
