@@ -76,19 +76,19 @@ void parse(CommandLine& cli, RemeshArguments& a) {
             .required = true},
            a.output);
   cli.path({.name = "points", .value = "OUT", .help = "the samples: .xyz .ply"}, a.points);
-  cli.path({.name = "map",
-            .value = "OUT.txt",
-            .help = "a line per vertex: facet of INPUT (from 1) and three barycentric coordinates"},
-           a.map);
-  cli.path({.name = "rpd", .value = "OUT.obj", .help = "the restricted power diagram, a group a cell"},
-           a.rpd);
-  cli.path({.name = "picture", .value = "OUT.svg", .help = "a drawing of the remesh"}, a.picture);
-  cli.path({.name = "log", .value = "OUT.csv", .help = "iteration, moved, delta, mean_delta, seconds"},
-           a.log);
-  cli.path({.name = "report",
-            .value = "OUT.html",
-            .help = "a page with pictures to turn, charts, spectrum and quality beside the paper's"},
-           a.report);
+  cli.output({.name = "map",
+              .value = "OUT.txt",
+              .help = "a line per vertex: facet of INPUT (from 1) and three barycentric coordinates"},
+             a.map, {".txt"});
+  cli.output({.name = "rpd", .value = "OUT.obj", .help = "the restricted power diagram, a group a cell"},
+             a.rpd, {".obj"});
+  cli.output({.name = "picture", .value = "OUT.svg", .help = "a drawing of the remesh"}, a.picture, {".svg"});
+  cli.output({.name = "log", .value = "OUT.csv", .help = "iteration, moved, delta, mean_delta, seconds"},
+             a.log, {".csv", ".txt"});
+  cli.output({.name = "report",
+              .value = "OUT.html",
+              .help = "a page with pictures to turn, charts, spectrum and quality beside the paper's"},
+             a.report, {".html", ".htm"});
 
   cli.group("Optimization");
   cli.choice({.name = "method",
@@ -154,10 +154,10 @@ void parse(CommandLine& cli, RemeshArguments& a) {
              a.remesh.limits.smallest, 1e-6, 1);
   cli.number({.name = "max-size", .value = "R", .help = "greatest wanted length, likewise"},
              a.remesh.limits.largest, 1, 1e6);
-  cli.path({.name = "sizing-out",
-            .value = "FILE",
-            .help = "the wanted length at each vertex of INPUT; .ply: INPUT coloured by it"},
-           a.sizing_out);
+  cli.output({.name = "sizing-out",
+              .value = "FILE",
+              .help = "the wanted length at each vertex of INPUT; .ply: INPUT coloured by it"},
+             a.sizing_out, {".txt", ".ply"});
   set_features(a, "auto");
   cli.custom(
       {.name = "features",
