@@ -2,16 +2,16 @@
 
 #include <array>
 
-#include "tools/remesh_defaults.h"
+#include "fpo/remesh_defaults.h"
 
 namespace tools {
 
 std::span<const PaperMethod> paper_methods() {
   using fpo::Method;
   static const std::array<PaperMethod, 5> methods = {
-      {{"CVT", [](fpo::RemeshOptions& o) { use_method(o, Method::cvt); }},
-       {"CPS", [](fpo::RemeshOptions& o) { use_method(o, Method::cps); }},
-       {"MPS", [](fpo::RemeshOptions& o) { use_method(o, Method::mps); }},
+      {{"CVT", [](fpo::RemeshOptions& o) { fpo::use_method(o, Method::cvt); }},
+       {"CPS", [](fpo::RemeshOptions& o) { fpo::use_method(o, Method::cps); }},
+       {"MPS", [](fpo::RemeshOptions& o) { fpo::use_method(o, Method::mps); }},
        {"SER",
         [](fpo::RemeshOptions& o) {
           o.shortest_edge_removal = true;
