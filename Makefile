@@ -35,6 +35,7 @@ prove:
 
 check: test
 	.ci/check-sources
+	.ci/library $(BUILD)
 
 # Configures without building: clang-tidy asks for the commands only.
 lint:

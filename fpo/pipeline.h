@@ -23,6 +23,7 @@ namespace fpo {
 /// What the wanted edge lengths are made of.
 enum class SizingKind { uniform, local_feature_size, curvature, given };
 
+/// Its initial values are plain; those of fpo-remesh depend on one another: remesh_defaults.h.
 struct RemeshOptions {
   Method method = Method::fpo;
   std::size_t num_samples = 0;

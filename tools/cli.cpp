@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "geom/expansion.h"
+#include "io/extension.h"
 
 namespace tools {
 namespace {
@@ -113,6 +114,14 @@ void CommandLine::path(Option option, std::filesystem::path& target) {
   option.standard = with_default(option.standard, option, target.string());
   custom(std::move(option), [&target](const std::string& text) {
     geom::require(!text.empty(), "a file name cannot be empty");
+    target = text;
+  });
+}
+
+void CommandLine::output(Option option, std::filesystem::path& target, std::vector<std::string> endings) {
+  custom(std::move(option), [&target, endings = std::move(endings)](const std::string& text) {
+    geom::require(!text.empty(), "a file name cannot be empty");
+    io::require_extension(text, endings);
     target = text;
   });
 }

@@ -69,6 +69,8 @@ class CommandLine {
   void number(Option option, double& target, double low, double high);
   void text(Option option, std::string& target);
   void path(Option option, std::filesystem::path& target);
+  /// A file to be written, of a format that has these endings (".txt") only.
+  void output(Option option, std::filesystem::path& target, std::vector<std::string> endings);
   /// --name, without a value, makes the target true.
   void flag(Option option, bool& target);
   /// --name makes the target true, --no-name false.

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <map>
 
+#include "fpo/barycentric.h"
 #include "fpo/pipeline.h"
-#include "geom/aabb_tree.h"
 #include "geom/scaling.h"
 #include "io/atomic_file.h"
 #include "io/coloured_ply.h"
@@ -36,16 +36,12 @@ void write_sizing(const std::filesystem::path& path, const geom::TriMesh& input,
     io::write_values(path, values);
 }
 
-/// `factor`: to where no square of a length under- or overflows.
-void write_map(const std::filesystem::path& path, const geom::TriMesh& input, const fpo::RemeshResult& result,
-               double factor) {
+void write_map(const std::filesystem::path& path, const geom::TriMesh& input,
+               const fpo::RemeshResult& result) {
+  const std::vector<geom::Vec3> barycentric = fpo::barycentric_coordinates(input, result.samples);
   std::vector<io::MappedPoint> points;
-  for (const fpo::SurfaceSample& x : result.samples) {
-    const std::array<geom::Vec3, 3> triangle{factor * input.corner(x.facet, 0),
-                                             factor * input.corner(x.facet, 1),
-                                             factor * input.corner(x.facet, 2)};
-    points.push_back({x.facet, geom::closest_point(factor * x.position, triangle).barycentric});
-  }
+  for (std::size_t i = 0; i < barycentric.size(); ++i)
+    points.push_back({result.samples[i].facet, barycentric[i]});
   io::write_surface_map(path, points);
 }
 
@@ -59,7 +55,7 @@ void write_outputs(const tools::RemeshArguments& a, const geom::TriMesh& input,
   }
   if (!a.repaired.empty()) io::write_mesh(a.repaired, input);
   const double factor = geom::factor_to_unit_box(input);
-  if (!a.map.empty()) write_map(a.map, input, result, factor);
+  if (!a.map.empty()) write_map(a.map, input, result);
   if (!a.rpd.empty()) {
     std::vector<io::GroupedPolygon> cells;
     for (const fpo::CellPolygon& cell : result.cells) cells.push_back({cell.site.value, cell.corners});

@@ -11,7 +11,7 @@ namespace tools {
 
 struct PaperMethod {
   std::string name;  ///< the acronym of table 1
-  /// Changes fpo-remesh's default options (remesh_defaults.h) to those of the method.
+  /// Changes fpo-remesh's default options (fpo/remesh_defaults.h) to those of the method.
   std::function<void(fpo::RemeshOptions&)> set;
 };
 

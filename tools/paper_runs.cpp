@@ -9,13 +9,13 @@
 #include <mutex>
 #include <set>
 
+#include "fpo/remesh_defaults.h"
 #include "fpo/spectrum_set.h"
 #include "fpo/surface_domain.h"
 #include "geom/check.h"
 #include "geom/parallel.h"
 #include "io/extension.h"
 #include "io/mesh_io.h"
-#include "tools/remesh_defaults.h"
 
 namespace tools {
 namespace {
@@ -56,8 +56,8 @@ constexpr std::array<ConvergenceCase, 4> convergence_cases = {
 
 fpo::RemeshOptions options_for(const PaperMethod& method, std::size_t samples, bool adaptive,
                                const PaperOptions& paper) {
-  fpo::RemeshOptions options =
-      default_options(samples, adaptive ? fpo::SizingKind::local_feature_size : fpo::SizingKind::uniform);
+  fpo::RemeshOptions options = fpo::default_options(
+      samples, adaptive ? fpo::SizingKind::local_feature_size : fpo::SizingKind::uniform);
   method.set(options);
   int& iterations = options.optimize.max_iterations;
   if (paper.iterations >= 0) iterations = std::min(iterations, paper.iterations);

@@ -27,8 +27,8 @@ void declare_result(CommandLine& cli, PlaneArguments& a) {
             .help = "the samples: .txt (x y [weight] a line) or .svg",
             .required = true},
            a.output);
-  cli.path({.name = "log", .value = "OUT.csv", .help = "iteration, moved, delta, mean_delta, seconds"},
-           a.log);
+  cli.output({.name = "log", .value = "OUT.csv", .help = "iteration, moved, delta, mean_delta, seconds"},
+             a.log, {".csv", ".txt"});
   cli.flag({.name = "draw-triangulation", .help = "in .svg: the regular triangulation"},
            a.picture.triangulation);
   cli.flag({.name = "draw-cells", .help = "in .svg: the power cells"}, a.picture.cells);

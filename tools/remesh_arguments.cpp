@@ -5,12 +5,12 @@
 #include <set>
 
 #include "fpo/feature_samples.h"
+#include "fpo/remesh_defaults.h"
 #include "io/atomic_file.h"
 #include "io/mesh_io.h"
 #include "io/points.h"
 #include "io/values.h"
 #include "tools/interrupt.h"
-#include "tools/remesh_defaults.h"
 
 namespace tools {
 namespace {
@@ -48,13 +48,12 @@ std::optional<std::size_t> tile_samples_of(const std::string& text) {
   return static_cast<std::size_t>(count);
 }
 
-void choose_scope(RemeshArguments& a, bool local, bool global, double weight_scale) {
+/// None: to be chosen.
+std::optional<fpo::Scope> scope_of(bool local, bool global) {
   geom::require(!(local && global), "--local and --global exclude each other");
-  a.remesh.optimize.scope = local    ? fpo::Scope::two_ring
-                            : global ? fpo::Scope::global
-                                     : default_scope(a.remesh.sizing);
-  a.remesh.surface.weight_factor =
-      weight_scale > 0 ? weight_scale : fpo::best_weight_factor(a.remesh.optimize.scope);
+  if (local) return fpo::Scope::two_ring;
+  if (global) return fpo::Scope::global;
+  return {};
 }
 
 std::vector<std::pair<std::string, fpo::Method>> method_words() {
@@ -106,19 +105,19 @@ void parse(CommandLine& cli, RemeshArguments& a) {
             .required = true},
            a.output);
   cli.path({.name = "points", .value = "OUT", .help = "the samples: .xyz .ply"}, a.points);
-  cli.path({.name = "map",
-            .value = "OUT.txt",
-            .help = "a line per vertex: facet of INPUT (from 1) and three barycentric coordinates"},
-           a.map);
-  cli.path({.name = "rpd", .value = "OUT.obj", .help = "the restricted power diagram, a group a cell"},
-           a.rpd);
-  cli.path({.name = "picture", .value = "OUT.svg", .help = "a drawing of the remesh"}, a.picture);
-  cli.path({.name = "log", .value = "OUT.csv", .help = "iteration, moved, delta, mean_delta, seconds"},
-           a.log);
-  cli.path({.name = "report",
-            .value = "OUT.html",
-            .help = "a page with pictures to turn, charts, spectrum and quality beside the paper's"},
-           a.report);
+  cli.output({.name = "map",
+              .value = "OUT.txt",
+              .help = "a line per vertex: facet of INPUT (from 1) and three barycentric coordinates"},
+             a.map, {".txt"});
+  cli.output({.name = "rpd", .value = "OUT.obj", .help = "the restricted power diagram, a group a cell"},
+             a.rpd, {".obj"});
+  cli.output({.name = "picture", .value = "OUT.svg", .help = "a drawing of the remesh"}, a.picture, {".svg"});
+  cli.output({.name = "log", .value = "OUT.csv", .help = "iteration, moved, delta, mean_delta, seconds"},
+             a.log, {".csv", ".txt"});
+  cli.output({.name = "report",
+              .value = "OUT.html",
+              .help = "a page with pictures to turn, charts, spectrum and quality beside the paper's"},
+             a.report, {".html", ".htm"});
 
   cli.group("Optimization");
   cli.choice({.name = "method",
@@ -128,7 +127,7 @@ void parse(CommandLine& cli, RemeshArguments& a) {
                       "optimization and improvement of fidelity unless asked for)"},
              a.remesh.method, method_words());
   int iterations = -1;
-  bool rest = false;
+  fpo::Choices choices;
   cli.integer(
       {.name = "iterations",
        .value = "MAX",
@@ -141,7 +140,7 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   cli.toggle({.name = "rest",
               .help = "do not move samples that, like their neighbours, are as far from others as the target "
                       "asks: faster to a delta below .92, smaller mean"},
-             rest);
+             choices.rest);
   cli.choice({.name = "corners",
               .value = "c|all",
               .help = "where the farthest point may lie: on type C corners as in the "
@@ -151,7 +150,6 @@ void parse(CommandLine& cli, RemeshArguments& a) {
       {.name = "engine", .value = "search|triangulation", .help = "where neighbours come from; same result"},
       a.remesh.surface.engine,
       {{"search", fpo::Engine::search}, {"triangulation", fpo::Engine::triangulation}});
-  std::optional<std::size_t> tile_samples;
   cli.custom(
       {.name = "tiles",
        .value = "auto|off|COUNT",
@@ -159,7 +157,7 @@ void parse(CommandLine& cli, RemeshArguments& a) {
                "from round to round: as many at once as there are threads, which do not change the "
                "result; auto: 3000 if there are more than 6000 samples",
        .standard = "auto"},
-      [&](const std::string& text) { tile_samples = tile_samples_of(text); });
+      [&](const std::string& text) { choices.tile_samples = tile_samples_of(text); });
   cli.custom(
       {.name = "sizing",
        .value = "KIND",
@@ -180,10 +178,10 @@ void parse(CommandLine& cli, RemeshArguments& a) {
              a.remesh.limits.smallest, 1e-6, 1);
   cli.number({.name = "max-size", .value = "R", .help = "greatest wanted length, likewise"},
              a.remesh.limits.largest, 1, 1e6);
-  cli.path({.name = "sizing-out",
-            .value = "FILE",
-            .help = "the wanted length at each vertex of INPUT; .ply: INPUT coloured by it"},
-           a.sizing_out);
+  cli.output({.name = "sizing-out",
+              .value = "FILE",
+              .help = "the wanted length at each vertex of INPUT; .ply: INPUT coloured by it"},
+             a.sizing_out, {".txt", ".ply"});
   set_features(a, "auto");
   cli.custom(
       {.name = "features",
@@ -198,28 +196,24 @@ void parse(CommandLine& cli, RemeshArguments& a) {
            a.strict);
   bool local = false, global = false;
   cli.toggle({.name = "ser", .help = "shortest edge removal first"}, a.remesh.shortest_edge_removal);
-  std::optional<bool> angles, fidelity;
   cli.toggle({.name = "optimize-angles", .help = "angle optimization afterwards", .standard = "on with fpo"},
-             angles);
+             choices.optimize_angles);
   cli.toggle({.name = "improve-fidelity",
               .help = "mend triangles that are far from the surface",
               .standard = "on with fpo"},
-             fidelity);
+             choices.improve_fidelity);
   cli.toggle({.name = "mend", .help = "bring samples to where the remesh is no surface"}, a.remesh.mend);
   cli.flag({.name = "local", .help = "look for farthest points nearby only"}, local);
   cli.flag({.name = "global", .help = "look for them everywhere"}, global);
   a.input = cli.parse(1, 1).front();
   check_repair(a.repair);
-  choose_scope(a, local, global, weight_scale);
-  geom::require(
-      a.remesh.method == fpo::Method::fpo || !(a.remesh.shortest_edge_removal || local || global || rest),
-      "--ser, --local, --global and --rest work with --method fpo only");
-  if (rest) a.remesh.optimize.rest_spacing = a.remesh.optimize.target_delta + fpo::rest_margin;
-  use_method(a.remesh, a.remesh.method);
-  if (angles) a.remesh.optimize_angles = *angles;
-  if (fidelity) a.remesh.improve_fidelity = *fidelity;
-  if (iterations >= 0) a.remesh.optimize.max_iterations = iterations;
-  a.remesh.tile_samples = tile_samples.value_or(default_tile_samples(a.remesh.num_samples, rest));
+  choices.scope = scope_of(local, global);
+  if (weight_scale > 0) choices.weight_factor = weight_scale;
+  if (iterations >= 0) choices.iterations = iterations;
+  geom::require(a.remesh.method == fpo::Method::fpo ||
+                    !(a.remesh.shortest_edge_removal || local || global || choices.rest),
+                "--ser, --local, --global and --rest work with --method fpo only");
+  fpo::complete(a.remesh, choices);
   a.remesh.seed = cli.seed();
   a.remesh.threads = cli.threads();
   a.remesh.keep_cells = !a.rpd.empty() || !a.report.empty();

@@ -7,7 +7,7 @@
 //         /       \  .       facet: p beats k at x, and k beats the other heirs at x }: where k beats those
 //     V  /    p    \         that V is labelled with, p does, too, so it lies within V.
 //       /___________\  .
-//      /      a      \
+//      /      a      \.
 //
 // Heirs are found at corners. The difference of two powers is affine on a share, so a site that is no heir
 // wins something iff it does at a corner of some share, and not at one on the border of p's cell, as p is

@@ -43,7 +43,7 @@ TEST_CASE("fpo-remesh: too few samples for the features and bad values are refus
   place.refused({"cube.obj", "-n", "50", "--features", "181"}, "--features: 181");
   place.refused({"cube.obj", "-n", "50", "--fixed", "none.xyz"}, "none.xyz: no such file");
   place.refused({"cube.obj", "-n", "50", "--fixed", "bad.xyz"}, "bad.xyz:1:");
-  place.refused({"cube.obj", "-n", "50", "--map", "./out.obj"}, "named for two outputs");
+  place.refused({"cube.obj", "-n", "50", "--rpd", "./out.obj"}, "named for two outputs");
   place.refused({"cube.obj", "-n", "50", "--fixed", "off.xyz"},
                 "off.xyz: point 2 does not lie on the surface");
 }

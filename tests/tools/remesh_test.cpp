@@ -88,6 +88,21 @@ TEST_CASE(
                      "line.obj: 50 samples are too few");
 }
 
+TEST_CASE("fpo-remesh: no output is written under a name that says another format") {
+  const Place place;
+  const auto refused = [&](const std::string& option, const std::string& name, const std::string& endings) {
+    const std::string unknown = std::filesystem::path(name).extension().string();
+    check_refused(place, {"torus.obj", "-n", "50", "-o", "out.obj", option, name},
+                  option + ": " + name + ": unknown extension '" + unknown + "' (use " + endings + ")");
+  };
+  refused("--picture", "x.png", ".svg");
+  refused("--rpd", "y.ply", ".obj");
+  refused("--report", "r.pdf", ".html or .htm");
+  refused("--map", "m.ply", ".txt");
+  refused("--sizing-out", "s.obj", ".txt or .ply");
+  refused("--log", "l.json", ".csv or .txt");
+}
+
 TEST_CASE("fpo-remesh: bad use is refused in one line, and nothing is written") {
   const Place place;
   const auto refused = [&](const std::vector<std::string>& arguments, const std::string& reason) {

@@ -1,0 +1,140 @@
+#include "fpo/fpo.h"
+
+#include <algorithm>
+#include <string>
+#include <thread>
+
+#include "fpo/barycentric.h"
+#include "fpo/remesh_defaults.h"
+#include "geom/scaling.h"
+
+namespace fpo {
+namespace {
+
+using Points = Eigen::Ref<const Eigen::MatrixXd>;
+using Triangles = Eigen::Ref<const Eigen::MatrixXi>;
+
+std::string size_of(Eigen::Index rows, Eigen::Index columns) {
+  return std::to_string(rows) + " x " + std::to_string(columns);
+}
+
+void require_three_columns(const std::string& name, Eigen::Index rows, Eigen::Index columns) {
+  geom::require(columns == 3, name + " is " + size_of(rows, columns) + ", not n x 3");
+}
+
+geom::TriMesh mesh_of(const Points& V, const Triangles& F) {
+  require_three_columns("V", V.rows(), V.cols());
+  require_three_columns("F", F.rows(), F.cols());
+  geom::require(F.rows() > 0, "F is empty");
+  geom::Table<geom::VertexId, geom::Vec3> vertices;
+  vertices.reserve(static_cast<std::size_t>(V.rows()));
+  for (Eigen::Index i = 0; i < V.rows(); ++i) vertices.push_back(V.row(i).transpose());
+  geom::Table<geom::FacetId, geom::TriMesh::Facet> facets;
+  facets.reserve(static_cast<std::size_t>(F.rows()));
+  const auto corner = [&](Eigen::Index t, Eigen::Index i) { return geom::VertexId(std::int32_t{F(t, i)}); };
+  for (Eigen::Index t = 0; t < F.rows(); ++t) facets.push_back({corner(t, 0), corner(t, 1), corner(t, 2)});
+  return geom::TriMesh(std::move(vertices), std::move(facets));
+}
+
+void set_sizes(const geom::TriMesh& input, const Eigen::VectorXd& sizes, RemeshOptions& options) {
+  const auto n = static_cast<Eigen::Index>(input.num_vertices());
+  geom::require(sizes.size() == n, "sizes has " + std::to_string(sizes.size()) + " numbers, V has " +
+                                       std::to_string(n) + " vertices");
+  for (Eigen::Index v = 0; v < n; ++v)
+    geom::require(sizes[v] > 0, "size of vertex " + std::to_string(v) + " is not positive");
+  options.rho.assign(sizes.begin(), sizes.end());
+}
+
+RemeshOptions remesh_options(const geom::TriMesh& input, const Options& given) {
+  RemeshOptions options;
+  options.num_samples = given.count;
+  options.method = given.method;
+  options.seed = given.seed;
+  options.threads =
+      given.threads > 0 ? given.threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  options.sizing = given.sizing;
+  options.limits = given.limits;
+  if (given.sizing == SizingKind::given) set_sizes(input, given.sizes, options);
+  options.features = given.features;
+  require_three_columns("fixed", given.fixed.rows(), given.fixed.cols());
+  for (Eigen::Index i = 0; i < given.fixed.rows(); ++i)
+    options.fixed.push_back(given.fixed.row(i).transpose());
+  options.shortest_edge_removal = given.shortest_edge_removal;
+  options.mend = given.mend;
+  options.optimize.target_delta = given.target_delta;
+  options.optimize.interrupted = given.interrupted;
+  options.optimize.on_iteration = given.on_iteration;
+  options.optimize.on_move = given.on_move;
+  complete(options, {.scope = given.scope,
+                     .weight_factor = given.weight_scale,
+                     .iterations = given.iterations,
+                     .tile_samples = given.tile_samples,
+                     .optimize_angles = given.optimize_angles,
+                     .improve_fidelity = given.improve_fidelity,
+                     .rest = given.rest});
+  return options;
+}
+
+/// In the unit box, where no square of a length under- or overflows.
+Quality quality_of(const geom::TriMesh& input, const geom::TriMesh& output) {
+  if (output.num_facets() == 0) return {};
+  const double factor = geom::factor_to_unit_box(input);
+  return quality(geom::scaled(output, factor), geom::scaled(input, factor).area());
+}
+
+RemeshMeasures measures_of(const geom::TriMesh& input, const RemeshResult& result) {
+  return {.quality = quality_of(input, result.mesh),
+          .input = geom::topology(input),
+          .output = geom::topology(result.mesh),
+          .fit = result.fit,
+          .optimization = result.optimization,
+          .hidden = result.hidden,
+          .broken_feature_edges = result.broken_feature_edges};
+}
+
+Eigen::VectorXd vector_of(const VertexField& field) {
+  return Eigen::Map<const Eigen::VectorXd>(field.data(), static_cast<Eigen::Index>(field.size()));
+}
+
+void set_triangles(const geom::TriMesh& mesh, Eigen::MatrixXi& F) {
+  F.resize(static_cast<Eigen::Index>(mesh.num_facets()), 3);
+  Eigen::Index row = 0;
+  for (const geom::TriMesh::Facet& facet : mesh.facets())
+    F.row(row++) << facet[0].value, facet[1].value, facet[2].value;
+}
+
+void set_places(const geom::TriMesh& input, const std::vector<SurfaceSample>& samples, Remesh& remesh) {
+  const std::vector<geom::Vec3> barycentric = barycentric_coordinates(input, samples);
+  const auto n = static_cast<Eigen::Index>(samples.size());
+  remesh.facet.resize(n);
+  remesh.barycentric.resize(n, 3);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    remesh.facet[i] = samples[at].facet.value;
+    remesh.barycentric.row(i) = barycentric[at];
+  }
+}
+
+}  // namespace
+
+bool RemeshMeasures::same_topology() const {
+  return output.manifold() && output.unreferenced_vertices == 0 && input.euler == output.euler &&
+         input.components == output.components && input.boundary_loops == output.boundary_loops;
+}
+
+Remesh remesh(const Points& V, const Triangles& F, const Options& options) {
+  const geom::TriMesh input = mesh_of(V, F);
+  const RemeshResult result = remesh(input, remesh_options(input, options));
+  Remesh remesh;
+  remesh.V.resize(static_cast<Eigen::Index>(result.mesh.num_vertices()), 3);
+  Eigen::Index row = 0;
+  for (const geom::Vec3& x : result.mesh.vertices()) remesh.V.row(row++) = x;
+  set_triangles(result.mesh, remesh.F);
+  set_places(input, result.samples, remesh);
+  remesh.wanted = vector_of(result.wanted);
+  remesh.sizing = vector_of(result.sizing);
+  remesh.measures = measures_of(input, result);
+  return remesh;
+}
+
+}  // namespace fpo

@@ -1,0 +1,84 @@
+#pragma once
+// The library's front door: a surface as two matrices in, its remesh as matrices out.
+//
+//   fpo::Options options;
+//   options.count = 2000;
+//   const fpo::Remesh remesh = fpo::remesh(V, F, options);  // remesh.V, remesh.F, ...
+//
+// What is left out of the options is what fpo-remesh does; the same input, options and seed give the same bits.
+// fpo_c.h is the same in C. fpo/pipeline.h is the longer way in, with the types of this library.
+
+#include <Eigen/Core>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "fpo/pipeline.h"
+#include "fpo/quality.h"
+#include "geom/check.h"
+
+namespace fpo {
+
+/// Lengths in the units of V.
+struct Options {
+  std::size_t count =
+      0;  ///< vertices of the remesh: exactly; with mps and cps, whose parameter is a radius, about
+  Method method = Method::fpo;
+  SizingKind sizing = SizingKind::uniform;
+  Eigen::VectorXd
+      sizes;  ///< if given: wanted edge length at each vertex of V, up to a factor that `count` decides
+  SizingLimits limits;  ///< of wanted lengths, unless uniform
+  /// Borders, corners and creases are kept: by default those of machined parts; FeatureOptions{.crease_angle = A,
+  /// .weak_crease_angle = A}: folds by more than A degrees; none: nothing is.
+  std::optional<FeatureOptions> features = automatic_features();
+  Eigen::MatrixXd fixed{0, 3};  ///< points of the surface that become vertices: the first ones, bit for bit
+  std::uint64_t seed = 1;
+  int threads = 0;              ///< at most; 0: all cores. No matter to the result
+  double target_delta = 0.926;  ///< stop when the least spacing exceeds it (section 3.2)
+  bool shortest_edge_removal = false, mend = true, rest = false;
+  /// Left out: what fpo-remesh's help says.
+  std::optional<int> iterations{};
+  std::optional<Scope> scope{};
+  std::optional<double> weight_scale{};
+  std::optional<std::size_t> tile_samples{};  ///< 0: no tiles
+  std::optional<bool> optimize_angles{}, improve_fidelity{};
+  /// Looked at before each move: once true, the moves so far are the result.
+  const std::atomic<bool>* interrupted = nullptr;
+  /// Called after each iteration, and before each move with its number (of about count times iterations), maybe
+  /// by other threads, but one at a time. They must not throw.
+  std::function<void(const IterationReport&)> on_iteration{};
+  std::function<void(std::size_t move)> on_move{};
+};
+
+struct RemeshMeasures {
+  Quality quality;       ///< of the triangles; all 0 if there is none
+  geom::Topology input;  ///< of V, F
+  geom::Topology output;
+  SizingFit fit;                ///< of edges to wanted lengths
+  OptimizeResult optimization;  ///< iterations, moves, and why it ended
+  std::size_t hidden = 0;       ///< samples without a triangle
+  std::size_t broken_feature_edges =
+      0;  ///< edges between neighbours on curves that are no edges of the remesh
+  /// A 2-manifold with the Euler number, components and borders of the input.
+  bool same_topology() const;
+};
+
+/// Row i of V, facet, barycentric and wanted is about vertex i.
+struct Remesh {
+  Eigen::MatrixXd V;            ///< n x 3
+  Eigen::MatrixXi F;            ///< m x 3, counterclockwise seen from outside, from 0
+  Eigen::VectorXi facet;        ///< n: the row of the input's F in which the vertex lies
+  Eigen::MatrixXd barycentric;  ///< n x 3: its coordinates there
+  Eigen::VectorXd wanted;       ///< n: wanted edge lengths
+  Eigen::VectorXd sizing;       ///< the same at each vertex of the input
+  RemeshMeasures measures;
+};
+
+/// V: one vertex a row (x, y, z); F: one triangle a row, from 0. Throws geom::InputError on what cannot be remeshed
+/// (one line, for users), geom::Interrupted if interrupted before there was a result, std::bad_alloc, and
+/// geom::Bug.
+Remesh remesh(const Eigen::Ref<const Eigen::MatrixXd>& V, const Eigen::Ref<const Eigen::MatrixXi>& F,
+              const Options& options);
+
+}  // namespace fpo

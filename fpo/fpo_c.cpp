@@ -1,0 +1,194 @@
+#include "fpo/fpo_c.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <new>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "fpo/fpo.h"
+#include "fpo/remesh_defaults.h"
+
+namespace {
+
+constexpr std::size_t moves_a_call = 256;  // of the progress function
+
+template <class T>
+using Rows = Eigen::Map<const Eigen::Matrix<T, Eigen::Dynamic, 3, Eigen::RowMajor>>;
+
+fpo::Method method_of(std::int32_t method) {
+  switch (method) {
+    case fpo_method_fpo:
+      return fpo::Method::fpo;
+    case fpo_method_cvt:
+      return fpo::Method::cvt;
+    case fpo_method_mps:
+      return fpo::Method::mps;
+    case fpo_method_cps:
+      return fpo::Method::cps;
+  }
+  throw geom::InputError("there is no method " + std::to_string(method));
+}
+
+fpo::SizingKind sizing_of(std::int32_t sizing) {
+  switch (sizing) {
+    case fpo_sizing_uniform:
+      return fpo::SizingKind::uniform;
+    case fpo_sizing_lfs:
+      return fpo::SizingKind::local_feature_size;
+    case fpo_sizing_curvature:
+      return fpo::SizingKind::curvature;
+    case fpo_sizing_given:
+      return fpo::SizingKind::given;
+  }
+  throw geom::InputError("there is no sizing " + std::to_string(sizing));
+}
+
+std::optional<fpo::FeatureOptions> features_of(double angle) {
+  geom::require(angle <= 180, "a feature angle is at most 180 degrees");
+  if (angle < 0) return fpo::automatic_features();
+  if (angle == 0) return {};
+  return fpo::FeatureOptions{.crease_angle = angle, .weak_crease_angle = angle};
+}
+
+fpo::Options options_of(const fpo_options& given, std::int64_t num_vertices) {
+  geom::require(given.count > 0, "the number of samples must be at least 1");
+  fpo::Options options;
+  options.count = static_cast<std::size_t>(given.count);
+  options.seed = given.seed;
+  options.method = method_of(given.method);
+  options.sizing = sizing_of(given.sizing);
+  if (options.sizing == fpo::SizingKind::given) {
+    geom::require(given.sizes != nullptr, "sizes are missing");
+    options.sizes = Eigen::Map<const Eigen::VectorXd>(given.sizes, num_vertices);
+  }
+  options.features = features_of(given.feature_angle);
+  options.threads = given.threads;
+  if (given.iterations >= 0) options.iterations = given.iterations;
+  options.target_delta = given.target_delta;
+  return options;
+}
+
+/// Tells the progress function, and stops the run for it.
+class Reporter {
+ public:
+  Reporter(const fpo_options& given, fpo::Options& options) : given_(given) {
+    options.interrupted = &stopped_;
+    if (!given.progress) return;
+    const int iterations =
+        options.iterations.value_or(fpo::default_iterations(options.method, options.sizing));
+    const double moves = std::max(1.0, static_cast<double>(given.count) * iterations);
+    options.on_iteration = [this](const fpo::IterationReport& report) { delta_ = report.delta; };
+    options.on_move = [this, moves](std::size_t move) {
+      if (move % moves_a_call == 0 && given_.progress(given_.user, static_cast<double>(move) / moves, delta_))
+        stopped_ = true;
+    };
+  }
+  bool stopped() const { return stopped_; }
+
+ private:
+  const fpo_options& given_;
+  double delta_ = 0;
+  std::atomic<bool> stopped_ = false;
+};
+
+/// A copy of the coefficients, row after row; its owner frees it.
+template <class T, class Matrix>
+std::unique_ptr<T[]> rows_of(const Matrix& matrix) {
+  auto copy = std::make_unique_for_overwrite<T[]>(static_cast<std::size_t>(matrix.size()));
+  T* next = copy.get();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) *next++ = matrix(i, j);
+  return copy;
+}
+
+fpo_result result_of(const fpo::Remesh& remesh) {
+  auto vertices = rows_of<double>(remesh.V), barycentric = rows_of<double>(remesh.barycentric),
+       wanted = rows_of<double>(remesh.wanted);
+  auto facets = rows_of<std::int32_t>(remesh.F), source_facet = rows_of<std::int32_t>(remesh.facet);
+  const fpo::RemeshMeasures& m = remesh.measures;
+  return {.num_vertices = remesh.V.rows(),
+          .num_facets = remesh.F.rows(),
+          .vertices = vertices.release(),
+          .facets = facets.release(),
+          .source_facet = source_facet.release(),
+          .barycentric = barycentric.release(),
+          .wanted = wanted.release(),
+          .q_min = m.quality.q_min,
+          .q_avg = m.quality.q_avg,
+          .theta_min = m.quality.theta_min,
+          .theta_max = m.quality.theta_max,
+          .delta = m.quality.delta,
+          .mean_delta = m.quality.delta_avg,
+          .iterations = m.optimization.last.iteration,
+          .same_topology = m.same_topology()};
+}
+
+/// Returns whether the run was stopped.
+bool remesh(Rows<double> vertices, Rows<std::int32_t> facets, const fpo_options& given, fpo_result& result) {
+  fpo::Options options = options_of(given, vertices.rows());
+  const Reporter reporter(given, options);
+  result = result_of(fpo::remesh(vertices, facets, options));
+  return reporter.stopped();
+}
+
+int fail(int code, std::string_view message, char* error, std::size_t error_size) {
+  if (error_size == 0) return code;
+  const std::size_t length = std::min(message.size(), error_size - 1);
+  std::memcpy(error, message.data(), length);
+  error[length] = '\0';
+  return code;
+}
+
+}  // namespace
+
+extern "C" {
+
+[[gnu::visibility("default")]] void fpo_default_options(fpo_options* options) {
+  const fpo::Options standard;
+  *options = {};
+  options->seed = standard.seed;
+  options->method = fpo_method_fpo;
+  options->sizing = fpo_sizing_uniform;
+  options->feature_angle = -1;
+  options->iterations = -1;
+  options->target_delta = standard.target_delta;
+}
+
+[[gnu::visibility("default")]] int fpo_remesh(const double* vertices, std::int64_t num_vertices,
+                                              const std::int32_t* facets, std::int64_t num_facets,
+                                              const fpo_options* options, fpo_result* result, char* error,
+                                              std::size_t error_size) {
+  *result = {};
+  fail(fpo_done, "", error, error_size);
+  try {
+    geom::require(num_vertices >= 0 && num_facets >= 0, "a negative number of vertices or facets");
+    const bool stopped = remesh({vertices, num_vertices, 3}, {facets, num_facets, 3}, *options, *result);
+    return stopped ? fail(fpo_interrupted, "interrupted", error, error_size) : fpo_done;
+  } catch (const geom::Interrupted& end) {
+    return fail(fpo_interrupted, end.what(), error, error_size);
+  } catch (const geom::InputError& fault) {
+    return fail(fpo_bad_input, fault.what(), error, error_size);
+  } catch (const std::bad_alloc&) {
+    return fail(fpo_bad_input, "out of memory", error, error_size);
+  } catch (const std::system_error& fault) {  // no thread to be had
+    return fail(fpo_bad_input, fault.what(), error, error_size);
+  } catch (const std::exception& bug) {
+    return fail(fpo_bug, bug.what(), error, error_size);
+  }
+}
+
+[[gnu::visibility("default")]] void fpo_free(fpo_result* result) {
+  delete[] result->vertices;
+  delete[] result->facets;
+  delete[] result->source_facet;
+  delete[] result->barycentric;
+  delete[] result->wanted;
+  *result = {};
+}
+}

@@ -1,0 +1,60 @@
+#pragma once
+/* The front door in C (fpo.h is the same in C++, with more options): plain arrays, and errors as text. Left
+   out, everything is as fpo-remesh does it. */
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { fpo_done = 0, fpo_bad_input = 2, fpo_bug = 70, fpo_interrupted = 130 };
+enum { fpo_method_fpo = 0, fpo_method_cvt = 1, fpo_method_mps = 2, fpo_method_cps = 3 };
+enum { fpo_sizing_uniform = 0, fpo_sizing_lfs = 1, fpo_sizing_curvature = 2, fpo_sizing_given = 3 };
+
+typedef struct fpo_options {
+  int64_t count; /* vertices of the remesh */
+  uint64_t seed;
+  int32_t method, sizing; /* see above */
+  const double*
+      sizes; /* if given: a wanted edge length for each vertex, up to a factor; else not looked at */
+  double feature_angle; /* folds by more degrees are kept; 0: none, negative: creases of machined parts */
+  int32_t threads;      /* at most; 0: all cores; no matter to the result */
+  int32_t iterations;   /* at most; negative: as many as are best */
+  double target_delta;  /* stop when the least spacing exceeds it */
+  /* Called every some hundred moves with the share of them that is done and the last iteration's delta; if it
+     returns anything but 0, the moves so far are the result. Null: nobody. */
+  int (*progress)(void* user, double done, double delta);
+  void* user;
+} fpo_options;
+
+/* Facets and vertices count from 0. Arrays belong to the library, until fpo_free(). */
+typedef struct fpo_result {
+  int64_t num_vertices, num_facets;
+  double* vertices;      /* x, y, z of each */
+  int32_t* facets;       /* three vertices each, counterclockwise seen from outside */
+  int32_t* source_facet; /* of each vertex: the facet of the input in which it lies */
+  double* barycentric;   /* and its three coordinates there */
+  double* wanted;        /* of each vertex: the wanted edge length */
+  double q_min, q_avg, theta_min, theta_max, delta, mean_delta; /* as fpo-quality has them; degrees */
+  int32_t iterations;
+  int32_t same_topology; /* 1: a 2-manifold of the input's topological type */
+} fpo_result;
+
+/* The options of fpo-remesh; the count is 0 and must be set. */
+void fpo_default_options(fpo_options* options);
+
+/* Remeshes a surface of so many vertices (x, y, z each) and triangles (three vertices each, from 0). Returns
+   fpo_done, fpo_bad_input, fpo_bug, or fpo_interrupted: then the result is that of the moves so far, or empty if
+   there was none yet. Other failures leave the result empty. The error is one line, cut to error_size bytes with
+   its end, and empty if there is none; it may be null with error_size 0. */
+int fpo_remesh(const double* vertices, int64_t num_vertices, const int32_t* facets, int64_t num_facets,
+               const fpo_options* options, fpo_result* result, char* error, size_t error_size);
+
+/* Frees the arrays and leaves the result empty. */
+void fpo_free(fpo_result* result);
+
+#ifdef __cplusplus
+}
+#endif
