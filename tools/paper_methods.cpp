@@ -18,7 +18,8 @@ void remove_shortest_edges_only(fpo::RemeshOptions& o) {
 std::vector<PaperMethod> in_order_of_paper() {
   std::vector<PaperMethod> result;
   for (const fpo::MethodFacts& m : fpo::methods())
-    if (m.distribute) result.push_back({m.acronym, [&m](fpo::RemeshOptions& o) { fpo::use_method(o, m.method); }});
+    if (m.distribute)
+      result.push_back({m.acronym, [&m](fpo::RemeshOptions& o) { fpo::use_method(o, m.method); }});
   result.push_back({"SER", remove_shortest_edges_only});
   result.push_back({fpo::facts_of(fpo::Method::fpo).acronym, [](fpo::RemeshOptions&) {}});
   return result;
