@@ -5,8 +5,8 @@
 //   options.count = 2000;
 //   const fpo::Remesh remesh = fpo::remesh(V, F, options);  // remesh.V, remesh.F, ...
 //
-// What is left out of the options is what fpo-remesh does; the same input, options and seed give the same bits.
-// fpo_c.h is the same in C. fpo/pipeline.h is the longer way in, with the types of this library.
+// What is left out of the options is what fpo-remesh does; the same input, options and seed give the same
+// bits. fpo_c.h is the same in C. fpo/pipeline.h is the longer way in, with the types of this library.
 
 #include <Eigen/Core>
 #include <atomic>
@@ -29,8 +29,8 @@ struct Options {
   Eigen::VectorXd
       sizes;  ///< if given: wanted edge length at each vertex of V, up to a factor that `count` decides
   SizingLimits limits;  ///< of wanted lengths, unless uniform
-  /// Borders, corners and creases are kept: by default those of machined parts; FeatureOptions{.crease_angle = A,
-  /// .weak_crease_angle = A}: folds by more than A degrees; none: nothing is.
+  /// Borders, corners and creases are kept: by default those of machined parts; FeatureOptions{.crease_angle
+  /// = A, .weak_crease_angle = A}: folds by more than A degrees; none: nothing is.
   std::optional<FeatureOptions> features = automatic_features();
   Eigen::MatrixXd fixed{0, 3};  ///< points of the surface that become vertices: the first ones, bit for bit
   std::uint64_t seed = 1;
@@ -45,8 +45,8 @@ struct Options {
   std::optional<bool> optimize_angles{}, improve_fidelity{};
   /// Looked at before each move: once true, the moves so far are the result.
   const std::atomic<bool>* interrupted = nullptr;
-  /// Called after each iteration, and before each move with its number (of about count times iterations), maybe
-  /// by other threads, but one at a time. They must not throw.
+  /// Called after each iteration, and before each move with its number (of about count times iterations),
+  /// maybe by other threads, but one at a time. They must not throw.
   std::function<void(const IterationReport&)> on_iteration{};
   std::function<void(std::size_t move)> on_move{};
 };
@@ -75,9 +75,9 @@ struct Remesh {
   RemeshMeasures measures;
 };
 
-/// V: one vertex a row (x, y, z); F: one triangle a row, from 0. Throws geom::InputError on what cannot be remeshed
-/// (one line, for users), geom::Interrupted if interrupted before there was a result, std::bad_alloc, and
-/// geom::Bug.
+/// V: one vertex a row (x, y, z); F: one triangle a row, from 0. Throws geom::InputError on what cannot be
+/// remeshed (one line, for users), geom::Interrupted if interrupted before there was a result,
+/// std::bad_alloc, and geom::Bug.
 Remesh remesh(const Eigen::Ref<const Eigen::MatrixXd>& V, const Eigen::Ref<const Eigen::MatrixXi>& F,
               const Options& options);
 

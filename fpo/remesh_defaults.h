@@ -1,5 +1,6 @@
 #pragma once
-// How a surface is remeshed unless something else is asked for: by fpo-remesh and by the library (fpo.h) alike.
+// How a surface is remeshed unless something else is asked for: by fpo-remesh and by the library (fpo.h)
+// alike.
 
 #include <optional>
 
@@ -8,8 +9,8 @@
 
 namespace fpo {
 
-/// With uniform sizing the whole surface is searched for farthest points, which gives the best angles; else the
-/// neighbourhood, for samples that travel far change the density.
+/// With uniform sizing the whole surface is searched for farthest points, which gives the best angles; else
+/// the neighbourhood, for samples that travel far change the density.
 inline Scope default_scope(SizingKind sizing) {
   return sizing == SizingKind::uniform ? Scope::global : Scope::two_ring;
 }
