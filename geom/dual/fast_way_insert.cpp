@@ -107,9 +107,11 @@ bool FastWay::prove_new_cell(FacetId home, double least_distance, std::span<cons
     const bool is_all_near = on_sheet_ && sheet_.covers(state_.sites[p_].position, all);
     far_rivals_.clear();
     if (!is_all_near) find_far_rivals(own);
-    const double least = on_sheet_ ? own : std::max(own, least_distance);
-    const double farthest = far_rivals_.empty() ? least : std::max(least, far_rivals_.front().distance);
-    on_sheet_ = chart_around(farthest <= widest * own ? farthest : least);
+    const double farthest = far_rivals_.empty() ? own : far_rivals_.front().distance;
+    double least = farthest <= widest * own ? farthest : own;
+    on_sheet_ = on_sheet_ && sheet_.covers(state_.sites[p_].position, least);
+    if (!on_sheet_) least = std::max(least, least_distance);  // the hole was not proven on that sheet
+    on_sheet_ = chart_around(least);
     if (on_sheet_) {
       const double near = sheet_.distance_from(state_.sites[p_].position);
       on_sheet_ = distance_to_search(near, reached) <= near && enclose_on_sheet(least);
