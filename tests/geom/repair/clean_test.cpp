@@ -16,12 +16,7 @@
 
 namespace {
 
-using fixtures::FacetId;
-using fixtures::MeshArrays;
-using fixtures::Rng;
-using fixtures::TriMesh;
-using fixtures::Vec3;
-using fixtures::VertexId;
+using namespace fixtures;
 using geom::Cleaned;
 using geom::topology;
 

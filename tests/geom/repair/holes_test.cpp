@@ -15,12 +15,7 @@
 
 namespace {
 
-using fixtures::FacetId;
-using fixtures::MeshArrays;
-using fixtures::Rng;
-using fixtures::TriMesh;
-using fixtures::Vec3;
-using fixtures::VertexId;
+using namespace fixtures;
 
 constexpr double any_length = 1e30;
 

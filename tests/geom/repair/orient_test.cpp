@@ -10,11 +10,7 @@
 
 namespace {
 
-using fixtures::FacetId;
-using fixtures::MeshArrays;
-using fixtures::Rng;
-using fixtures::TriMesh;
-using fixtures::Vec3;
+using namespace fixtures;
 
 TriMesh oriented(const TriMesh& mesh, geom::Orientation* done = nullptr) {
   MeshArrays arrays = fixtures::arrays_of(mesh);

@@ -15,12 +15,7 @@
 
 namespace {
 
-using fixtures::FacetId;
-using fixtures::MeshArrays;
-using fixtures::Rng;
-using fixtures::TriMesh;
-using fixtures::Vec3;
-using fixtures::VertexId;
+using namespace fixtures;
 
 geom::Repaired repaired(const TriMesh& mesh) { return geom::repaired(mesh, geom::all_steps(mesh)); }
 

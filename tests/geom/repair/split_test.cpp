@@ -11,12 +11,7 @@
 
 namespace {
 
-using fixtures::FacetId;
-using fixtures::MeshArrays;
-using fixtures::Rng;
-using fixtures::TriMesh;
-using fixtures::Vec3;
-using fixtures::VertexId;
+using namespace fixtures;
 
 TriMesh split(const TriMesh& mesh, geom::Fans fans = geom::Fans::split) {
   MeshArrays arrays = fixtures::arrays_of(mesh);
