@@ -4,9 +4,9 @@
 #include <string>
 #include <thread>
 
-#include "fpo/barycentric.h"
-#include "fpo/remesh_defaults.h"
-#include "geom/scaling.h"
+#include "fpo/remesh/remesh_defaults.h"
+#include "fpo/surface/barycentric.h"
+#include "geom/mesh/scaling.h"
 
 namespace fpo {
 namespace {

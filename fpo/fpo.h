@@ -6,7 +6,7 @@
 //   const fpo::Remesh remesh = fpo::remesh(V, F, options);  // remesh.V, remesh.F, ...
 //
 // What is left out of the options is what fpo-remesh does; the same input, options and seed give the same
-// bits. fpo_c.h is the same in C. fpo/pipeline.h is the longer way in, with the types of this library.
+// bits. fpo_c.h is the same in C. fpo/remesh/pipeline.h is the longer way in, with the types of this library.
 
 #include <Eigen/Core>
 #include <atomic>
@@ -14,8 +14,8 @@
 #include <functional>
 #include <optional>
 
-#include "fpo/pipeline.h"
-#include "fpo/quality.h"
+#include "fpo/measure/quality.h"
+#include "fpo/remesh/pipeline.h"
 #include "geom/check.h"
 
 namespace fpo {

@@ -12,7 +12,7 @@
 #include <system_error>
 
 #include "fpo/fpo.h"
-#include "fpo/remesh_defaults.h"
+#include "fpo/remesh/remesh_defaults.h"
 
 namespace {
 

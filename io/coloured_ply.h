@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <span>
 
-#include "geom/trimesh.h"
+#include "geom/mesh/trimesh.h"
 
 namespace io {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "geom/trimesh.h"
+#include "geom/mesh/trimesh.h"
 #include "io/input_file.h"
 
 namespace io {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "geom/trimesh.h"
+#include "geom/mesh/trimesh.h"
 
 namespace io {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "geom/trimesh.h"
+#include "geom/mesh/trimesh.h"
 #include "io/svg.h"
 
 namespace io {

@@ -16,7 +16,7 @@ std::optional<double> parse_real(std::string_view word);
 std::optional<std::int64_t> parse_integer(std::string_view word);
 
 /// Coordinates of greater magnitude are refused: the exact predicates hold up to 2^160 = 1.46e48
-/// (geom/expansion.h).
+/// (geom/exact/expansion.h).
 constexpr double largest_coordinate = 1e48;
 
 /// What is wrong with a coordinate or weight (not finite, or beyond largest_coordinate), or null.

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "geom/trimesh.h"
+#include "geom/mesh/trimesh.h"
 #include "io/input_file.h"
 
 namespace io {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "geom/trimesh.h"
+#include "geom/mesh/trimesh.h"
 #include "geom/vec.h"
 #include "io/input_file.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "geom/predicates.h"
+#include "geom/exact/predicates.h"
 
 namespace io {
 

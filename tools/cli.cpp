@@ -13,7 +13,7 @@
 #include <system_error>
 #include <thread>
 
-#include "geom/expansion.h"
+#include "geom/exact/expansion.h"
 #include "io/extension.h"
 
 namespace tools {

@@ -3,8 +3,8 @@
 
 #include <cstdio>
 
-#include "fpo/plane_angles.h"
-#include "fpo/plane_quality.h"
+#include "fpo/plane/plane_angles.h"
+#include "fpo/plane/plane_quality.h"
 #include "fpo/shortest_edge.h"
 #include "io/atomic_file.h"
 #include "io/points.h"

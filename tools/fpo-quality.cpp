@@ -2,8 +2,8 @@
 
 #include <cstdio>
 
+#include "geom/mesh/scaling.h"
 #include "geom/repair/diagnosis.h"
-#include "geom/scaling.h"
 #include "io/input_file.h"
 #include "io/mesh_io.h"
 #include "tools/cli.h"

@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <map>
 
-#include "fpo/barycentric.h"
-#include "fpo/pipeline.h"
-#include "geom/scaling.h"
+#include "fpo/remesh/pipeline.h"
+#include "fpo/surface/barycentric.h"
+#include "geom/mesh/scaling.h"
 #include "io/atomic_file.h"
 #include "io/coloured_ply.h"
 #include "io/extension.h"

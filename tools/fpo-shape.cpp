@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <string>
 
-#include "geom/shapes.h"
+#include "geom/shapes/shapes.h"
 #include "io/mesh_io.h"
 #include "tools/cli.h"
 

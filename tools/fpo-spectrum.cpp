@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <memory>
 
-#include "fpo/periodogram.h"
-#include "geom/scaling.h"
+#include "fpo/spectrum/periodogram.h"
+#include "geom/mesh/scaling.h"
 #include "io/atomic_file.h"
 #include "io/extension.h"
 #include "io/input_file.h"

@@ -6,9 +6,9 @@
 #include <memory>
 #include <tuple>
 
-#include "fpo/surface_domain.h"
+#include "fpo/surface/surface_domain.h"
+#include "geom/mesh/scaling.h"
 #include "geom/rng.h"
-#include "geom/scaling.h"
 #include "io/atomic_file.h"
 #include "io/input_file.h"
 #include "io/mesh_io.h"

@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "geom/check.h"
-#include "geom/scaling.h"
+#include "geom/mesh/scaling.h"
 
 namespace tools {
 namespace {

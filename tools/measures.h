@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "fpo/hausdorff.h"
-#include "fpo/quality.h"
-#include "geom/trimesh.h"
+#include "fpo/measure/hausdorff.h"
+#include "fpo/measure/quality.h"
+#include "geom/mesh/trimesh.h"
 
 namespace tools {
 

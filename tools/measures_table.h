@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "fpo/paper_rows.h"
-#include "fpo/pipeline.h"
+#include "fpo/measure/paper_rows.h"
+#include "fpo/remesh/pipeline.h"
 #include "io/html_report.h"
 #include "tools/measures.h"
 

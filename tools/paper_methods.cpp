@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "fpo/remesh_defaults.h"
+#include "fpo/remesh/remesh_defaults.h"
 
 namespace tools {
 namespace {

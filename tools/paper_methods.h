@@ -5,13 +5,13 @@
 #include <span>
 #include <string>
 
-#include "fpo/pipeline.h"
+#include "fpo/remesh/pipeline.h"
 
 namespace tools {
 
 struct PaperMethod {
   std::string name;  ///< the acronym of table 1
-  /// Changes fpo-remesh's default options (fpo/remesh_defaults.h) to those of the method.
+  /// Changes fpo-remesh's default options (fpo/remesh/remesh_defaults.h) to those of the method.
   std::function<void(fpo::RemeshOptions&)> set;
 };
 

@@ -9,9 +9,9 @@
 #include <mutex>
 #include <set>
 
-#include "fpo/remesh_defaults.h"
-#include "fpo/spectrum_set.h"
-#include "fpo/surface_domain.h"
+#include "fpo/remesh/remesh_defaults.h"
+#include "fpo/spectrum/spectrum_set.h"
+#include "fpo/surface/surface_domain.h"
 #include "geom/check.h"
 #include "geom/parallel.h"
 #include "io/extension.h"

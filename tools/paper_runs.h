@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fpo/paper_rows.h"
+#include "fpo/measure/paper_rows.h"
 #include "tools/convergence.h"
 #include "tools/measures_table.h"
 #include "tools/paper_methods.h"

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
-#include "fpo/initial_samples.h"
-#include "fpo/local_feature_size.h"
-#include "fpo/plane_domain.h"
-#include "fpo/surface_domain.h"
+#include "fpo/plane/plane_domain.h"
+#include "fpo/surface/initial_samples.h"
+#include "fpo/surface/local_feature_size.h"
+#include "fpo/surface/surface_domain.h"
 
 namespace tools {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fpo/sizing.h"
+#include "fpo/surface/sizing.h"
 #include "tools/convergence.h"
 
 namespace tools {

@@ -1,7 +1,7 @@
 #include "tools/period.h"
 
 #include "geom/check.h"
-#include "geom/flat_torus.h"
+#include "geom/regular/flat_torus.h"
 #include "tools/numbers.h"
 
 namespace tools {

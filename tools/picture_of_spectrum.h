@@ -1,7 +1,7 @@
 #pragma once
 // A power spectrum as the paper's figures 7 to 9 show it.
 
-#include "fpo/power_spectrum.h"
+#include "fpo/spectrum/power_spectrum.h"
 #include "io/svg.h"
 
 namespace tools {

@@ -1,6 +1,6 @@
 #include "tools/plane_arguments.h"
 
-#include "fpo/plane_sizing.h"
+#include "fpo/plane/plane_sizing.h"
 #include "io/atomic_file.h"
 #include "io/extension.h"
 #include "tools/interrupt.h"

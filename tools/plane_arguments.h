@@ -6,8 +6,8 @@
 #include <string>
 
 #include "fpo/optimize.h"
-#include "fpo/plane_domain.h"
-#include "geom/restricted_power.h"
+#include "fpo/plane/plane_domain.h"
+#include "geom/power/restricted_power.h"
 #include "tools/cli.h"
 #include "tools/plane_picture.h"
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "fpo/pipeline.h"
-#include "fpo/quality.h"
-#include "fpo/rectangle.h"
+#include "fpo/measure/quality.h"
+#include "fpo/plane/rectangle.h"
+#include "fpo/remesh/pipeline.h"
 #include "io/atomic_file.h"
 #include "io/points.h"
 #include "tools/interrupt.h"

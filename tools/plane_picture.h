@@ -1,8 +1,8 @@
 #pragma once
 // Drawings of samples in the plane, on the flat torus or a rectangle with a border.
 
-#include "fpo/pipeline.h"
-#include "fpo/plane_domain.h"
+#include "fpo/plane/plane_domain.h"
+#include "fpo/remesh/pipeline.h"
 #include "io/svg.h"
 
 namespace tools {

@@ -1,7 +1,7 @@
 #include "tools/plane_sizing_source.h"
 
-#include "fpo/curve_feature_size.h"
-#include "fpo/image_sizing.h"
+#include "fpo/plane/curve_feature_size.h"
+#include "fpo/plane/image_sizing.h"
 #include "io/extension.h"
 #include "io/pgm.h"
 #include "io/polylines.h"

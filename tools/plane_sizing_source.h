@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "fpo/plane_sizing.h"
+#include "fpo/plane/plane_sizing.h"
 #include "tools/plane_arguments.h"
 
 namespace tools {

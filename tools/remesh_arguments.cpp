@@ -4,8 +4,8 @@
 #include <optional>
 #include <set>
 
-#include "fpo/feature_samples.h"
-#include "fpo/remesh_defaults.h"
+#include "fpo/features/feature_samples.h"
+#include "fpo/remesh/remesh_defaults.h"
 #include "io/atomic_file.h"
 #include "io/mesh_io.h"
 #include "io/points.h"

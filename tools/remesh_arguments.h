@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "fpo/pipeline.h"
+#include "fpo/remesh/pipeline.h"
 #include "tools/cli.h"
 #include "tools/surface_input.h"
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "fpo/spectrum_set.h"
-#include "geom/scaling.h"
-#include "geom/vertex_clusters.h"
+#include "fpo/spectrum/spectrum_set.h"
+#include "geom/mesh/scaling.h"
+#include "geom/mesh/vertex_clusters.h"
 #include "io/html_report.h"
 #include "tools/measures.h"
 #include "tools/measures_table.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fpo/pipeline.h"
+#include "fpo/remesh/pipeline.h"
 
 namespace tools {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fpo/optimize.h"
-#include "fpo/sizing.h"
+#include "fpo/surface/sizing.h"
 #include "io/chart.h"
 
 namespace tools {

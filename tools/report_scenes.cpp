@@ -8,8 +8,8 @@
 #include <numeric>
 #include <tuple>
 
-#include "fpo/features.h"
-#include "geom/vertex_clusters.h"
+#include "fpo/features/features.h"
+#include "geom/mesh/vertex_clusters.h"
 
 namespace tools {
 namespace {

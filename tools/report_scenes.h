@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "fpo/pipeline.h"
+#include "fpo/remesh/pipeline.h"
 #include "io/scene.h"
 
 namespace tools {

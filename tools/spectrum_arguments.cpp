@@ -1,6 +1,6 @@
 #include "tools/spectrum_arguments.h"
 
-#include "geom/flat_torus.h"
+#include "geom/regular/flat_torus.h"
 #include "io/atomic_file.h"
 #include "io/extension.h"
 #include "tools/interrupt.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "fpo/spectrum_set.h"
+#include "fpo/spectrum/spectrum_set.h"
 #include "tools/cli.h"
 
 namespace tools {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "geom/trimesh.h"
+#include "geom/mesh/trimesh.h"
 #include "tools/cli.h"
 
 namespace tools {

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "fpo/extract.h"
-#include "fpo/initial_samples.h"
+#include "fpo/remesh/extract.h"
+#include "fpo/surface/initial_samples.h"
 #include "geom/dual/empty_circles.h"
 #include "io/polygons.h"
 #include "io/svg.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geom/site_tree.h"
+#include "geom/sites/site_tree.h"
 
 namespace fpo {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "fpo/optimize.h"
-#include "fpo/sizing.h"
-#include "fpo/surface_sample.h"
+#include "fpo/surface/sizing.h"
+#include "fpo/surface/surface_sample.h"
 
 namespace fpo {
 
@@ -26,7 +26,7 @@ struct BaselineTask {
 };
 
 struct BaselineResult {
-  std::vector<SurfaceSample> samples;  ///< their positions in the exact range (geom/scaling.h)
+  std::vector<SurfaceSample> samples;  ///< their positions in the exact range (geom/mesh/scaling.h)
   double radius_factor = 0;            ///< of Poisson disks: a sample's disk has this radius times h there
   OptimizeResult run;                  ///< iterations, or radii tried
 };

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "geom/parallel.h"
-#include "geom/site_tree.h"
+#include "geom/sites/site_tree.h"
 
 namespace fpo {
 

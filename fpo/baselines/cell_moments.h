@@ -1,13 +1,14 @@
 #pragma once
 // Masses and centroids of restricted Voronoi cells, for methods that move all samples at once.
 //
-// The diagram of geom/restricted_power.h is made for moves of single samples. Here every facet is divided
-// anew for each set of sites (geom/facet_cells.h), on several threads, and nothing is kept but the integrals.
+// The diagram of geom/power/restricted_power.h is made for moves of single samples. Here every facet is
+// divided anew for each set of sites (geom/power/facet_cells.h), on several threads, and nothing is kept but
+// the integrals.
 
 #include <vector>
 
-#include "fpo/sizing.h"
-#include "geom/facet_cells.h"
+#include "fpo/surface/sizing.h"
+#include "geom/power/facet_cells.h"
 
 namespace fpo {
 

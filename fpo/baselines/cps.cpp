@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "fpo/baselines/disks.h"
-#include "fpo/initial_samples.h"
+#include "fpo/surface/initial_samples.h"
 
 namespace fpo {
 namespace {

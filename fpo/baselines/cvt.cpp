@@ -7,8 +7,8 @@
 #include "fpo/baselines/cell_moments.h"
 #include "fpo/baselines/disks.h"
 #include "fpo/baselines/lbfgs.h"
-#include "fpo/initial_samples.h"
-#include "geom/aabb_tree.h"
+#include "fpo/surface/initial_samples.h"
+#include "geom/mesh/aabb_tree.h"
 
 namespace fpo {
 

@@ -4,9 +4,9 @@
 #include <chrono>
 #include <cmath>
 
-#include "fpo/initial_samples.h"
+#include "fpo/surface/initial_samples.h"
 #include "geom/check.h"
-#include "geom/scaling.h"
+#include "geom/mesh/scaling.h"
 
 namespace fpo {
 

@@ -9,7 +9,7 @@
 #include <functional>
 
 #include "fpo/baselines/baseline.h"
-#include "geom/site_tree.h"
+#include "geom/sites/site_tree.h"
 
 namespace fpo {
 

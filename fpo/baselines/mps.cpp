@@ -4,8 +4,8 @@
 #include <array>
 
 #include "fpo/baselines/disks.h"
-#include "fpo/initial_samples.h"
-#include "geom/restricted_power.h"
+#include "fpo/surface/initial_samples.h"
+#include "geom/power/restricted_power.h"
 #include "geom/rng.h"
 
 namespace fpo {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geom/dual/state.h"
-#include "geom/lazy_polygon.h"
+#include "geom/power/lazy_polygon.h"
 
 namespace geom {
 

@@ -10,8 +10,8 @@
 #include <span>
 #include <unordered_map>
 
-#include "geom/divided_surface.h"
 #include "geom/dual/state.h"
+#include "geom/power/divided_surface.h"
 
 namespace geom {
 

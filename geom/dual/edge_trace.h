@@ -1,7 +1,7 @@
 #pragma once
 // An edge of the diagram followed over the facets: how far it comes from its sites.
 
-#include "geom/trimesh.h"
+#include "geom/mesh/trimesh.h"
 
 namespace geom {
 

@@ -36,8 +36,8 @@
 #include <cstdint>
 
 #include "geom/dual/lead.h"
+#include "geom/mesh/trimesh.h"
 #include "geom/reused.h"
-#include "geom/trimesh.h"
 
 namespace geom {
 

@@ -6,7 +6,7 @@
 
 #include "geom/check.h"
 #include "geom/dual/chains.h"
-#include "geom/facet_cells.h"
+#include "geom/power/facet_cells.h"
 
 namespace geom {
 namespace {

@@ -41,8 +41,8 @@
 #include <span>
 #include <vector>
 
-#include "geom/facet_tree.h"
-#include "geom/trimesh.h"
+#include "geom/mesh/facet_tree.h"
+#include "geom/mesh/trimesh.h"
 
 namespace geom {
 

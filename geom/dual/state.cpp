@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "geom/check.h"
-#include "geom/facet_cells.h"
-#include "geom/restricted_power.h"
-#include "geom/scaling.h"
+#include "geom/mesh/scaling.h"
+#include "geom/power/facet_cells.h"
+#include "geom/power/restricted_power.h"
 
 namespace geom {
 namespace {

@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "geom/clip.h"
 #include "geom/dual/empty_circles.h"
 #include "geom/dual/lead.h"
-#include "geom/facet_tree.h"
-#include "geom/site_grid.h"
-#include "geom/site_tree.h"
+#include "geom/mesh/facet_tree.h"
+#include "geom/power/clip.h"
+#include "geom/sites/site_grid.h"
+#include "geom/sites/site_tree.h"
 
 namespace geom {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "geom/half_edges.h"
+#include "geom/mesh/half_edges.h"
 
 namespace geom {
 namespace {

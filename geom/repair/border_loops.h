@@ -1,7 +1,7 @@
 #pragma once
 // The borders of a mesh, one after the other.
 
-#include "geom/trimesh.h"
+#include "geom/mesh/trimesh.h"
 
 namespace geom {
 

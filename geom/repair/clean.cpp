@@ -1,10 +1,10 @@
 #include "geom/repair/clean.h"
 
 #include "geom/check.h"
+#include "geom/mesh/scaling.h"
 #include "geom/repair/flat_facets.h"
 #include "geom/repair/repeated.h"
 #include "geom/repair/weld.h"
-#include "geom/scaling.h"
 
 namespace geom {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "geom/trimesh.h"
+#include "geom/mesh/trimesh.h"
 
 namespace geom {
 

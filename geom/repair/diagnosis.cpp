@@ -5,14 +5,14 @@
 #include <functional>
 #include <set>
 
-#include "geom/half_edges.h"
+#include "geom/mesh/half_edges.h"
+#include "geom/mesh/scaling.h"
 #include "geom/repair/flat_facets.h"
 #include "geom/repair/holes.h"
 #include "geom/repair/orient.h"
 #include "geom/repair/parts.h"
 #include "geom/repair/repair.h"
 #include "geom/repair/repeated.h"
-#include "geom/scaling.h"
 
 namespace geom {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "geom/mesh/trimesh.h"
 #include "geom/repair/intersections.h"
-#include "geom/trimesh.h"
 
 namespace geom {
 

@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include "geom/half_edges.h"
-#include "geom/predicates.h"
+#include "geom/exact/predicates.h"
+#include "geom/mesh/half_edges.h"
 
 namespace geom {
 namespace {

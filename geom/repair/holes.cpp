@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "geom/half_edges.h"
+#include "geom/mesh/half_edges.h"
 #include "geom/repair/fill_polygon.h"
 #include "geom/repair/patch.h"
 

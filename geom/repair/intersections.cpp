@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "geom/aabb_tree.h"
-#include "geom/predicates.h"
+#include "geom/exact/predicates.h"
+#include "geom/mesh/aabb_tree.h"
 
 namespace geom {
 namespace {

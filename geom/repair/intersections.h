@@ -1,7 +1,7 @@
 #pragma once
 // Where a surface passes through itself.
 
-#include "geom/trimesh.h"
+#include "geom/mesh/trimesh.h"
 
 namespace geom {
 

@@ -1,6 +1,6 @@
 #include "geom/repair/orient.h"
 
-#include "geom/half_edges.h"
+#include "geom/mesh/half_edges.h"
 
 namespace geom {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 // Facets turned so that neighbours agree which side is outside.
 
-#include "geom/trimesh.h"
+#include "geom/mesh/trimesh.h"
 
 namespace geom {
 

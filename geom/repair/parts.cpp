@@ -1,7 +1,7 @@
 #include "geom/repair/parts.h"
 
 #include "geom/disjoint_sets.h"
-#include "geom/half_edges.h"
+#include "geom/mesh/half_edges.h"
 #include "geom/repair/flat_facets.h"
 
 namespace geom {

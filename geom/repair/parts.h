@@ -1,7 +1,7 @@
 #pragma once
 // The parts of a mesh: facets joined by edges.
 
-#include "geom/trimesh.h"
+#include "geom/mesh/trimesh.h"
 
 namespace geom {
 

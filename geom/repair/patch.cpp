@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "geom/half_edges.h"
+#include "geom/mesh/half_edges.h"
 
 namespace geom {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 // The filling of a hole made like its surroundings.
 
-#include "geom/trimesh.h"
+#include "geom/mesh/trimesh.h"
 
 namespace geom {
 

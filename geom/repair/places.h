@@ -1,7 +1,7 @@
 #pragma once
 // Which vertices lie at one place.
 
-#include "geom/trimesh.h"
+#include "geom/mesh/trimesh.h"
 
 namespace geom {
 

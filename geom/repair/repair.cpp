@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "geom/check.h"
+#include "geom/mesh/scaling.h"
 #include "geom/repair/clean.h"
 #include "geom/repair/flat_facets.h"
 #include "geom/repair/holes.h"
@@ -12,7 +13,6 @@
 #include "geom/repair/split.h"
 #include "geom/repair/t_junctions.h"
 #include "geom/repair/weld.h"
-#include "geom/scaling.h"
 
 namespace geom {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "geom/trimesh.h"
+#include "geom/mesh/trimesh.h"
 
 namespace geom {
 

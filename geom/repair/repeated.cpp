@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "geom/disjoint_sets.h"
-#include "geom/half_edges.h"
+#include "geom/mesh/half_edges.h"
 #include "geom/repair/flat_facets.h"
 
 namespace geom {

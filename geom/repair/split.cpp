@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "geom/disjoint_sets.h"
-#include "geom/half_edges.h"
+#include "geom/mesh/half_edges.h"
 
 namespace geom {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 // A mesh that is no manifold taken apart into sheets that are.
 
-#include "geom/trimesh.h"
+#include "geom/mesh/trimesh.h"
 
 namespace geom {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "geom/aabb_tree.h"
-#include "geom/half_edges.h"
+#include "geom/mesh/aabb_tree.h"
+#include "geom/mesh/half_edges.h"
 
 namespace geom {
 namespace {

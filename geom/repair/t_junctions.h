@@ -1,7 +1,7 @@
 #pragma once
 // Border vertices that lie on border edges.
 
-#include "geom/trimesh.h"
+#include "geom/mesh/trimesh.h"
 
 namespace geom {
 

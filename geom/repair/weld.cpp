@@ -5,7 +5,7 @@
 #include <span>
 
 #include "geom/disjoint_sets.h"
-#include "geom/half_edges.h"
+#include "geom/mesh/half_edges.h"
 
 namespace geom {
 namespace {

@@ -9,12 +9,12 @@
 #include <cstdlib>
 #include <string>
 
-#include "fpo/angles.h"
-#include "fpo/extract.h"
+#include "fpo/measure/quality.h"
 #include "fpo/optimize.h"
-#include "fpo/quality.h"
+#include "fpo/remesh/angles.h"
+#include "fpo/remesh/extract.h"
 #include "fpo/shortest_edge.h"
-#include "fpo/surface_domain.h"
+#include "fpo/surface/surface_domain.h"
 #include "io/mesh_io.h"
 #include "io/values.h"
 

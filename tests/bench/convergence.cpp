@@ -14,7 +14,7 @@
 #include <map>
 #include <string>
 
-#include "fpo/surface_domain.h"
+#include "fpo/surface/surface_domain.h"
 #include "io/atomic_file.h"
 #include "io/mesh_io.h"
 

@@ -2,7 +2,7 @@
 //   bench-curvature [MESH ...]     without meshes: those in the folder named by FPO_MODELS (default
 //   ../shared/models) that are there
 
-#include "fpo/curvature.h"
+#include "fpo/surface/curvature.h"
 
 #include <algorithm>
 #include <chrono>

@@ -4,7 +4,7 @@
 // Without meshes: those in the folder named by FPO_MODELS (default ../shared/models) that are there. -o: also
 // draw them there, from blue (1/4 of an edge length or less) over green (2) to red (16 or more).
 
-#include "fpo/local_feature_size.h"
+#include "fpo/surface/local_feature_size.h"
 
 #include <algorithm>
 #include <chrono>
@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "fpo/surface_cover.h"
+#include "fpo/surface/surface_cover.h"
 #include "io/mesh_io.h"
 #include "io/mesh_picture.h"
 

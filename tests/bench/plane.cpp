@@ -14,13 +14,13 @@
 #include <string>
 #include <vector>
 
+#include "fpo/measure/quality.h"
 #include "fpo/optimize.h"
-#include "fpo/pipeline.h"
-#include "fpo/plane_angles.h"
-#include "fpo/plane_domain.h"
-#include "fpo/plane_quality.h"
-#include "fpo/quality.h"
-#include "fpo/rectangle.h"
+#include "fpo/plane/plane_angles.h"
+#include "fpo/plane/plane_domain.h"
+#include "fpo/plane/plane_quality.h"
+#include "fpo/plane/rectangle.h"
+#include "fpo/remesh/pipeline.h"
 #include "fpo/shortest_edge.h"
 
 namespace {

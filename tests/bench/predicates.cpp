@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <ctime>
 
-#include "geom/clip_filters.h"
+#include "geom/power/clip_filters.h"
 #include "tests/fixtures/weighted_points.h"
 
 namespace {

@@ -1,7 +1,7 @@
 // Microseconds of one remove + insert in the regular triangulation, on samples of three surfaces.
 //   bench-regular3 [surface] [n ...]        default: all of them, 10000 100000
 
-#include "geom/regular3.h"
+#include "geom/regular/regular3.h"
 
 #include <cctype>
 #include <chrono>

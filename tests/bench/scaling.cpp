@@ -23,11 +23,11 @@
 #include <vector>
 
 #include "fpo/optimize.h"
-#include "fpo/plane_domain.h"
-#include "fpo/plane_sizing.h"
-#include "fpo/surface_domain.h"
-#include "fpo/tiled_optimize.h"
-#include "geom/shapes.h"
+#include "fpo/plane/plane_domain.h"
+#include "fpo/plane/plane_sizing.h"
+#include "fpo/surface/surface_domain.h"
+#include "fpo/tiles/tiled_optimize.h"
+#include "geom/shapes/shapes.h"
 #include "io/atomic_file.h"
 #include "io/chart.h"
 #include "io/mesh_io.h"

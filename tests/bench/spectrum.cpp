@@ -13,9 +13,9 @@
 #include <thread>
 #include <vector>
 
-#include "fpo/periodogram.h"
-#include "fpo/spectrum_set.h"
-#include "geom/shapes.h"
+#include "fpo/spectrum/periodogram.h"
+#include "fpo/spectrum/spectrum_set.h"
+#include "geom/shapes/shapes.h"
 #include "io/mesh_io.h"
 #include "tests/fixtures/sample_sets.h"
 

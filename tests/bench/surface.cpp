@@ -10,7 +10,7 @@
 #include <string>
 
 #include "fpo/optimize.h"
-#include "fpo/surface_domain.h"
+#include "fpo/surface/surface_domain.h"
 #include "io/mesh_io.h"
 
 namespace {

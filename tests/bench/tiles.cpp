@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "fpo/tiled_optimize.h"
+#include "fpo/tiles/tiled_optimize.h"
 #include "io/mesh_io.h"
 
 int main(int argc, char** argv) {

@@ -1,6 +1,6 @@
 #pragma once
-// The symbolic perturbation (geom/predicates.h) made real: rational weights w + eps_rank so small and so far
-// apart that CGAL, which knows nothing of the perturbation, finds no tie and has to agree.
+// The symbolic perturbation (geom/exact/predicates.h) made real: rational weights w + eps_rank so small and
+// so far apart that CGAL, which knows nothing of the perturbation, finds no tie and has to agree.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>

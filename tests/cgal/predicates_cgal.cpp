@@ -1,7 +1,7 @@
 // The predicates against CGAL's in exact arithmetic.
 
 #include "doctest.h"
-#include "geom/predicates.h"
+#include "geom/exact/predicates.h"
 #include "tests/cgal/exact_points.h"
 #include "tests/fixtures/weighted_points.h"
 

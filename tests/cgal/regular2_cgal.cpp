@@ -12,7 +12,7 @@
 
 #include "doctest.h"
 #include "geom/check.h"
-#include "geom/regular2.h"
+#include "geom/regular/regular2.h"
 #include "geom/rng.h"
 #include "tests/cgal/exact_points.h"
 

@@ -10,7 +10,7 @@
 #include <functional>
 
 #include "doctest.h"
-#include "geom/regular3.h"
+#include "geom/regular/regular3.h"
 #include "geom/rng.h"
 #include "tests/cgal/exact_points.h"
 

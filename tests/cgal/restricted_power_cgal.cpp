@@ -5,9 +5,9 @@
 
 #include "doctest.h"
 #include "fpo/optimize.h"
-#include "fpo/surface_domain.h"
-#include "geom/restricted_power.h"
-#include "geom/shapes.h"
+#include "fpo/surface/surface_domain.h"
+#include "geom/power/restricted_power.h"
+#include "geom/shapes/shapes.h"
 #include "tests/cgal/exact_points.h"
 #include "tests/fixtures/surfaces.h"
 

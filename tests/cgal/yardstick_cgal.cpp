@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "doctest.h"
-#include "geom/regular2.h"
-#include "geom/regular3.h"
+#include "geom/regular/regular2.h"
+#include "geom/regular/regular3.h"
 #include "geom/rng.h"
 
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "geom/scaling.h"
+#include "geom/mesh/scaling.h"
 
 namespace endurance {
 

@@ -2,7 +2,7 @@
 // A regular triangulation of the flat torus. A lattice of anchors, which stay, leaves no gap of half a
 // period.
 
-#include "geom/regular2.h"
+#include "geom/regular/regular2.h"
 #include "tests/endurance/stage.h"
 
 namespace endurance {

@@ -17,7 +17,7 @@ struct Operation {
   geom::WeightedPoint3 point;  ///< of an insertion; in the plane z = 0
 };
 
-/// Where the sites are: a shape of geom/shapes.h, or ("plane") the torus of a period.
+/// Where the sites are: a shape of geom/shapes/shapes.h, or ("plane") the torus of a period.
 struct Place {
   std::string shape;
   int size = 0;

@@ -4,11 +4,11 @@
 #include <array>
 #include <limits>
 
-#include "fpo/surface_sample.h"
+#include "fpo/surface/surface_sample.h"
 #include "geom/check.h"
-#include "geom/scaling.h"
-#include "geom/shapes.h"
-#include "geom/triangulation_source.h"
+#include "geom/mesh/scaling.h"
+#include "geom/shapes/shapes.h"
+#include "geom/sites/triangulation_source.h"
 #include "tests/oracle/restricted_dual_oracle.h"
 
 namespace endurance {

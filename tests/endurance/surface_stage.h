@@ -1,9 +1,9 @@
 #pragma once
 // A restricted dual with either neighbour source.
 
-#include "geom/aabb_tree.h"
 #include "geom/dual/restricted_dual.h"
 #include "geom/indexed_heap.h"
+#include "geom/mesh/aabb_tree.h"
 #include "tests/endurance/stage.h"
 
 namespace endurance {

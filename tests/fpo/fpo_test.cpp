@@ -8,8 +8,8 @@
 
 #include "doctest.h"
 #include "fpo/fpo_c.h"
-#include "fpo/remesh_defaults.h"
-#include "geom/shapes.h"
+#include "fpo/remesh/remesh_defaults.h"
+#include "geom/shapes/shapes.h"
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "doctest.h"
-#include "fpo/initial_samples.h"
-#include "fpo/surface_domain.h"
+#include "fpo/surface/initial_samples.h"
+#include "fpo/surface/surface_domain.h"
 #include "geom/check.h"
 #include "tests/fixtures/surfaces.h"
 

@@ -4,9 +4,9 @@
 
 #include "doctest.h"
 #include "fpo/optimize.h"
-#include "fpo/plane_domain.h"
-#include "fpo/surface_domain.h"
-#include "fpo/tiled_optimize.h"
+#include "fpo/plane/plane_domain.h"
+#include "fpo/surface/surface_domain.h"
+#include "fpo/tiles/tiled_optimize.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;

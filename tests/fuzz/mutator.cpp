@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "geom/check.h"
-#include "geom/shapes.h"
+#include "geom/shapes/shapes.h"
 #include "io/numbers.h"
 #include "io/obj.h"
 #include "io/off.h"

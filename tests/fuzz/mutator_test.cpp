@@ -3,7 +3,7 @@
 #include "tests/fuzz/mutator.h"
 
 #include "doctest.h"
-#include "fpo/pipeline.h"
+#include "fpo/remesh/pipeline.h"
 #include "geom/repair/repair.h"
 #include "io/mesh_io.h"
 #include "tests/fixtures/effort.h"

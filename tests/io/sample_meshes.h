@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "geom/check.h"
-#include "geom/trimesh.h"
+#include "geom/mesh/trimesh.h"
 
 namespace fixtures {
 

@@ -2,7 +2,7 @@
 // The geometric predicates, slow and obvious: homogeneous determinants and homogeneous points in exact
 // numbers. The symbolic perturbation is not symbolic here: eps_r is a number, small enough.
 
-#include "geom/clip_predicates.h"
+#include "geom/power/clip_predicates.h"
 #include "tests/oracle/rational.h"
 
 namespace oracle {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "geom/check.h"
-#include "geom/scaling.h"
+#include "geom/mesh/scaling.h"
 
 namespace oracle {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "geom/dual/restricted_dual.h"
-#include "geom/restricted_power.h"
+#include "geom/power/restricted_power.h"
 
 namespace oracle {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "geom/restricted_power.h"
+#include "geom/power/restricted_power.h"
 
 namespace oracle {
 

@@ -1,6 +1,6 @@
 #pragma once
 // Weighted points that are as hard on predicates as we know: degenerate ones, those one ulp off, at both ends
-// of the valid range (geom/predicates.h).
+// of the valid range (geom/exact/predicates.h).
 
 #include <span>
 #include <string>

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "geom/construct.h"
+#include "geom/power/construct.h"
 #include "tests/storm/scene.h"
 
 namespace storm {

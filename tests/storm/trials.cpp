@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "geom/apex_search.h"
-#include "geom/clip_filters.h"
-#include "geom/construct.h"
+#include "geom/power/clip_filters.h"
+#include "geom/power/construct.h"
+#include "geom/regular/apex_search.h"
 #include "tests/storm/scene.h"
 
 namespace storm {

@@ -28,7 +28,7 @@ struct Predicate {
   /// Throws Fault. `rational`: ask tests/oracle/rational.h as well, some hundred times slower.
   Answer (*ask)(const Kind& kind, const Range& range, bool rational, geom::Rng& rng);
 
-  /// Where its polynomial neither over- nor underflows (geom/predicates.h).
+  /// Where its polynomial neither over- nor underflows (geom/exact/predicates.h).
   Range range() const { return {-(1074 / degree), 1000 / degree - 4}; }
 };
 

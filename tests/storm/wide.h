@@ -1,6 +1,6 @@
 #pragma once
 // Integers of thousands of bits without allocation: the arithmetic of the fast oracle. It shares nothing with
-// geom/expansion.h (no floating-point operation happens after the conversion) nor with
+// geom/exact/expansion.h (no floating-point operation happens after the conversion) nor with
 // tests/oracle/rational.h, which it is checked against.
 
 #include <array>

@@ -6,7 +6,7 @@
 
 #include <span>
 
-#include "geom/clip_predicates.h"
+#include "geom/power/clip_predicates.h"
 #include "tests/storm/wide.h"
 
 namespace storm {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "doctest.h"
-#include "geom/shapes.h"
+#include "geom/shapes/shapes.h"
 #include "io/mesh_io.h"
 #include "io/points.h"
 #include "tests/fixtures/sample_sets.h"

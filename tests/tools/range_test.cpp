@@ -6,8 +6,8 @@
 #include <cstdio>
 
 #include "doctest.h"
-#include "geom/scaling.h"
-#include "geom/shapes.h"
+#include "geom/mesh/scaling.h"
+#include "geom/shapes/shapes.h"
 #include "io/mesh_io.h"
 #include "io/points.h"
 #include "io/values.h"

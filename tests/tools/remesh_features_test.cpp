@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "doctest.h"
-#include "geom/shapes.h"
+#include "geom/shapes/shapes.h"
 #include "io/mesh_io.h"
 #include "tests/fixtures/program.h"
 #include "tests/io/scratch_folder.h"

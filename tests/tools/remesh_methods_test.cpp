@@ -4,7 +4,7 @@
 #include <set>
 
 #include "doctest.h"
-#include "geom/shapes.h"
+#include "geom/shapes/shapes.h"
 #include "io/mesh_io.h"
 #include "tests/fixtures/program.h"
 #include "tests/io/scratch_folder.h"

@@ -3,8 +3,8 @@
 #include <sstream>
 
 #include "doctest.h"
-#include "geom/centring.h"
-#include "geom/shapes.h"
+#include "geom/mesh/centring.h"
+#include "geom/shapes/shapes.h"
 #include "io/mesh_io.h"
 #include "tests/fixtures/program.h"
 #include "tests/fixtures/spoilt.h"

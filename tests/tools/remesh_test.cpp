@@ -5,7 +5,7 @@
 #include <map>
 
 #include "doctest.h"
-#include "geom/shapes.h"
+#include "geom/shapes/shapes.h"
 #include "io/mesh_io.h"
 #include "tests/fixtures/program.h"
 #include "tests/io/sample_meshes.h"

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "doctest.h"
-#include "geom/shapes.h"
+#include "geom/shapes/shapes.h"
 #include "io/mesh_io.h"
 #include "tests/fixtures/html.h"
 #include "tests/fixtures/models.h"

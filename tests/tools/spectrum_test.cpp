@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "doctest.h"
-#include "geom/shapes.h"
+#include "geom/shapes/shapes.h"
 #include "io/mesh_io.h"
 #include "io/points.h"
 #include "io/values.h"

@@ -1,10 +1,10 @@
 #include "fpo/baselines/cell_moments.h"
 
 #include "doctest.h"
-#include "fpo/extract.h"
-#include "fpo/initial_samples.h"
-#include "geom/restricted_power.h"
-#include "geom/site_tree.h"
+#include "fpo/remesh/extract.h"
+#include "fpo/surface/initial_samples.h"
+#include "geom/power/restricted_power.h"
+#include "geom/sites/site_tree.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;

@@ -4,9 +4,9 @@
 
 #include "doctest.h"
 #include "fpo/baselines/cell_moments.h"
-#include "geom/aabb_tree.h"
 #include "geom/check.h"
-#include "geom/shapes.h"
+#include "geom/mesh/aabb_tree.h"
+#include "geom/shapes/shapes.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;

@@ -3,7 +3,7 @@
 #include <atomic>
 
 #include "doctest.h"
-#include "fpo/initial_samples.h"
+#include "fpo/surface/initial_samples.h"
 #include "geom/check.h"
 #include "geom/rng.h"
 #include "tests/fixtures/surfaces.h"

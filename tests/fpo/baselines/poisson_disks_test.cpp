@@ -7,8 +7,8 @@
 #include "doctest.h"
 #include "fpo/baselines/cps.h"
 #include "fpo/baselines/mps.h"
-#include "fpo/initial_samples.h"
-#include "fpo/surface_domain.h"
+#include "fpo/surface/initial_samples.h"
+#include "fpo/surface/surface_domain.h"
 #include "geom/check.h"
 #include "tests/fixtures/surfaces.h"
 

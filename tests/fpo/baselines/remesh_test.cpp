@@ -3,8 +3,8 @@
 #include <array>
 
 #include "doctest.h"
-#include "fpo/pipeline.h"
-#include "geom/shapes.h"
+#include "fpo/remesh/pipeline.h"
+#include "geom/shapes/shapes.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;

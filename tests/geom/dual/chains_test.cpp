@@ -5,7 +5,7 @@
 #include <set>
 
 #include "doctest.h"
-#include "geom/facet_cells.h"
+#include "geom/power/facet_cells.h"
 #include "geom/rng.h"
 #include "tests/fixtures/hard_surfaces.h"
 #include "tests/fixtures/placed_samples.h"

@@ -10,10 +10,10 @@
 #include <optional>
 
 #include "doctest.h"
-#include "geom/aabb_tree.h"
-#include "geom/facet_cells.h"
+#include "geom/mesh/aabb_tree.h"
+#include "geom/power/facet_cells.h"
 #include "geom/rng.h"
-#include "geom/shapes.h"
+#include "geom/shapes/shapes.h"
 #include "tests/fixtures/hard_surfaces.h"
 #include "tests/fixtures/weighted_points.h"
 

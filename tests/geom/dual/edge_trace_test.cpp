@@ -9,7 +9,7 @@
 #include <set>
 
 #include "doctest.h"
-#include "geom/shapes.h"
+#include "geom/shapes/shapes.h"
 #include "tests/fixtures/hard_surfaces.h"
 #include "tests/fixtures/mirrored_dual.h"
 #include "tests/oracle/restricted_dual_oracle.h"

@@ -8,10 +8,10 @@
 #include <set>
 
 #include "doctest.h"
-#include "geom/aabb_tree.h"
 #include "geom/dual/redivision.h"
+#include "geom/mesh/aabb_tree.h"
 #include "geom/rng.h"
-#include "geom/shapes.h"
+#include "geom/shapes/shapes.h"
 #include "tests/fixtures/hard_surfaces.h"
 #include "tests/fixtures/placed_samples.h"
 #include "tests/oracle/restricted_dual_oracle.h"

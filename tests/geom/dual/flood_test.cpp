@@ -9,7 +9,7 @@
 
 #include "doctest.h"
 #include "geom/rng.h"
-#include "geom/shapes.h"
+#include "geom/shapes/shapes.h"
 #include "tests/fixtures/hard_surfaces.h"
 #include "tests/fixtures/placed_samples.h"
 #include "tests/oracle/restricted_dual_oracle.h"

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "doctest.h"
-#include "geom/facet_cells.h"
+#include "geom/power/facet_cells.h"
 #include "tests/fixtures/dual_scene.h"
 #include "tests/oracle/restricted_dual_oracle.h"
 

@@ -8,7 +8,7 @@
 
 #include "doctest.h"
 #include "geom/rng.h"
-#include "geom/site_tree.h"
+#include "geom/sites/site_tree.h"
 #include "tests/fixtures/hard_surfaces.h"
 #include "tests/fixtures/placed_samples.h"
 #include "tests/oracle/restricted_dual_oracle.h"

@@ -6,10 +6,10 @@
 #include <tuple>
 
 #include "doctest.h"
-#include "geom/aabb_tree.h"
 #include "geom/check.h"
-#include "geom/shapes.h"
-#include "geom/site_tree.h"
+#include "geom/mesh/aabb_tree.h"
+#include "geom/shapes/shapes.h"
+#include "geom/sites/site_tree.h"
 #include "tests/fixtures/hard_surfaces.h"
 #include "tests/fixtures/mirrored_dual.h"
 #include "tests/oracle/restricted_power_oracle.h"

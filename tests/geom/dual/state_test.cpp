@@ -7,8 +7,8 @@
 
 #include "doctest.h"
 #include "geom/check.h"
+#include "geom/mesh/scaling.h"
 #include "geom/rng.h"
-#include "geom/scaling.h"
 #include "tests/fixtures/hard_surfaces.h"
 #include "tests/fixtures/weighted_points.h"
 

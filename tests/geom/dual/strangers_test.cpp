@@ -10,7 +10,7 @@
 
 #include "doctest.h"
 #include "geom/rng.h"
-#include "geom/shapes.h"
+#include "geom/shapes/shapes.h"
 #include "tests/fixtures/dual_scene.h"
 #include "tests/fixtures/weighted_points.h"
 #include "tests/oracle/restricted_dual_oracle.h"

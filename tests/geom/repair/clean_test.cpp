@@ -7,7 +7,7 @@
 #include "doctest.h"
 #include "geom/repair/flat_facets.h"
 #include "geom/repair/weld.h"
-#include "geom/shapes.h"
+#include "geom/shapes/shapes.h"
 #include "io/mesh_io.h"
 #include "tests/fixtures/models.h"
 #include "tests/fixtures/spoilt.h"

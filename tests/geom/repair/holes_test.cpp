@@ -8,7 +8,7 @@
 
 #include "doctest.h"
 #include "geom/repair/fill_polygon.h"
-#include "geom/shapes.h"
+#include "geom/shapes/shapes.h"
 #include "tests/fixtures/spoilt.h"
 #include "tests/fixtures/surfaces.h"
 #include "tests/io/sample_meshes.h"

@@ -3,7 +3,7 @@
 #include "geom/repair/orient.h"
 
 #include "doctest.h"
-#include "geom/shapes.h"
+#include "geom/shapes/shapes.h"
 #include "tests/fixtures/spoilt.h"
 #include "tests/fixtures/surfaces.h"
 #include "tests/io/sample_meshes.h"

@@ -4,11 +4,11 @@
 
 #include "doctest.h"
 #include "geom/check.h"
+#include "geom/mesh/scaling.h"
 #include "geom/repair/diagnosis.h"
 #include "geom/repair/parts.h"
 #include "geom/repair/t_junctions.h"
-#include "geom/scaling.h"
-#include "geom/shapes.h"
+#include "geom/shapes/shapes.h"
 #include "tests/fixtures/spoilt.h"
 #include "tests/fixtures/surfaces.h"
 #include "tests/io/sample_meshes.h"

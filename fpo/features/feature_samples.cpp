@@ -1,0 +1,272 @@
+#include "fpo/features/feature_samples.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+#include <string>
+
+#include "fpo/features/curve_domain.h"
+#include "fpo/optimize.h"
+#include "geom/check.h"
+#include "geom/mesh/aabb_tree.h"
+#include "geom/rng.h"
+
+namespace fpo {
+
+using geom::FacetId;
+using geom::SiteId;
+using geom::TriMesh;
+using geom::Vec3;
+using geom::VertexId;
+
+namespace {
+
+constexpr double on_surface = 1e-6;  // of the diagonal
+constexpr double longest_edge = 1.25;
+constexpr double fully_spaced = 0.98;  // a curve's samples are evenly spaced then
+constexpr int curve_iterations = 200;
+
+/// The part of a curve between two samples that stay, or a loop without any.
+struct Stretch {
+  std::size_t curve;
+  double start, length;  ///< in the curve's metric
+  SiteId from, to;       ///< none: a loop
+  std::size_t least_edges = 1;
+};
+
+/// So many edges that their length is nearest to 1, and not so long that an inner sample could come between
+/// their ends: those keep a distance of .9 or more from both.
+std::size_t wanted_edges(double length) {
+  const double edges = std::max(1.0, std::round(length));
+  return static_cast<std::size_t>(length > longest_edge * edges ? edges + 1 : edges);
+}
+
+/// Features as samples that are given and stretches between them.
+class Layout {
+ public:
+  Layout(const TriMesh& mesh, const Features& features, std::span<const SurfaceSample> fixed,
+         const Sizing& sizing)
+      : mesh_(mesh), features_(features), shares_(mesh.num_vertices(), 0.0), facet_(mesh.num_vertices()) {
+    for (const FeatureCurve& curve : features.curves) metrics_.emplace_back(mesh, curve, sizing);
+    measure_vertices();
+    for (const SurfaceSample& x : fixed) add(x, 1);
+    num_fixed_ = samples_.size();
+    for (const VertexId v : features.corners) corner_[v] = add({mesh.position(v), facet_[v]}, shares_[v]);
+    for (std::size_t c = 0; c < features.curves.size(); ++c) divide(c);
+    require_simplicial();
+  }
+
+  const std::vector<SurfaceSample>& samples() const { return samples_; }
+  const std::vector<Stretch>& stretches() const { return stretches_; }
+  const CurveMetric& metric(std::size_t curve) const { return metrics_[curve]; }
+  double missing_shares() const { return missing_shares_; }
+
+  /// Edges of each stretch if lengths are divided by `stretching`.
+  std::vector<std::size_t> edges(double stretching) const {
+    std::vector<std::size_t> result;
+    for (const Stretch& s : stretches_)
+      result.push_back(std::max(s.least_edges, wanted_edges(s.length / stretching)));
+    return result;
+  }
+  std::size_t num_samples(const std::vector<std::size_t>& edges) const {
+    std::size_t sum = samples_.size();
+    for (std::size_t i = 0; i < edges.size(); ++i) sum += edges[i] - (stretches_[i].from.valid() ? 1 : 0);
+    return sum;
+  }
+
+ private:
+  void measure_vertices() {
+    for (FacetId t(0); t.index() < mesh_.num_facets(); t = FacetId(t.value + 1))
+      for (std::size_t i = 0; i < 3; ++i) {
+        const TriMesh::Facet& f = mesh_.facet(t);
+        const Vec3 u = mesh_.position(f[(i + 1) % 3]) - mesh_.position(f[i]),
+                   v = mesh_.position(f[(i + 2) % 3]) - mesh_.position(f[i]);
+        shares_[f[i]] += std::atan2(u.cross(v).norm(), u.dot(v)) / (2 * std::numbers::pi);
+        if (!facet_[f[i]].valid()) facet_[f[i]] = t;
+      }
+  }
+
+  /// A sample at a place that has one already is that one.
+  SiteId add(const SurfaceSample& x, double share) {
+    const auto [at, is_new] =
+        at_.try_emplace({x.position.x(), x.position.y(), x.position.z()}, SiteId(samples_.size()));
+    if (is_new) {
+      samples_.push_back(x);
+      missing_shares_ += 1 - share;
+    }
+    return at->second;
+  }
+
+  void divide(std::size_t c) {
+    const FeatureCurve& curve = features_.curves[c];
+    const double length = metrics_[c].length();
+    std::vector<std::pair<double, SiteId>> stops;
+    if (!curve.loop)
+      stops = {{0, corner_.at(curve.vertices.front())}, {length, corner_.at(curve.vertices.back())}};
+    const double near = on_surface * mesh_.diagonal();
+    for (std::size_t i = 0; i < num_fixed_; ++i) {
+      const CurveMetric::Nearest nearest = metrics_[c].nearest(samples_[i].position);
+      if (nearest.distance2 > near * near || is_stop(stops, SiteId(i))) continue;
+      stops.emplace_back(nearest.t, SiteId(i));
+      missing_shares_ += 1 - static_cast<double>(curve.sheets) / 2;
+    }
+    std::ranges::sort(stops);
+    if (stops.empty()) stretches_.push_back({c, 0, length, SiteId(), SiteId()});
+    for (std::size_t i = 0; i + 1 < stops.size(); ++i)
+      stretches_.push_back(
+          {c, stops[i].first, stops[i + 1].first - stops[i].first, stops[i].second, stops[i + 1].second});
+    if (curve.loop && !stops.empty())
+      stretches_.push_back({c, stops.back().first, length - stops.back().first + stops.front().first,
+                            stops.back().second, stops.front().second});
+  }
+
+  static bool is_stop(const std::vector<std::pair<double, SiteId>>& stops, SiteId x) {
+    return std::ranges::any_of(stops, [&](const auto& stop) { return stop.second == x; });
+  }
+
+  void require_simplicial() {
+    std::set<std::pair<SiteId, SiteId>> joined;
+    for (Stretch& s : stretches_)
+      if (!s.from.valid() || s.from == s.to)
+        s.least_edges = 3;
+      else if (!joined.insert(std::minmax(s.from, s.to)).second)
+        s.least_edges = 2;
+  }
+
+  const TriMesh& mesh_;
+  const Features& features_;
+  std::vector<CurveMetric> metrics_;
+  geom::Table<VertexId, double> shares_;  ///< of the plane's angle around each vertex
+  geom::Table<VertexId, FacetId> facet_;
+  std::vector<SurfaceSample> samples_;
+  std::size_t num_fixed_ = 0;
+  std::map<std::array<double, 3>, SiteId> at_;
+  std::map<VertexId, SiteId> corner_;
+  std::vector<Stretch> stretches_;
+  double missing_shares_ = 0;
+};
+
+/// Positions in (0, length), or [0, length) of a loop, ascending.
+std::vector<double> spread(double length, bool loop, std::size_t count, std::uint64_t seed) {
+  std::vector<double> positions;
+  geom::Rng rng(seed);
+  for (std::size_t i = 0; i < count; ++i) positions.push_back(length * rng.uniform());
+  if (count == 0 || !(length > 0)) return positions;
+  CurveDomain domain(length, loop, positions);
+  OptimizeOptions options;
+  options.max_iterations = curve_iterations;
+  options.target_delta = fully_spaced;
+  options.seed = seed;
+  optimize(domain, options);
+  for (std::size_t i = 0; i < count; ++i) positions[i] = domain.position(SiteId(i));
+  // Even spacing, where this ends: in closed form, so that stretches side by side have samples side by side.
+  const double gap = length / static_cast<double>(count + (loop ? 0 : 1));
+  const double first = loop ? *std::ranges::min_element(positions) : gap;
+  for (std::size_t i = 0; i < count; ++i) positions[i] = first + gap * static_cast<double>(i);
+  for (double& t : positions)
+    if (t >= length) t -= length;
+  std::ranges::sort(positions);
+  return positions;
+}
+
+/// The least stretching, in steps, with which the features take no more than `most` samples.
+std::vector<std::size_t> affordable_edges(const Layout& layout, std::size_t most) {
+  const std::size_t least = layout.num_samples(layout.edges(std::numeric_limits<double>::infinity()));
+  geom::require(least <= most, std::to_string(most) + " samples are too few: the features need at least " +
+                                   std::to_string(least));
+  for (double stretching = 1;; stretching *= 1.02) {
+    std::vector<std::size_t> edges = layout.edges(stretching);
+    if (layout.num_samples(edges) <= most) return edges;
+  }
+}
+
+}  // namespace
+
+std::vector<SurfaceSample> points_on_surface(const TriMesh& mesh, std::span<const Vec3> points) {
+  std::vector<SurfaceSample> samples;
+  if (points.empty()) return samples;
+  const geom::AabbTree tree(mesh);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    geom::require(points[i].allFinite(), "point " + std::to_string(i + 1) + " is not finite");
+    const geom::AabbTree::Closest closest = tree.closest(points[i]);
+    geom::require(closest.distance2 <= std::pow(on_surface * mesh.diagonal(), 2),
+                  "point " + std::to_string(i + 1) + " does not lie on the surface");
+    samples.push_back({points[i], closest.facet});
+  }
+  return samples;
+}
+
+std::size_t least_number_of_samples(const TriMesh& mesh, const Features& features,
+                                    std::span<const SurfaceSample> fixed) {
+  const Layout layout(mesh, features, fixed, Sizing::uniform(1));
+  return layout.num_samples(layout.edges(std::numeric_limits<double>::infinity()));
+}
+
+FeatureSamples sample_features(const TriMesh& mesh, const Features& features,
+                               std::span<const SurfaceSample> fixed, const Sizing& sizing, std::size_t most,
+                               std::uint64_t seed) {
+  const Layout layout(mesh, features, fixed, sizing);
+  const std::vector<std::size_t> edges = affordable_edges(layout, most);
+  FeatureSamples result{layout.samples(), {}, layout.missing_shares()};
+  result.chains.resize(features.curves.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Stretch& s = layout.stretches()[i];
+    const CurveMetric& metric = layout.metric(s.curve);
+    std::vector<SiteId>& chain = result.chains[s.curve];
+    if (s.from.valid() && chain.empty()) chain.push_back(s.from);
+    for (const double t : spread(s.length, !s.from.valid(), edges[i] - (s.from.valid() ? 1 : 0), seed + i)) {
+      chain.emplace_back(result.samples.size());
+      result.samples.push_back(
+          metric.at(s.start + t < metric.length() ? s.start + t : s.start + t - metric.length()));
+      result.missing_shares += 1 - static_cast<double>(features.curves[s.curve].sheets) / 2;
+    }
+    chain.push_back(s.from.valid() ? s.to : chain.front());
+  }
+  return result;
+}
+
+SharedSizing share_sizing(const TriMesh& mesh, const Features& features, std::span<const SurfaceSample> fixed,
+                          std::size_t n, const std::function<Sizing(std::size_t)>& sizing_for,
+                          std::uint64_t seed) {
+  constexpr int rounds = 4;
+  std::size_t wanted = n;
+  for (int round = 1;; ++round) {
+    SharedSizing result{sizing_for(wanted), {}};
+    result.features = sample_features(mesh, features, fixed, result.sizing, n, seed);
+    const auto next = static_cast<std::size_t>(
+        std::max(1.0, static_cast<double>(n) + std::round(result.features.missing_shares)));
+    if (next == wanted || round == rounds) return result;
+    wanted = next;
+  }
+}
+
+namespace {
+
+template <class Visit>
+void for_each_edge(const FeatureSamples& features, Visit visit) {
+  for (const std::vector<SiteId>& chain : features.chains)
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i) visit(chain[i], chain[i + 1]);
+}
+
+}  // namespace
+
+std::size_t num_edges(const FeatureSamples& features) {
+  std::size_t sum = 0;
+  for_each_edge(features, [&](SiteId, SiteId) { ++sum; });
+  return sum;
+}
+
+std::size_t num_broken_edges(const TriMesh& remesh, const FeatureSamples& features) {
+  std::set<std::pair<std::int32_t, std::int32_t>> edges;
+  for (const TriMesh::Facet& f : remesh.facets())
+    for (std::size_t e = 0; e < 3; ++e) edges.insert(std::minmax(f[e].value, f[(e + 1) % 3].value));
+  std::size_t broken = 0;
+  for_each_edge(features,
+                [&](SiteId a, SiteId b) { broken += !edges.contains(std::minmax(a.value, b.value)); });
+  return broken;
+}
+
+}  // namespace fpo

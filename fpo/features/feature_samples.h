@@ -1,0 +1,63 @@
+#pragma once
+// Samples on features (paper, section 5): corners are samples, each curve gets as many as the sizing calls
+// for along it (cf. [AVDI05]), placed by farthest point optimization in one dimension. They stay where they
+// are while the others are optimized.
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "fpo/features/features.h"
+#include "fpo/surface/sizing.h"
+#include "fpo/surface/surface_sample.h"
+#include "geom/ids.h"
+
+namespace fpo {
+
+/// Samples with ids 0, 1, ...: the user's points, corners, then those along curves.
+struct FeatureSamples {
+  std::vector<SurfaceSample> samples;
+  /// The samples along each curve of the features, in order, corners included; of a loop the last is the
+  /// first again. Each two that follow each other should be an edge of the remesh.
+  std::vector<std::vector<geom::SiteId>> chains;
+  /// By how much the samples' shares of the surface fall short of those of as many inner samples: half a
+  /// share for each on a border, nothing for one on a crease.
+  double missing_shares = 0;
+};
+
+/// Points on a surface as samples, their positions kept exactly. Throws InputError, naming the point, if one
+/// is farther from the surface than 1e-6 of its diagonal. O(F log F + points log F).
+std::vector<SurfaceSample> points_on_surface(const geom::TriMesh& mesh, std::span<const geom::Vec3> points);
+
+/// Samples all features, with about the spacing that the sizing wants, but not more than `most` samples in
+/// all. Between two fixed ones there is at least what makes the curves a simplicial complex: a loop has three
+/// edges, and only one of several curves between the same two corners may be a single edge. `fixed` points on
+/// a curve divide it. Throws InputError, naming the least number, if that is more than `most`. Deterministic.
+FeatureSamples sample_features(const geom::TriMesh& mesh, const Features& features,
+                               std::span<const SurfaceSample> fixed, const Sizing& sizing, std::size_t most,
+                               std::uint64_t seed);
+
+/// What sample_features() needs at least.
+std::size_t least_number_of_samples(const geom::TriMesh& mesh, const Features& features,
+                                    std::span<const SurfaceSample> fixed);
+
+/// The sizing that features and interior share, with the samples on the features.
+struct SharedSizing {
+  Sizing sizing;
+  FeatureSamples features;
+};
+
+/// Finds it for exactly n samples. `sizing_for` gives the sizing that calls for so many inner samples; it is
+/// asked for n and the shares that feature samples leave to the others, again until that is steady: two or
+/// three times.
+SharedSizing share_sizing(const geom::TriMesh& mesh, const Features& features,
+                          std::span<const SurfaceSample> fixed, std::size_t n,
+                          const std::function<Sizing(std::size_t)>& sizing_for, std::uint64_t seed);
+
+/// The edges of the chains that are no edges of the remesh.
+std::size_t num_broken_edges(const geom::TriMesh& remesh, const FeatureSamples& features);
+/// The edges of the chains.
+std::size_t num_edges(const FeatureSamples& features);
+
+}  // namespace fpo

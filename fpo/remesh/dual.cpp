@@ -1,0 +1,174 @@
+#include "fpo/remesh/dual.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "geom/check.h"
+
+namespace fpo {
+
+using geom::FragmentId;
+using geom::SiteId;
+using geom::TriMesh;
+using geom::VertexId;
+
+namespace {
+
+std::vector<SurfaceSample> samples_of(const SurfaceDomain& domain) {
+  std::vector<SurfaceSample> samples;
+  for (std::size_t i = 0; i < domain.num_samples(); ++i) samples.push_back(domain.sample(SiteId(i)));
+  return samples;
+}
+
+}  // namespace
+
+Dual dual_of(const SurfaceDomain& domain, bool keep_cells) {
+  Dual dual;
+  dual.samples = samples_of(domain);
+  const std::unique_ptr<geom::RestrictedPower> diagram = domain.diagram();
+  dual.localization = localize(*diagram, dual.samples);
+  dual.mesh = extract(*diagram, dual.samples.size(), dual.localization.owners);
+  dual.defects = find_defects(dual.mesh);
+  if (keep_cells) dual.cells = cell_polygons(*diagram);
+  return dual;
+}
+
+namespace {
+
+/// The edges opposite a vertex in its triangles.
+using Link = std::vector<std::array<VertexId, 2>>;
+
+/// Whether the link is one path or one cycle; if a vertex on it has more than two edges, which.
+struct LinkShape {
+  bool fan_or_disk;
+  VertexId branching;
+};
+
+LinkShape shape_of(const Link& link) {
+  if (link.empty()) return {false, VertexId()};
+  std::map<VertexId, std::vector<VertexId>> next;
+  for (const auto& [a, b] : link) {
+    next[a].push_back(b);
+    next[b].push_back(a);
+  }
+  for (const auto& [v, others] : next)
+    if (others.size() > 2 || (others.size() == 2 && others[0] == others[1])) return {false, v};
+  std::set<VertexId> reached;
+  std::vector<VertexId> todo{link.front()[0]};
+  while (!todo.empty()) {
+    const VertexId v = todo.back();
+    todo.pop_back();
+    if (!reached.insert(v).second) continue;
+    for (const VertexId w : next[v]) todo.push_back(w);
+  }
+  return {reached.size() == next.size(), VertexId()};
+}
+
+}  // namespace
+
+std::vector<Defect> find_defects(const TriMesh& mesh) {
+  geom::Table<VertexId, Link> links(mesh.num_vertices());
+  for (const TriMesh::Facet& f : mesh.facets())
+    for (std::size_t i = 0; i < 3; ++i) links[f[i]].push_back({f[(i + 1) % 3], f[(i + 2) % 3]});
+  std::vector<Defect> defects;
+  for (std::size_t v = 0; v < mesh.num_vertices(); ++v) {
+    const LinkShape shape = shape_of(links[VertexId(v)]);
+    if (!shape.fan_or_disk) defects.push_back({SiteId(v), SiteId(shape.branching.value)});
+  }
+  return defects;
+}
+
+namespace {
+
+/// The corner of the cell, of any type, that is farthest from its sample; on the border with the cell
+/// `towards` if there is such a border.
+SurfaceSample farthest_corner(SurfaceDomain& domain, const Defect& defect) {
+  const SurfaceSample& home = domain.sample(defect.at);
+  const geom::EdgeLabel border = geom::EdgeLabel::bisector(defect.towards);
+  SurfaceSample farthest = home;
+  std::tuple<bool, double> most{false, 0};
+  for (const geom::FacetPolygon& fragment : domain.cell(defect.at)) {
+    const std::vector<geom::PolygonCorner>& corners = fragment.corners;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const bool on_border =
+          defect.towards.valid() &&
+          (corners[k].edge == border || corners[k == 0 ? corners.size() - 1 : k - 1].edge == border);
+      const std::tuple rank{on_border, (corners[k].point.position - home.position).squaredNorm()};
+      if (rank < most || (rank == most && !(fragment.facet < farthest.facet))) continue;
+      most = rank;
+      farthest = {corners[k].point.position, fragment.facet};
+    }
+  }
+  return farthest;
+}
+
+/// Samples within `rings` rings of the RRT, themselves included.
+std::set<SiteId> neighbourhood(SurfaceDomain& domain, const std::vector<SiteId>& of, int rings) {
+  std::set<SiteId> all(of.begin(), of.end());
+  std::vector<SiteId> link;
+  for (int ring = 0; ring < rings; ++ring)
+    for (const SiteId x : std::vector<SiteId>(all.begin(), all.end())) {
+      domain.neighbours(x, link);
+      all.insert(link.begin(), link.end());
+    }
+  return all;
+}
+
+constexpr double closest = 0.2;  // no sample is brought nearer to another one, in units of h
+
+void move_to_farthest_point_nearby(SurfaceDomain& domain, SiteId x) {
+  if (domain.is_fixed(x)) return;
+  domain.remove(x);
+  const Circle c = domain.largest_empty(Scope::two_ring);
+  if (domain.is_farther(c, x))
+    domain.insert_at(x, c);
+  else
+    domain.put_back(x);
+}
+
+}  // namespace
+
+std::size_t refine_at(SurfaceDomain& domain, const std::vector<Defect>& defects) {
+  // One place of each cluster of defects.
+  std::vector<Defect> places;
+  std::vector<SiteId> all;
+  std::set<SiteId> taken;
+  for (const Defect& defect : defects) {
+    all.push_back(defect.at);
+    if (taken.contains(defect.at)) continue;
+    places.push_back(defect);
+    taken.merge(neighbourhood(domain, {defect.at}, 1));
+  }
+
+  std::vector<std::pair<double, SiteId>> donors;
+  std::set<SiteId> kept = neighbourhood(domain, all, 2);
+  for (std::size_t i = 0; i < domain.num_samples(); ++i)
+    if (!kept.contains(SiteId(i)) && !domain.is_fixed(SiteId(i)))
+      donors.emplace_back(domain.normalized_spacing(SiteId(i)), SiteId(i));
+  std::ranges::sort(donors);
+
+  std::size_t brought = 0;
+  auto next = donors.begin();
+  std::vector<SiteId> around;
+  for (const Defect& place : places) {
+    while (next != donors.end() && kept.contains(next->second)) ++next;
+    if (next == donors.end()) break;
+    const SiteId donor = next->second;
+    const SurfaceSample target = farthest_corner(domain, place);
+    const double least = closest * domain.sizing().at(target);
+    const SiteId nearest = domain.dual().nearest(target.position, SiteId()).site;
+    if ((domain.sample(nearest).position - target.position).norm() < least) continue;
+    domain.neighbours(donor, around);
+    kept.merge(neighbourhood(domain, {donor}, 2));  // no second hole near this one
+    domain.remove(donor);
+    domain.insert_at(donor, target, 1);
+    for (const SiteId x : around) move_to_farthest_point_nearby(domain, x);
+    ++brought;
+  }
+  return brought;
+}
+
+}  // namespace fpo

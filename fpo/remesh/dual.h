@@ -1,0 +1,41 @@
+#pragma once
+// The remesh as the dual of the cells, and where it is no surface (paper, section 5: the topological ball
+// property; how to restore it is left open there).
+
+#include <vector>
+
+#include "fpo/remesh/extract.h"
+#include "fpo/remesh/localize.h"
+#include "fpo/surface/surface_domain.h"
+
+namespace fpo {
+
+/// A sample whose triangles form neither one fan nor one disk, or that has none.
+struct Defect {
+  SiteId at;
+  SiteId towards;  ///< the other end of an edge with more than two triangles, if there is one
+};
+
+/// A remesh of the samples as they are, with orphans given away (localize.h).
+struct Dual {
+  geom::TriMesh mesh;                  ///< vertex i is sample i
+  std::vector<SurfaceSample> samples;  ///< ascending by id
+  std::vector<CellPolygon> cells;      ///< only if asked for
+  Localization localization;
+  std::vector<Defect> defects;  ///< where the mesh is no surface
+};
+
+/// Leaves the domain as it is. O(n) if no cell has orphans, else the cost of another diagram. Throws
+/// InputError if there is no triangle.
+Dual dual_of(const SurfaceDomain& domain, bool keep_cells);
+
+/// All of them, ascending.
+std::vector<Defect> find_defects(const geom::TriMesh& mesh);
+
+/// Brings a sample to each place with defects, to where the cell reaches farthest from its sample; it is
+/// taken from the place, far from all of these, where samples are closest together. The samples around the
+/// hole that it leaves are moved once to their farthest points nearby. The number of samples stays. Returns
+/// the number of samples brought. Deterministic.
+std::size_t refine_at(SurfaceDomain& domain, const std::vector<Defect>& defects);
+
+}  // namespace fpo

@@ -1,0 +1,237 @@
+#include "fpo/remesh/flaws.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fpo/optimize.h"
+#include "geom/mesh/scaling.h"
+
+namespace fpo {
+
+using geom::EmptyCircle;
+using geom::Vec3;
+
+namespace {
+
+constexpr int passes = 4;          // of resampling in an attempt
+constexpr std::size_t crowd = 24;  // samples: twice those around a triangle of a manifold
+constexpr double rounding = 1e-9;  // badness is a running sum
+constexpr std::array<double, 4> nudges = {0.01, 0.02, 0.04, 0.08};  // in units of h
+constexpr int directions = 12;
+constexpr double least_nudge_gain = 1e-3;  // of the badness
+
+}  // namespace
+
+Flaws::Flaws(const SurfaceDomain& domain, FlawMeasure measure)
+    : domain_(domain), measure_(std::move(measure)), untried_(Order{&domain.dual()}) {
+  for (std::size_t i = 0; i < domain.num_samples(); ++i) {
+    const SiteId x(i);
+    for (const CircleId c : domain.dual().circles_of(x))
+      if (domain.dual().circle(c).sites[0] == x) add(c);
+  }
+}
+
+void Flaws::follow(const geom::RestrictedDual::Change& change) {
+  for (const CircleId c : change.circles_erased)
+    if (std::erase(unmeasured_, c) == 0) forget(c);
+  unmeasured_.insert(unmeasured_.end(), change.circles_created.begin(), change.circles_created.end());
+  for (const CircleId c : change.circles_moved) {
+    if (std::ranges::find(unmeasured_, c) != unmeasured_.end()) continue;
+    forget(c);
+    unmeasured_.push_back(c);
+  }
+}
+
+void Flaws::catch_up() {
+  for (const CircleId c : unmeasured_) add(c);
+  unmeasured_.clear();
+}
+
+CircleId Flaws::take_worst() {
+  catch_up();
+  if (untried_.empty()) return CircleId();
+  const CircleId c = untried_.top().slot;
+  untried_.erase(c);
+  tried_.insert(domain_.dual().circle(c).sites);
+  return c;
+}
+
+void Flaws::try_all_again() {
+  catch_up();
+  tried_.clear();
+  for (std::size_t c = 0; c < badness_of_.size(); ++c)
+    if (badness_of_[CircleId(c)] > 0 && !untried_.contains(CircleId(c)))
+      untried_.push(CircleId(c), badness_of_[CircleId(c)]);
+}
+
+void Flaws::add(CircleId c) {
+  const EmptyCircle& circle = domain_.dual().circle(c);
+  if (!circle.sites[2].valid()) return;  // type A or B: no triangle
+  const double bad = measure_(circle);
+  if (!(bad > 0)) return;
+  if (c.index() >= badness_of_.size()) badness_of_.resize(c.index() + 1, 0.0);
+  badness_of_[c] = bad;
+  badness_ += bad;
+  ++number_;
+  if (!tried_.contains(circle.sites)) untried_.push(c, bad);
+}
+
+void Flaws::forget(CircleId c) {
+  if (c.index() >= badness_of_.size() || badness_of_[c] == 0) return;
+  badness_ -= badness_of_[c];
+  badness_of_[c] = 0;
+  --number_;
+  if (untried_.contains(c)) untried_.erase(c);
+}
+
+LocalResampling::LocalResampling(SurfaceDomain& domain, std::vector<Flaws*> flaws, double enough)
+    : domain_(domain),
+      flaws_(std::move(flaws)),
+      before_(flaws_.size(), 0.0),
+      delta_(std::min(measure(domain).delta, enough)) {}
+
+void LocalResampling::follow() {
+  for (Flaws* flaws : flaws_) flaws->follow(domain_.last_change());
+}
+
+void LocalResampling::move(const Backup& x) {
+  ++moves_;
+  domain_.remove(x.id);
+  follow();
+  domain_.insert_at(x.id, x.place, x.weight_share);
+  follow();
+}
+
+/// resample() at once; false if nothing is done, for there is no plan or the weight is another.
+bool LocalResampling::resample_directly(const Backup& x) {
+  if (domain_.weight_share(x.id) != x.weight_share) return false;
+  const std::optional<bool> moved = domain_.move_directly(x.id, Scope::two_ring);
+  follow();  // who stays may have been out in between
+  return moved.has_value();
+}
+
+/// To the farthest point nearby, if that is farther than where it is.
+void LocalResampling::resample(const Backup& x) {
+  if (domain_.is_fixed(x.id)) return;
+  ++moves_;
+  if (resample_directly(x)) return;
+  const double d = domain_.separation(x.id);
+  SurfaceSample place = domain_.sample(x.id);
+  domain_.remove(x.id);
+  follow();
+  const Circle c = domain_.largest_empty(Scope::two_ring);
+  if (c.radius2 > d) place = {domain_.dual().circle(c.id).center, domain_.dual().circle(c.id).facet};
+  domain_.insert_at(x.id, place, x.weight_share);
+  follow();
+}
+
+bool LocalResampling::better() const {
+  if (!(flaws_[0]->badness() < before_[0] - std::max(gain_, rounding))) return false;
+  for (std::size_t i = 1; i < flaws_.size(); ++i)
+    if (flaws_[i]->badness() > before_[i] + rounding) return false;
+  return true;
+}
+
+bool LocalResampling::wide_enough(SiteId x) {
+  return !domain_.sizing().is_uniform() || domain_.normalized_spacing(x) >= delta_;
+}
+
+std::vector<LocalResampling::Backup> LocalResampling::backups_of(std::span<const SiteId> samples) const {
+  std::vector<Backup> backups;
+  for (const SiteId x : samples) backups.push_back(backup(x));
+  return backups;
+}
+
+/// Resamples those that may move until all is better; else puts all back.
+bool LocalResampling::settle(std::span<const Backup> samples, std::span<const Backup> moving) {
+  const auto wide = [&](const Backup& x) { return wide_enough(x.id); };
+  for (int pass = 0; pass < passes; ++pass)
+    for (const Backup& x : moving) {
+      resample(x);
+      if (better() && std::ranges::all_of(samples, wide)) return true;
+    }
+  for (const Backup& x : samples) move(x);
+  return false;
+}
+
+bool LocalResampling::attempt(std::span<const SiteId> samples, double weight_share) {
+  for (std::size_t i = 0; i < flaws_.size(); ++i) before_[i] = flaws_[i]->badness();
+  const std::vector<Backup> backups = backups_of(samples);
+  std::vector<Backup> moving = backups;
+  for (std::size_t i = 1; i < 3 && weight_share < 1; ++i) {
+    moving[i].weight_share *= weight_share;
+    if (!domain_.is_fixed(samples[i])) move(moving[i]);
+  }
+  return settle(backups, moving);
+}
+
+bool LocalResampling::attempt_at(std::span<const SiteId> samples, const SurfaceSample& place) {
+  if (domain_.is_fixed(samples[0])) return false;
+  for (std::size_t i = 0; i < flaws_.size(); ++i) before_[i] = flaws_[i]->badness();
+  const std::vector<Backup> backups = backups_of(samples);
+  move({samples[0], place, backups[0].weight_share});
+  return settle(backups, std::span(backups).subspan(1));
+}
+
+bool LocalResampling::nudge(const std::array<SiteId, 3>& corners) {
+  double least = (1 - least_nudge_gain) * flaws_[0]->badness();
+  std::optional<Backup> best;
+  for (const SiteId x : corners) {
+    if (domain_.is_fixed(x)) continue;
+    const Backup home = backup(x);
+    for (const SurfaceSample& place : places_around(home.place)) {
+      move({x, place, home.weight_share});
+      if (flaws_[0]->badness() >= least || !wide_enough(x)) continue;
+      least = flaws_[0]->badness();
+      best = backup(x);
+    }
+    move(home);
+  }
+  if (best) move(*best);
+  return best.has_value();
+}
+
+/// Points of the surface on small circles about x.
+std::vector<SurfaceSample> LocalResampling::places_around(const SurfaceSample& x) {
+  const Vec3 normal = domain_.mesh().normal(x.facet).normalized();
+  if (normal.isZero()) return {};
+  if (!tree_) tree_.emplace(domain_.mesh());
+  const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
+  const double h = domain_.sizing().at(x);
+  std::vector<SurfaceSample> places;
+  for (const double step : nudges)
+    for (int k = 0; k < directions; ++k) {
+      const double angle = 2 * std::numbers::pi * k / directions;
+      const Vec3 away = x.position + step * h * (std::cos(angle) * u + std::sin(angle) * v);
+      const geom::AabbTree::Closest closest = tree_->closest(away, x.facet);
+      places.push_back({geom::snapped(closest.point), closest.facet});
+    }
+  return places;
+}
+
+bool LocalResampling::restore_weight(SiteId x) {
+  const Backup lowered = backup(x);
+  if (lowered.weight_share == 1 || domain_.is_fixed(x)) return true;
+  const double before = flaws_[0]->badness();
+  move({x, lowered.place, 1});
+  if (flaws_[0]->badness() <= before + rounding) return true;
+  move(lowered);
+  return false;
+}
+
+bool in_growing_sets(const SurfaceDomain& domain, std::array<SiteId, 3> triangle,
+                     const std::function<bool(std::span<const SiteId>)>& attempt) {
+  std::vector<SiteId> samples(triangle.begin(), triangle.end()), link;
+  if (attempt(samples)) return true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    domain.dual().link(samples[i], link);
+    for (const SiteId y : link)
+      if (std::ranges::find(samples, y) == samples.end()) samples.push_back(y);
+    if (samples.size() > crowd) return false;
+    if (attempt(samples)) return true;
+  }
+  return false;
+}
+
+}  // namespace fpo

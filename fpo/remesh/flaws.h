@@ -1,0 +1,116 @@
+#pragma once
+// Flaws of the remesh that local resampling can mend: triangles with bad angles (paper, section 5), triangles
+// far from the surface.
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <set>
+#include <span>
+#include <vector>
+
+#include "fpo/surface/surface_domain.h"
+#include "geom/indexed_heap.h"
+#include "geom/mesh/aabb_tree.h"
+
+namespace fpo {
+
+/// How bad the triangle at a circle of type C is; 0 if it is good.
+using FlawMeasure = std::function<double(const geom::EmptyCircle&)>;
+
+/// The bad triangles of the RRT under one measure, followed through removals and insertions.
+class Flaws {
+ public:
+  /// Keeps a reference to the domain. One measurement a triangle.
+  Flaws(const SurfaceDomain& domain, FlawMeasure measure);
+
+  /// Takes in what a removal or insertion has changed. What is new is measured when next somebody asks, so
+  /// what exists between a removal and an insertion only costs nothing.
+  void follow(const geom::RestrictedDual::Change& change);
+
+  std::size_t number() { return catch_up(), number_; }
+  double badness() { return catch_up(), badness_; }            ///< the sum of all measures
+  double badness(CircleId c) const { return badness_of_[c]; }  ///< of one that take_worst() gave
+
+  /// The worst that take_worst() has not given yet since try_all_again(); none if there is none.
+  CircleId take_worst();
+  void try_all_again();
+
+ private:
+  struct Order {
+    const geom::RestrictedDual* dual;
+    bool operator()(CircleId a, CircleId b) const { return circle_before(dual->circle(a), dual->circle(b)); }
+  };
+
+  void catch_up();
+  void add(CircleId c);
+  void forget(CircleId c);
+
+  const SurfaceDomain& domain_;
+  FlawMeasure measure_;
+  std::vector<CircleId> unmeasured_;
+  geom::IndexedHeap<CircleId, Order> untried_;
+  std::set<std::array<SiteId, 3>> tried_;     ///< triangles: what is undone comes back as another circle
+  geom::Table<CircleId, double> badness_of_;  ///< 0: good or no triangle
+  double badness_ = 0;
+  std::size_t number_ = 0;
+};
+
+/// Moves some samples and keeps that only if it betters things.
+class LocalResampling {
+ public:
+  /// The first flaws are to become fewer, the others must not become more. With uniform sizing no sample may
+  /// come closer to another than any is now, and closer than `enough` (normalized). Keeps references.
+  LocalResampling(SurfaceDomain& domain, std::vector<Flaws*> flaws, double enough);
+
+  /// Things are better if the first badness is smaller by more than this: 0 at first.
+  void require_gain(double gain) { gain_ = gain; }
+
+  /// Multiplies the weights of samples[1] and [2] by `weight_share`, then resamples all in turn (Algorithm 1
+  /// in the 2-ring), some times over, until things are better and, with uniform sizing, no sample is too
+  /// close to another: true. Else puts everything back. Fixed samples stay.
+  bool attempt(std::span<const SiteId> samples, double weight_share);
+  /// The same with samples[0] put at a place first, where it stays.
+  bool attempt_at(std::span<const SiteId> samples, const SurfaceSample& place);
+  /// Moves a corner of a triangle by a small step to where the first badness is least, if that is less than
+  /// now: what no empty circle mends this often does, for farthest points do not have the best angles.
+  bool nudge(const std::array<SiteId, 3>& corners);
+  /// Gives x its full weight back unless that makes the first flaws worse. Whether it has it now.
+  bool restore_weight(SiteId x);
+  /// Removals with an insertion so far: what it has cost.
+  std::size_t moves() const { return moves_; }
+
+ private:
+  /// A sample as it was, to go back to.
+  struct Backup {
+    SiteId id;
+    SurfaceSample place;
+    double weight_share;
+  };
+
+  Backup backup(SiteId x) const { return {x, domain_.sample(x), domain_.weight_share(x)}; }
+  std::vector<Backup> backups_of(std::span<const SiteId> samples) const;
+  void follow();
+  void move(const Backup& x);
+  bool resample_directly(const Backup& x);
+  void resample(const Backup& x);
+  bool settle(std::span<const Backup> samples, std::span<const Backup> moving);
+  bool better() const;
+  bool wide_enough(SiteId x);
+  std::vector<SurfaceSample> places_around(const SurfaceSample& x);
+
+  SurfaceDomain& domain_;
+  std::vector<Flaws*> flaws_;
+  std::vector<double> before_;  ///< badness of each at the start of the attempt
+  double gain_ = 0;
+  std::size_t moves_ = 0;
+  std::optional<geom::AabbTree> tree_;  ///< made when first needed
+  double delta_;                        ///< no normalized spacing becomes smaller
+};
+
+/// The corners of a triangle and, ring by ring, those around them: larger and larger sets to resample, until
+/// one succeeds or there are so many that everything touches everything. `attempt` gets the samples so far.
+bool in_growing_sets(const SurfaceDomain& domain, std::array<SiteId, 3> triangle,
+                     const std::function<bool(std::span<const SiteId>)>& attempt);
+
+}  // namespace fpo

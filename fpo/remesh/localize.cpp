@@ -1,0 +1,150 @@
+#include "fpo/remesh/localize.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "geom/sites/site_tree.h"
+
+namespace fpo {
+
+using geom::FacetId;
+using geom::FragmentId;
+using geom::SiteId;
+
+namespace {
+
+constexpr int max_rounds = 16;  // an orphan given away can be an orphan of its new owner
+
+using Component = std::vector<FragmentId>;
+
+/// For each facet the sites that have given up a part of it.
+using Excluded = std::map<FacetId, std::set<SiteId>>;
+
+/// True if it found an heir.
+bool give_away(geom::RestrictedPower& diagram, SiteId p, const Component& orphan, const geom::SiteTree& sites,
+               Excluded& excluded) {
+  std::set<SiteId> out{p};
+  for (const FragmentId f : orphan) out.merge(std::set<SiteId>(excluded[diagram.fragments().facet(f)]));
+  for (const FragmentId f : orphan) excluded[diagram.fragments().facet(f)] = out;
+  const std::vector<SiteId> others(out.begin(), out.end());
+  return diagram.abandon(p, orphan, others, sites);
+}
+
+}  // namespace
+
+std::vector<Component> cell_components(const geom::RestrictedPower& diagram, SiteId p, FacetId home) {
+  const geom::FragmentStore& fragments = diagram.fragments();
+  std::map<FacetId, FragmentId> unseen;
+  for (const FragmentId f : fragments.of_cell(p)) unseen.emplace(fragments.facet(f), f);
+  std::vector<Component> components;
+  std::array<geom::PolygonCorner, 3> buffer;
+  while (!unseen.empty()) {
+    Component component{unseen.begin()->second};
+    unseen.erase(unseen.begin());
+    for (std::size_t i = 0; i < component.size(); ++i)
+      for (const geom::PolygonCorner& corner : fragments.corners(component[i], buffer)) {
+        if (corner.edge.is_site()) continue;
+        const auto next =
+            unseen.find(diagram.mesh().across(fragments.facet(component[i]), corner.edge.edge()));
+        if (next == unseen.end()) continue;
+        component.push_back(next->second);
+        unseen.erase(next);
+      }
+    components.push_back(std::move(component));
+  }
+  const auto rank = [&](const Component& c) {
+    const bool is_home = std::ranges::any_of(c, [&](FragmentId f) { return fragments.facet(f) == home; });
+    return std::pair(is_home, c.size());
+  };
+  const auto own = std::ranges::max_element(components, {}, rank);
+  if (own != components.end()) std::swap(components.front(), *own);
+  return components;
+}
+
+namespace {
+
+/// The cell with the longest border to the component, fragments of other waiting components left out; none if
+/// there is no border.
+SiteId longest_neighbour(const geom::RestrictedPower& diagram, const Component& component,
+                         const std::set<FragmentId>& waiting, const FragmentOwners& owners) {
+  const geom::FragmentStore& fragments = diagram.fragments();
+  std::map<SiteId, double> border;
+  std::array<geom::PolygonCorner, 3> buffer;
+  for (const FragmentId f : component) {
+    const SiteId p = fragments.site(f);
+    const auto corners = fragments.corners(f, buffer);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      if (!corners[k].edge.is_site()) continue;
+      const FragmentId beyond = fragments.find(corners[k].edge.site(), fragments.facet(f));
+      if (waiting.contains(beyond)) continue;
+      const auto owner = owners.find(beyond);
+      const SiteId k_owner = owner == owners.end() ? corners[k].edge.site() : owner->second;
+      if (k_owner == p) continue;
+      border[k_owner] +=
+          (corners[(k + 1) % corners.size()].point.position - corners[k].point.position).norm();
+    }
+  }
+  if (border.empty()) return SiteId();
+  return std::ranges::max_element(border, {}, [](const auto& b) { return b.second; })->first;
+}
+
+/// Adds each orphan that is left to a cell beside it, from outside inwards.
+void merge_orphans(const geom::RestrictedPower& diagram, std::span<const SurfaceSample> samples,
+                   Localization& result) {
+  std::vector<Component> orphans;
+  std::set<FragmentId> waiting;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    std::vector<Component> components = cell_components(diagram, SiteId(i), samples[i].facet);
+    for (std::size_t k = 1; k < components.size(); ++k) {
+      waiting.insert(components[k].begin(), components[k].end());
+      orphans.push_back(std::move(components[k]));
+    }
+  }
+  for (bool progress = true; progress && !orphans.empty();) {
+    const std::size_t before = orphans.size();
+    std::erase_if(orphans, [&](const Component& orphan) {
+      const SiteId k = longest_neighbour(diagram, orphan, waiting, result.owners);
+      if (!k.valid()) return false;
+      for (const FragmentId f : orphan) {
+        result.owners[f] = k;
+        waiting.erase(f);
+      }
+      return true;
+    });
+    progress = orphans.size() < before;
+    result.merged += before - orphans.size();
+  }
+  result.remaining = orphans.size();
+}
+
+}  // namespace
+
+Localization localize(geom::RestrictedPower& diagram, std::span<const SurfaceSample> samples) {
+  Localization result;
+  geom::SiteTree sites;
+  Excluded excluded;
+  for (int round = 0; round < max_rounds; ++round) {
+    result.remaining = 0;
+    std::size_t given = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const SiteId p(i);
+      const std::vector<Component> components = cell_components(diagram, p, samples[i].facet);
+      for (std::size_t k = 1; k < components.size();
+           ++k) {              // fragments of p keep their ids while others change
+        if (excluded.empty())  // the first orphan: most surfaces have none, and need no tree
+          for (std::size_t j = 0; j < samples.size(); ++j) sites.insert(SiteId(j), diagram.site(SiteId(j)));
+        if (give_away(diagram, p, components[k], sites, excluded))
+          ++given;
+        else
+          ++result.remaining;
+      }
+    }
+    result.orphans += given;
+    if (given == 0) break;
+  }
+  if (result.remaining > 0) merge_orphans(diagram, samples, result);
+  return result;
+}
+
+}  // namespace fpo

@@ -1,0 +1,272 @@
+#include "fpo/remesh/pipeline.h"
+
+#include <cmath>
+#include <string>
+
+#include "fpo/surface/curvature.h"
+#include "fpo/surface/local_feature_size.h"
+#include "fpo/surface/surface_cover.h"
+#include "geom/check.h"
+#include "geom/mesh/centring.h"
+#include "geom/mesh/scaling.h"
+
+namespace fpo {
+namespace {
+
+constexpr int futile_mending_rounds = 10;  // in a row, without fewer defects
+constexpr std::size_t least_fidelity_moves = 2000;
+
+/// Some ten surface points a sample. On needles, which have edges but no area, the estimate knows no bound:
+/// there the points lie farther apart.
+double cover_spacing(const geom::TriMesh& surface, std::size_t num_samples, double spacing) {
+  const double most = std::min(
+      20e6, 200 * static_cast<double>(num_samples) + 20 * static_cast<double>(surface.num_vertices()));
+  double result = 0.3 * spacing;
+  while (cover_size(surface, result) > most) result *= 2;
+  return result;
+}
+
+VertexField local_feature_sizes(const geom::TriMesh& surface, std::size_t num_samples, double spacing,
+                                int threads) {
+  LocalFeatureSizeOptions options;
+  options.threads = threads;
+  options.spacing = cover_spacing(surface, num_samples, spacing);
+  VertexField lfs = local_feature_size(surface, options);
+  for (double& value : lfs) value = std::max(value, 1e-6 * spacing);  // 0 is not excluded
+  return lfs;
+}
+
+/// Only the ratios of the wanted lengths count: scaled by a power of two, so that they may be of any size.
+VertexField of_unit_size(VertexField rho) {
+  double most = 0;
+  for (const double value : rho)
+    if (std::isfinite(value)) most = std::max(most, value);
+  int exponent = 0;
+  std::frexp(most, &exponent);
+  for (double& value : rho) value = std::ldexp(value, -exponent);
+  return rho;
+}
+
+VertexField wanted_sizes(const geom::TriMesh& surface, const RemeshOptions& options, double spacing) {
+  switch (options.sizing) {
+    case SizingKind::local_feature_size:
+      return local_feature_sizes(surface, options.num_samples, spacing, options.threads);
+    case SizingKind::curvature:
+      return curvature_size(surface, {.min = 1e-6 * spacing});
+    case SizingKind::given:
+      return of_unit_size(options.rho);
+    case SizingKind::uniform:
+      return {};
+  }
+  geom::ensure(false, "a kind of sizing that nobody knows");
+  return {};
+}
+
+/// The sizing, and the samples that stay.
+SharedSizing sizing_and_features(const geom::TriMesh& surface, const RemeshOptions& options) {
+  const double spacing = hexagonal_spacing(surface.area(), options.num_samples);
+  Features features;
+  if (options.features) {
+    FeatureOptions feature_options = *options.features;
+    feature_options.turn_scale = spacing / 2;
+    features = find_features(surface, feature_options);
+  }
+  const VertexField rho = wanted_sizes(surface, options, spacing);
+  const auto sizing_for = [&](std::size_t n) {
+    if (options.sizing == SizingKind::uniform) return Sizing::uniform(hexagonal_spacing(surface.area(), n));
+    return fit_sizing(surface, rho, n, options.limits);
+  };
+  return share_sizing(surface, features, points_on_surface(surface, options.fixed), options.num_samples,
+                      sizing_for, options.seed);
+}
+
+/// Those that stay, then random ones; all in the exact range of the predicates, like the surface.
+std::vector<SurfaceSample> initial_samples(const geom::TriMesh& surface, const SharedSizing& shared,
+                                           const RemeshOptions& options) {
+  std::vector<SurfaceSample> samples = shared.features.samples;
+  if (samples.size() < options.num_samples) {
+    const std::vector<SurfaceSample> inner =
+        random_samples(surface, shared.sizing, options.num_samples - samples.size(), options.seed);
+    samples.insert(samples.end(), inner.begin(), inner.end());
+  }
+  for (SurfaceSample& x : samples) x.position = geom::snapped(x.position);
+  return samples;
+}
+
+bool interrupted(const RemeshOptions& options) {
+  return options.optimize.interrupted && *options.optimize.interrupted;
+}
+
+AngleOptions angle_options(const RemeshOptions& options) {
+  AngleOptions angles;
+  angles.interrupted = options.optimize.interrupted;
+  return angles;
+}
+
+/// The remesh, after some rounds of refinement where it is no surface: the one with the fewest defects.
+Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const RemeshOptions& options,
+                 RemeshResult& counts) {
+  const auto next_dual = [&] {
+    if (options.mend) counts.protection += protect_chains(domain, features);
+    return dual_of(domain, options.keep_cells);
+  };
+  Dual best = next_dual();
+  std::vector<Defect> defects = best.defects;
+  for (int futile = 0;
+       futile < futile_mending_rounds && options.mend && !defects.empty() && !interrupted(options);
+       ++futile) {
+    const std::size_t moved = refine_at(domain, defects);
+    if (moved == 0) break;
+    counts.brought += moved;
+    Dual next = next_dual();
+    defects = next.defects;
+    if (next.defects.size() >= best.defects.size()) continue;
+    best = std::move(next);
+    futile = 0;
+  }
+  return best;
+}
+
+SurfaceOptions surface_options(const SharedSizing& shared, const RemeshOptions& options) {
+  SurfaceOptions result = options.surface;
+  result.seed = options.seed;
+  result.threads = options.threads;
+  result.num_fixed = shared.features.samples.size();
+  return result;
+}
+
+std::vector<SurfaceSample> samples_of(const SurfaceDomain& domain) {
+  std::vector<SurfaceSample> samples;
+  for (std::size_t i = 0; i < domain.num_samples(); ++i) samples.push_back(domain.sample(SiteId(i)));
+  return samples;
+}
+
+void remove_short_edges(SurfaceDomain& domain, const RemeshOptions& options, RemeshResult& result) {
+  if (!options.shortest_edge_removal) return;
+  ShortestEdgeOptions removal;
+  removal.interrupted = options.optimize.interrupted;
+  result.shortest_edges = remove_shortest_edges(domain, removal);
+}
+
+/// Farthest point optimization.
+SurfaceDomain optimized_samples(const geom::TriMesh& surface, const SharedSizing& shared,
+                                const RemeshOptions& options, RemeshResult& result) {
+  OptimizeOptions optimization = options.optimize;
+  optimization.seed = options.seed;
+  optimization.order = VisitOrder::in_turn;  // the initial samples are in random order already
+  const SurfaceOptions diagram = surface_options(shared, options);
+  std::vector<SurfaceSample> samples = initial_samples(surface, shared, options);
+  if (options.tile_samples == 0 || samples.size() <= options.tile_samples) {
+    SurfaceDomain domain(surface, shared.sizing, samples, diagram);
+    remove_short_edges(domain, options, result);
+    result.optimization = optimize(domain, optimization);
+    return domain;
+  }
+  if (options.shortest_edge_removal) {
+    SurfaceDomain domain(surface, shared.sizing, samples, diagram);
+    remove_short_edges(domain, options, result);
+    samples = samples_of(domain);
+  }
+  TileOptions tiles;
+  tiles.most_samples = options.tile_samples;
+  tiles.threads = options.threads;
+  return optimize_in_tiles({surface, shared.sizing, std::move(samples), diagram}, tiles, optimization,
+                           result.optimization);
+}
+
+/// Another method. Its disks have their squared radii as weights; without disks the cells are Voronoi cells.
+SurfaceDomain baseline_samples(const MethodFacts& method, const geom::TriMesh& surface,
+                               const SharedSizing& shared, const RemeshOptions& options,
+                               RemeshResult& result) {
+  std::vector<SurfaceSample> fixed = shared.features.samples;
+  for (SurfaceSample& x : fixed) x.position = geom::snapped(x.position);
+  const BaselineResult baseline = method.distribute(
+      {surface, shared.sizing, fixed, options.num_samples, options.seed, options.threads}, options.optimize);
+  result.optimization = baseline.run;
+  result.radius_factor = baseline.radius_factor;
+  SurfaceOptions diagram = surface_options(shared, options);
+  diagram.weighted = baseline.radius_factor > 0;
+  if (diagram.weighted) diagram.weight_factor = baseline.radius_factor;
+  return SurfaceDomain(surface, shared.sizing, baseline.samples, diagram);
+}
+
+/// The samples by the method wanted, with their diagram.
+SurfaceDomain distributed_samples(const geom::TriMesh& surface, const SharedSizing& shared,
+                                  const RemeshOptions& options, RemeshResult& result) {
+  const MethodFacts& method = facts_of(options.method);
+  if (method.distribute) return baseline_samples(method, surface, shared, options, result);
+  return optimized_samples(surface, shared, options, result);
+}
+
+RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {
+  RemeshResult result;
+  const SharedSizing shared = sizing_and_features(surface, options);
+  if (interrupted(options)) throw geom::Interrupted();
+  const Sizing& sizing = shared.sizing;
+  SurfaceDomain domain = distributed_samples(surface, shared, options, result);
+  if (options.mend) result.protection = protect_chains(domain, shared.features);
+  if (options.optimize_angles) result.angles = optimize_angles(domain, angle_options(options));
+  if (options.improve_fidelity) {
+    FidelityOptions fidelity;
+    fidelity.interrupted = options.optimize.interrupted;
+    const bool has_features = !shared.features.samples.empty();
+    if (options.method == Method::fpo)  // who wants it fast wants this fast, too
+      fidelity.most_moves = least_fidelity_moves + result.optimization.moves / (has_features ? 4 : 12);
+    if (has_features) {  // fixed samples keep delta from more, and shape matters more
+      fidelity.share_of_largest = 0.5;
+      fidelity.enough_delta = 0.9;
+    }
+    result.fidelity = improve_fidelity(domain, angle_options(options), fidelity);
+  }
+  result.hidden = domain.num_hidden();
+  Dual dual = mended_dual(domain, shared.features, options, result);
+  result.localization = dual.localization;
+  result.mesh = std::move(dual.mesh);
+  result.samples = std::move(dual.samples);
+  result.cells = std::move(dual.cells);
+  result.feature_samples = shared.features.samples.size();
+  result.feature_edges = num_edges(shared.features);
+  result.broken_feature_edges = num_broken_edges(result.mesh, shared.features);
+  for (std::size_t v = 0; v < surface.num_vertices(); ++v)
+    result.sizing.push_back(sizing.at(geom::VertexId(v)));
+  for (const SurfaceSample& sample : result.samples) result.wanted.push_back(sizing.at(sample));
+  result.fit = sizing_fit(result.mesh, result.wanted);
+  return result;
+}
+
+/// Around the origin.
+RemeshResult remesh_there(const geom::TriMesh& input, const RemeshOptions& options) {
+  const double factor = geom::factor_to_unit_box(input);
+  const geom::TriMesh surface = geom::scaled_to_unit_box(input, factor);
+  geom::require(surface.area() > 0, "the surface has no area");
+  RemeshOptions scaled_options = options;
+  for (geom::Vec3& point : scaled_options.fixed) point *= factor;
+  RemeshResult result = remesh_in_unit_box(surface, scaled_options);
+  result.mesh = geom::scaled(result.mesh, 1 / factor);
+  for (SurfaceSample& sample : result.samples) sample.position /= factor;
+  for (double& h : result.sizing) h /= factor;
+  for (double& h : result.wanted) h /= factor;
+  for (CellPolygon& cell : result.cells)
+    for (geom::Vec3& corner : cell.corners) corner /= factor;
+  return result;
+}
+
+}  // namespace
+
+RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options) try {
+  geom::require(options.num_samples > 0, "the number of samples must be at least 1");
+  const geom::Vec3 middle = geom::far_middle(input);
+  if (middle.isZero(0)) return remesh_there(input, options);
+  RemeshOptions moved_options = options;
+  for (geom::Vec3& point : moved_options.fixed) point -= middle;
+  RemeshResult result = remesh_there(geom::moved_by(input, -middle), moved_options);
+  result.mesh = geom::moved_by(result.mesh, middle);
+  for (SurfaceSample& sample : result.samples) sample.position += middle;
+  for (CellPolygon& cell : result.cells)
+    for (geom::Vec3& corner : cell.corners) corner += middle;
+  return result;
+} catch (const geom::Bug& bug) {
+  throw geom::Bug("seed " + std::to_string(options.seed) + ", " + bug.what());
+}
+
+}  // namespace fpo

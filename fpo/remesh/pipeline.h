@@ -1,0 +1,82 @@
+#pragma once
+// Blue-noise remeshing from input surface to output mesh: the paper as one straight-line function.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "fpo/features/feature_samples.h"
+#include "fpo/measure/quality.h"
+#include "fpo/optimize.h"
+#include "fpo/remesh/angles.h"
+#include "fpo/remesh/dual.h"
+#include "fpo/remesh/fidelity.h"
+#include "fpo/remesh/methods.h"
+#include "fpo/remesh/protect.h"
+#include "fpo/shortest_edge.h"
+#include "fpo/surface/sizing.h"
+#include "fpo/surface/surface_domain.h"
+#include "fpo/tiles/tiled_optimize.h"
+
+namespace fpo {
+
+/// What the wanted edge lengths are made of.
+enum class SizingKind { uniform, local_feature_size, curvature, given };
+
+/// Its initial values are plain; those of fpo-remesh depend on one another: remesh_defaults.h.
+struct RemeshOptions {
+  Method method = Method::fpo;
+  std::size_t num_samples = 0;
+  std::uint64_t seed = 1;  ///< of the initial samples, which are then moved in turn
+  SizingKind sizing = SizingKind::uniform;
+  VertexField rho;      ///< if given: wanted edge lengths up to a factor, per vertex of the input
+  SizingLimits limits;  ///< unless uniform
+  /// If given: features are found, sampled and kept. The scale of turns is overruled: half the even spacing.
+  std::optional<FeatureOptions> features;
+  std::vector<geom::Vec3> fixed;       ///< points of the surface, which become vertices exactly
+  SurfaceOptions surface;              ///< its seed, threads and number of fixed samples are overruled
+  bool shortest_edge_removal = false;  ///< before the optimization (section 4.3); fpo only
+  /// Its seed and order are overruled. Other methods than fpo heed the greatest number of iterations (of
+  /// radii tried, with mps and cps), the interruption and the callbacks.
+  OptimizeOptions optimize;
+  std::size_t tile_samples = 0;  ///< in a tile (tiled_optimize.h), if there are more; 0: no tiles
+  int threads = 1;               ///< no matter to the result
+  bool mend = true;              ///< bring samples to where the remesh is no surface
+  bool optimize_angles = true;   ///< afterwards (section 5)
+  bool improve_fidelity = true;  ///< where the remesh is farthest from the input (fidelity.h)
+  bool keep_cells = false;       ///< fill RemeshResult::cells
+};
+
+struct RemeshResult {
+  geom::TriMesh mesh;                    ///< vertex i is sample i; fixed points and features first
+  std::vector<SurfaceSample> samples;    ///< position and facet of the input
+  VertexField sizing;                    ///< the wanted edge length at each vertex of the input
+  VertexField wanted;                    ///< and at each vertex of the mesh
+  SizingFit fit;                         ///< of the mesh's edges to them
+  std::size_t feature_samples = 0;       ///< fixed points, corners and samples on curves
+  std::size_t feature_edges = 0;         ///< between neighbours on curves
+  Protection protection;                 ///< of those edges
+  std::size_t broken_feature_edges = 0;  ///< those that are no edges of the mesh
+  ShortestEdgeResult shortest_edges;
+  OptimizeResult optimization;
+  double radius_factor = 0;  ///< mps and cps: a disk's radius in units of the wanted edge length
+  AngleResult angles;
+  FidelityResult fidelity;
+  std::size_t brought = 0;  ///< samples that mending has moved
+  Localization localization;
+  std::size_t hidden = 0;          ///< samples without a cell, hence without a triangle
+  std::vector<CellPolygon> cells;  ///< the restricted power diagram
+};
+
+/// Remeshes with exactly num_samples vertices; with mps and cps, whose parameter is a radius, with about as
+/// many. Deterministic. If interrupted, the result is that of the moves done; throws geom::Interrupted if
+/// that is before the first samples (mps, cps: before the first whole set of disks). Computes on a copy of
+/// the input that is scaled by a power of two and snapped to multiples of 2^-160 of its size, so that no
+/// product in a predicate over- or underflows (geom/mesh/scaling.h), and scales back, which is exact. A body
+/// many diagonals away from the origin is computed near it (geom/mesh/centring.h); results are rounded when
+/// they are moved back. Throws geom::InputError on an unusable input (no area, or a largest coordinate beyond
+/// 2^-900 to 2^900) or number of samples (also too few for the features), geom::Bug with seed and move
+/// number.
+RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options);
+
+}  // namespace fpo

@@ -1,0 +1,145 @@
+#pragma once
+// Farthest point optimization on a surface (paper, section 4): the samples, their restricted power diagram,
+// and the heap of empty circles.
+//
+// A sample where the sizing wants edges of length h has weight (c h)^2 (section 3.2 with k chosen so that the
+// weight is a squared length), or 0 if the sizing is uniform (or on request): equal weights do nothing. The
+// weight is that of the sample's own place: it changes as the sample moves.
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <span>
+
+#include "fpo/domain.h"
+#include "fpo/surface/initial_samples.h"
+#include "geom/dual/restricted_dual.h"
+#include "geom/indexed_heap.h"
+#include "geom/power/restricted_power.h"
+
+namespace fpo {
+
+/// Where neighbours come from: the regular triangulation (the paper's way) or a spatial search. Same results.
+enum class Engine { search, triangulation };
+
+/// The factor c with which, by measurement, edge lengths follow h best: their logarithms against those of h
+/// have slope 1 +- .05 (bench-adaptive). Local moves keep the density of the initial samples if c is 2/3;
+/// global ones carry samples to where they find room, which a larger c must balance.
+inline double best_weight_factor(Scope scope) { return scope == Scope::global ? 0.75 : 2.0 / 3; }
+
+struct SurfaceOptions {
+  double weight_factor = best_weight_factor(Scope::two_ring);  ///< c
+  bool weighted = true;  ///< else the diagram is the Voronoi diagram even if the sizing is not uniform
+  Engine engine = Engine::search;
+  geom::CornerTypes corners = geom::CornerTypes::c_only;
+  std::size_t num_fixed = 0;  ///< the samples with smaller ids stay where they are
+  std::uint64_t seed = 1;  ///< of the order in which the source is filled (the result does not depend on it)
+  int threads = 1;         ///< that build the first diagram; no matter to the result
+  /// If given: only circles for which it is true may be the largest empty one, everywhere. Told the circle
+  /// and its first site; asked once, when the circle comes into being.
+  std::function<bool(const geom::EmptyCircle&, const geom::WeightedPoint3&)> offers{};
+};
+
+class SurfaceDomain final : public Domain {
+ public:
+  /// Keeps a reference to the mesh. Cost: the facets and the fragments of the diagram, times log n
+  /// (more if a facet is degenerate: then samples are inserted one by one). Throws InputError if there is no
+  /// sample or no facet.
+  SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing, std::span<const SurfaceSample> samples,
+                const SurfaceOptions& options = {});
+  /// With uniform sizing.
+  SurfaceDomain(const geom::TriMesh& mesh, std::span<const SurfaceSample> samples,
+                const SurfaceOptions& options = {});
+
+  std::size_t num_samples() const override { return samples_.size(); }
+  bool is_fixed(SiteId x) const override { return x.index() < options_.num_fixed; }
+  double separation(SiteId x) override;
+  void remove(SiteId x) override;
+  Circle largest_empty(Scope scope) override;
+  bool is_farther(const Circle& c, SiteId x) override;
+  void insert_at(SiteId x, const Circle& c) override;
+  void put_back(SiteId x) override;
+  /// By planning the removal first. None if there is no plan, or the largest circle was one of x's own.
+  std::optional<bool> move_directly(SiteId x, Scope scope) override;
+
+  // A move whose removal is only planned. After plan_removal(x) follows move_planned(x) or stay(x).
+  /// None if there is no plan for x: then nothing is done, and nothing follows.
+  std::optional<geom::RestrictedDual::Plan> plan_removal(SiteId x) { return dual_->plan_removal(x); }
+  /// The same plan with the least bounds.
+  geom::RestrictedDual::Plan plan_exactly(SiteId x) { return dual_->plan_exactly(x); }
+  /// The largest empty circle once x is out; none if that cannot be told: the top of the heap may be at x and
+  /// go with it. Valid until the next step.
+  struct Planned {
+    const geom::EmptyCircle* circle = nullptr;
+    geom::RestrictedDual::Target target;
+  };
+  Planned largest_planned(SiteId x, const geom::RestrictedDual::Plan& plan, Scope scope) const;
+  /// is_farther() for such a circle.
+  bool is_farther(double radius2, SiteId x, std::span<const SiteId> heirs) const;
+  void move_planned(SiteId x, const Planned& place);
+  void stay(SiteId x) { apply(dual_->stay(x)); }
+
+  /// Distance over h to the nearest sample in space; with weights to the nearest of those that are first in
+  /// power or in neighbours(x).
+  double normalized_spacing(SiteId x) override;
+  /// The link of x in the RRT (section 4.1); of a sample without triangles the nearest one.
+  void neighbours(SiteId x, std::vector<SiteId>& out) override;
+  void expect(SiteId x) override;
+  void check() const override;
+
+  /// Puts the removed sample at a place, its weight to be `weight_share` of what the sizing gives, there and
+  /// wherever it goes: less in angle optimization (section 5), more to protect features.
+  void insert_at(SiteId x, const SurfaceSample& place, double weight_share);
+  /// What the sizing gives x: (c h)^2, also if it is uniform.
+  double full_weight(SiteId x) const;
+  double weight_share(SiteId x) const { return weight_share_[x]; }
+  /// Samples with an empty cell.
+  std::size_t num_hidden() const;
+
+  const SurfaceSample& sample(SiteId x) const { return samples_[x]; }
+  const geom::RestrictedDual& dual() const { return *dual_; }
+  /// The diagram with all its fragments, as it is now. Cost: that of building it.
+  std::unique_ptr<geom::RestrictedPower> diagram() const;
+  /// The polygons of one cell, ascending by facet.
+  std::vector<geom::FacetPolygon> cell(SiteId x) { return dual_->cell(x); }
+  /// Another domain with the same samples, weights and diagram.
+  SurfaceDomain rebuilt() const;
+  /// The least bound of the power in the cell of x.
+  double reach(SiteId x) { return dual_->reach(x); }
+  const geom::TriMesh& mesh() const { return mesh_; }
+  /// What the last removal or insertion changed.
+  const geom::RestrictedDual::Change& last_change() const { return *last_change_; }
+  const Sizing& sizing() const { return sizing_; }
+
+ private:
+  struct CircleOrder {
+    const geom::RestrictedDual* dual;
+    bool operator()(CircleId a, CircleId b) const { return circle_before(dual->circle(a), dual->circle(b)); }
+  };
+
+  SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing, std::span<const SurfaceSample> samples,
+                geom::Table<SiteId, double> weight_shares, const SurfaceOptions& options);
+  void insert(SiteId x, CircleId at = CircleId());
+  double weight_at(SiteId x) const;
+  bool equal_weights() const { return sizing_.is_uniform() || !options_.weighted; }
+  Circle largest_in_two_ring();
+  bool larger(CircleId a, CircleId b) const;
+  bool is_offered(const geom::EmptyCircle& circle) const;
+  void apply(const geom::RestrictedDual::Change& change);
+
+  const geom::TriMesh& mesh_;
+  Sizing sizing_;
+  SurfaceOptions options_;
+  geom::Table<SiteId, SurfaceSample> samples_;
+  geom::Table<SiteId, double> weight_share_;
+  bool unweighted_;                               ///< all weights are and have always been 0
+  std::unique_ptr<geom::NeighbourSource> paper_;  ///< Engine::triangulation
+  std::unique_ptr<geom::RestrictedDual> dual_;
+  geom::IndexedHeap<CircleId, CircleOrder> circles_;
+  std::array<SiteId, 3> expected_;  ///< the samples that are next, the last one first
+  const geom::RestrictedDual::Change* last_change_ = nullptr;
+  SiteId near_removed_;       ///< a sample near the removed one if that had no cell
+  std::vector<SiteId> link_;  // workspace
+};
+
+}  // namespace fpo

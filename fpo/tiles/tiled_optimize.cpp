@@ -1,0 +1,286 @@
+#include "fpo/tiles/tiled_optimize.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <mutex>
+#include <numeric>
+#include <optional>
+#include <string>
+
+#include "fpo/tiles/split_facets.h"
+#include "fpo/tiles/tile_domain.h"
+#include "geom/check.h"
+#include "geom/parallel.h"
+#include "geom/rng.h"
+#include "geom/sites/site_tree.h"
+
+namespace fpo {
+namespace {
+
+constexpr double longest_edge = 4;      // in spacings: a tile is some fifty wide
+constexpr double near_cut = 4;          // in spacings: nearer to a cut many samples cannot be moved
+constexpr int iterations_at_large = 3;  // before there are tiles
+
+class TiledRun {
+ public:
+  TiledRun(SurfaceTask& task, const TileOptions& tiles, const OptimizeOptions& options,
+           OptimizeResult& result)
+      : task_(task),
+        tile_options_(tiles),
+        options_(options),
+        result_(result),
+        samples_(std::move(task.samples)),
+        sizing_(task.sizing),
+        owed_(samples_.size(), 0),
+        rng_(options.seed) {}
+
+  SurfaceDomain take();
+
+ private:
+  StopReason rounds();
+  bool round();
+  void work_on(const TiledSurface& whole, std::size_t tile, std::uint64_t seed,
+               std::vector<SurfaceSample>& next);
+  void catch_up(SurfaceDomain& domain);
+  void report(IterationReport report);
+  IterationReport measure_positions() const;
+
+  bool interrupted() const {
+    return options_.interrupted && options_.interrupted->load(std::memory_order_relaxed);
+  }
+  bool is_fixed(SiteId x) const { return x.index() < task_.surface.num_fixed; }
+  void announce_move();
+  const geom::TriMesh& mesh() const { return split_ ? split_->mesh : task_.mesh; }
+  void split();    ///< from now on mesh() has no large facets
+  void unsplit();  ///< from now on it is what was given
+  bool begin_at_large();
+  std::vector<CutCost> cut_costs() const;
+  void owe(int moves);
+
+  const SurfaceTask& task_;
+  const TileOptions& tile_options_;
+  const OptimizeOptions& options_;
+  OptimizeResult& result_;
+  std::vector<SurfaceSample> samples_;  ///< on mesh(), to the end of the last round
+  std::optional<SplitSurface> split_;   ///< if there are large facets
+  Sizing sizing_;                       ///< on mesh()
+  std::vector<int> owed_;               ///< moves that each sample is behind
+  geom::Rng rng_;
+  int iteration_ = 0, round_ = 0, sweeps_ = 0;
+  std::size_t moved_ = 0;  ///< in the round
+  std::mutex access_;      ///< to the callbacks, the result and moved_
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+void TiledRun::announce_move() {
+  const std::lock_guard lock(access_);
+  if (options_.on_move) options_.on_move(result_.moves);
+  ++result_.moves;
+}
+
+void TiledRun::report(IterationReport report) {
+  report.iteration = iteration_;
+  report.moved = moved_;
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  result_.last = report;
+  if (options_.on_iteration) options_.on_iteration(report);
+}
+
+/// By distances in space, like measure() if there are no weights.
+IterationReport TiledRun::measure_positions() const {
+  geom::SiteTree tree;
+  for (std::size_t i = 0; i < samples_.size(); ++i) tree.insert(SiteId(i), {samples_[i].position, 0});
+  const std::size_t first = task_.surface.num_fixed < samples_.size() ? task_.surface.num_fixed : 0;
+  std::vector<double> spacings(samples_.size() - first);
+  geom::parallel_ranges(
+      spacings.size(), 1024, tile_options_.threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const SurfaceSample& x = samples_[first + i];
+          spacings[i] = std::sqrt(tree.nearest(x.position, SiteId(first + i)).radius2) / sizing_.at(x);
+        }
+      });
+  IterationReport report;
+  report.delta = *std::ranges::min_element(spacings);
+  report.mean_delta =
+      std::accumulate(spacings.begin(), spacings.end(), 0.0) / static_cast<double>(spacings.size());
+  return report;
+}
+
+/// All that is owed to the samples of a tile, spread evenly over the sweeps. Those that turn out to be too
+/// near to a cut are tried again after 1, 2, 4, ... sweeps. Those that rest count as moved.
+void TiledRun::work_on(const TiledSurface& whole, std::size_t tile, std::uint64_t seed,
+                       std::vector<SurfaceSample>& next) {
+  std::vector<SiteId> order;
+  for (const SiteId x : whole.tiles()[tile].samples)
+    if (!is_fixed(x)) order.push_back(x);
+  if (order.empty() || interrupted()) return;
+  TileDomain domain(whole, tile);
+  geom::Rng rng(seed + tile);
+  std::vector<int> done(order.size(), 0), next_try(order.size(), 1), index(order.size());
+  std::iota(index.begin(), index.end(), 0);
+  std::size_t moved = 0, moves = 0;
+  for (int sweep = 1; sweep <= sweeps_; ++sweep) {
+    if (options_.order != VisitOrder::in_turn) rng.shuffle(std::span(index));
+    const std::vector<SiteId> awake = domain.restless(order, options_.rest_spacing);  // ascending
+    for (std::size_t k = 0; k < index.size(); ++k) {
+      if (k + look_ahead < index.size())
+        domain.expect(order[static_cast<std::size_t>(index[k + look_ahead])]);
+      const int i = index[k];
+      const SiteId x = order[static_cast<std::size_t>(i)];
+      int& times = done[static_cast<std::size_t>(i)];
+      if (sweep < next_try[static_cast<std::size_t>(i)]) continue;
+      const int due = owed_[x.index()] * sweep / sweeps_;
+      if (!std::ranges::binary_search(awake, x)) times = due;
+      for (; times < due; ++times) {
+        if (interrupted()) break;
+        try {
+          const TileDomain::Outcome outcome = domain.move(x, options_.scope);
+          if (outcome == TileDomain::Outcome::out_of_reach) {
+            next_try[static_cast<std::size_t>(i)] = 2 * sweep;
+            break;
+          }
+          moved += outcome == TileDomain::Outcome::moved;
+        } catch (const geom::Bug& bug) {
+          throw geom::Bug("tile " + std::to_string(tile) + ", move " + std::to_string(moves) + ": " +
+                          bug.what());
+        }
+        ++moves;
+        announce_move();
+      }
+    }
+  }
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    next[order[i].index()] = domain.sample(order[i]);
+    owed_[order[i].index()] -= done[i];
+  }
+  const std::lock_guard lock(access_);
+  moved_ += moved;
+}
+
+/// False if it was interrupted.
+bool TiledRun::round() {
+  moved_ = 0;
+  ++round_;
+  sweeps_ = std::min({round_, tile_options_.sweeps, options_.max_iterations - iteration_});
+  const std::vector<CutCost> costs = cut_costs();
+  owe(sweeps_);
+  std::vector<Tile> tiles = make_tiles(mesh(), samples_, {tile_options_.most_samples, rng_.bits(), costs});
+  // Large ones first, so that threads end at about the same time.
+  std::ranges::stable_sort(tiles, std::greater(), [](const Tile& tile) { return tile.samples.size(); });
+  const TiledSurface whole(mesh(), sizing_, samples_, task_.surface, std::move(tiles));
+  std::vector<SurfaceSample> next = samples_;
+  const std::uint64_t seed = rng_.bits();
+  try {
+    geom::parallel_ranges(whole.tiles().size(), 1, tile_options_.threads,
+                          [&](std::size_t tile, std::size_t) { work_on(whole, tile, seed, next); });
+  } catch (const geom::Bug& bug) {
+    throw geom::Bug("after iteration " + std::to_string(iteration_) + ", " + bug.what());
+  }
+  samples_ = std::move(next);
+  iteration_ += sweeps_;
+  return !interrupted();
+}
+
+/// Who has waited long should not wait again.
+std::vector<CutCost> TiledRun::cut_costs() const {
+  std::vector<CutCost> costs;
+  costs.reserve(samples_.size());
+  for (std::size_t i = 0; i < samples_.size(); ++i)
+    costs.push_back({static_cast<double>(owed_[i]) * owed_[i], near_cut * sizing_.at(samples_[i])});
+  return costs;
+}
+
+void TiledRun::owe(int moves) {
+  for (std::size_t i = task_.surface.num_fixed; i < samples_.size(); ++i) owed_[i] += moves;
+}
+
+/// Gives the samples what they are still owed.
+void TiledRun::catch_up(SurfaceDomain& domain) {
+  for (int sweep = 0; sweep < *std::ranges::max_element(owed_); ++sweep)
+    for (std::size_t i = 0; i < owed_.size() && !interrupted(); ++i) {
+      if (owed_[i] <= sweep) continue;
+      if (i + look_ahead < owed_.size()) domain.expect(SiteId(i + look_ahead));
+      announce_move();
+      try {
+        moved_ += move_to_farthest_point(domain, SiteId(i), options_.scope);
+      } catch (const geom::Bug& bug) {
+        throw geom::Bug("on the whole surface, sample " + std::to_string(i) + ": " + bug.what());
+      }
+    }
+}
+
+/// The first iterations, on the whole surface. They even out the density of the samples at large, which tiles
+/// would do slowly: without them delta ends lower. False if that was all.
+bool TiledRun::begin_at_large() {
+  SurfaceDomain domain(task_.mesh, task_.sizing, samples_, task_.surface);
+  OptimizeOptions first = options_;
+  first.max_iterations = std::min(iterations_at_large, options_.max_iterations);
+  first.on_iteration = [&](const IterationReport& now) {
+    iteration_ = now.iteration;
+    moved_ = now.moved;
+    report(now);
+  };
+  const OptimizeResult done = optimize(domain, first);
+  result_.moves = done.moves;
+  result_.reason = done.reason;
+  for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i] = domain.sample(SiteId(i));
+  return done.reason == StopReason::iteration_cap && iteration_ < options_.max_iterations;
+}
+
+void TiledRun::split() {
+  if (!has_long_edges(task_.mesh, task_.sizing, longest_edge)) return;
+  split_ = split_long_edges(task_.mesh, task_.sizing, longest_edge, samples_);
+  if (!sizing_.is_uniform()) sizing_ = Sizing(split_->mesh, split_->h);
+}
+
+void TiledRun::unsplit() {
+  if (!split_) return;
+  for (SurfaceSample& x : samples_) x.facet = split_->parents[x.facet];
+  sizing_ = task_.sizing;
+  split_.reset();
+}
+
+/// Rounds until there is a reason to stop.
+StopReason TiledRun::rounds() {
+  while (iteration_ < options_.max_iterations) {
+    if (!round()) return StopReason::interrupted;
+    if (moved_ == 0 && std::ranges::count(owed_, 0) == std::ssize(owed_)) return StopReason::nothing_moved;
+    if (iteration_ == options_.max_iterations) break;
+    const IterationReport now = measure_positions();
+    if (now.delta > options_.target_delta) return StopReason::target_reached;
+    report(now);
+  }
+  return StopReason::iteration_cap;
+}
+
+SurfaceDomain TiledRun::take() {
+  geom::require(!samples_.empty(), "there must be at least one sample");
+  if (options_.scope == Scope::global && options_.max_iterations > 0) {
+    if (!begin_at_large()) return SurfaceDomain(task_.mesh, task_.sizing, samples_, task_.surface);
+  } else {
+    report(measure_positions());
+  }
+  split();
+  result_.reason = rounds();
+  unsplit();
+  SurfaceDomain domain(task_.mesh, task_.sizing, samples_, task_.surface);
+  if (iteration_ == 0) return domain;
+  if (result_.reason == StopReason::iteration_cap) catch_up(domain);
+  report(measure(domain));
+  if (interrupted())
+    result_.reason = StopReason::interrupted;
+  else if (result_.last.delta > options_.target_delta)
+    result_.reason = StopReason::target_reached;
+  return domain;
+}
+
+}  // namespace
+
+SurfaceDomain optimize_in_tiles(SurfaceTask task, const TileOptions& tiles, const OptimizeOptions& options,
+                                OptimizeResult& result) {
+  return TiledRun(task, tiles, options, result).take();
+}
+
+}  // namespace fpo

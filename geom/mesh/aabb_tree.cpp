@@ -1,0 +1,188 @@
+#include "geom/mesh/aabb_tree.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "geom/check.h"
+
+namespace geom {
+namespace {
+
+constexpr std::size_t leaf_size = 3;
+
+/// In this order of summation here and for boxes: rounding is monotone, so a box is never farther than a
+/// point in it.
+double squared_length(double x, double y, double z) { return x * x + y * y + z * z; }
+double squared_distance(const Vec3& a, const Vec3& b) {
+  return squared_length(a.x() - b.x(), a.y() - b.y(), a.z() - b.z());
+}
+
+/// Where on a segment, from 0 at `a` to 1 at `b`, the point nearest to x lies.
+double nearest_parameter(const Vec3& x, const Vec3& a, const Vec3& b) {
+  const Vec3 d = b - a;
+  const double length2 = d.squaredNorm();
+  return length2 > 0 ? std::clamp((x - a).dot(d) / length2, 0.0, 1.0) : 0.0;
+}
+
+void improve_on_edge(const Vec3& x, const std::array<Vec3, 3>& q, std::size_t e, TrianglePoint& best) {
+  const std::size_t f = e == 2 ? 0 : e + 1;
+  const double t = nearest_parameter(x, q[e], q[f]);
+  const Vec3 point = t == 0 ? q[e] : t == 1 ? q[f] : Vec3(q[e] + t * (q[f] - q[e]));
+  const double d2 = squared_distance(x, point);
+  if (!(d2 < best.distance2)) return;
+  best.point = point;
+  best.barycentric.setZero();
+  best.barycentric[static_cast<Eigen::Index>(e)] = 1 - t;
+  best.barycentric[static_cast<Eigen::Index>(f)] = t;
+  best.distance2 = d2;
+}
+
+}  // namespace
+
+// The foot of the perpendicular, if it has positive barycentric coordinates, else the nearest of the points
+// of the three edges. The smaller the triangle's height, the less is known of those coordinates; but then the
+// edges are near whatever lies between them, so for a needle all four are compared.
+TrianglePoint closest_point(const Vec3& x, const std::array<Vec3, 3>& q) {
+  TrianglePoint best;
+  const Vec3 u = q[1] - q[0], v = q[2] - q[0], w = x - q[0], normal = u.cross(v);
+  const double n2 = normal.squaredNorm();
+  const double b1 = w.cross(v).dot(normal), b2 = u.cross(w).dot(normal), b0 = n2 - b1 - b2;
+  const bool inside = n2 > 0 && b0 > 0 && b1 > 0 && b2 > 0;
+  if (inside) {
+    best.barycentric = Vec3(b0, b1, b2) / n2;
+    best.point = q[0] + best.barycentric[1] * u + best.barycentric[2] * v;
+    best.distance2 = squared_distance(x, best.point);
+  }
+  constexpr double needle = 1e-12;  // of sin^2 of the angle at q[0]
+  if (!inside || n2 < needle * u.squaredNorm() * v.squaredNorm())
+    for (std::size_t e = 0; e < 3; ++e) improve_on_edge(x, q, e, best);
+  // Rounding may leave the box by a last bit.
+  best.point = best.point.cwiseMax(q[0].cwiseMin(q[1]).cwiseMin(q[2]))
+                   .cwiseMin(q[0].cwiseMax(q[1]).cwiseMax(q[2]))
+                   .eval();
+  best.distance2 = squared_distance(x, best.point);
+  return best;
+}
+
+/// What is known of a facet while the tree is built.
+struct AabbTree::Ordering {
+  const TriMesh& mesh;
+  Table<FacetId, Vec3> middle;  ///< of its box
+  std::vector<FacetId> facets;  ///< in the order of the leaves, at last
+};
+
+AabbTree::AabbTree(const TriMesh& mesh) {
+  require(mesh.num_facets() > 0, "the mesh has no facet");
+  Ordering ordering{mesh, {}, {}};
+  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
+    Box3 box;
+    for (int i = 0; i < 3; ++i) box.extend(mesh.corner(t, i));
+    ordering.middle.push_back(box.center());
+    ordering.facets.push_back(t);
+  }
+  nodes_.reserve(mesh.num_facets());
+  build(ordering, 0, mesh.num_facets());
+  slot_.resize(mesh.num_facets());
+  items_.reserve(mesh.num_facets());
+  for (const FacetId t : ordering.facets) {
+    slot_[t] = items_.size();
+    items_.push_back({{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, t});
+  }
+}
+
+/// Halves the facets at the median of their middles, along the axis on which these spread most.
+void AabbTree::build(Ordering& ordering, std::size_t first, std::size_t last) {
+  Box3 box, middles;
+  for (std::size_t k = first; k < last; ++k) {
+    const FacetId t = ordering.facets[k];
+    for (int i = 0; i < 3; ++i) box.extend(ordering.mesh.corner(t, i));
+    middles.extend(ordering.middle[t]);
+  }
+  const std::size_t node = nodes_.size();
+  const bool leaf = last - first <= leaf_size;
+  nodes_.push_back({box.min(), box.max(), static_cast<std::int32_t>(first),
+                    leaf ? static_cast<std::int32_t>(last - first) : 0, 0});
+  if (leaf) return;
+  Eigen::Index axis = 0;
+  middles.sizes().maxCoeff(&axis);
+  const auto key = [&](FacetId t) { return std::pair(ordering.middle[t][axis], t); };
+  const std::size_t half = first + (last - first) / 2;
+  const auto at = [&](std::size_t k) { return ordering.facets.begin() + static_cast<std::ptrdiff_t>(k); };
+  std::nth_element(at(first), at(half), at(last), [&](FacetId s, FacetId t) { return key(s) < key(t); });
+  build(ordering, first, half);
+  nodes_[node].second_child = static_cast<std::int32_t>(nodes_.size());
+  build(ordering, half, last);
+}
+
+double AabbTree::distance2(const Node& node, const Vec3& x) {
+  const auto outside = [&](int i) { return std::max({node.low[i] - x[i], 0.0, x[i] - node.high[i]}); };
+  return squared_length(outside(0), outside(1), outside(2));
+}
+
+void AabbTree::improve(const Item& item, const Vec3& x, Closest& best) {
+  const TrianglePoint p = closest_point(x, item.corners);
+  if (p.distance2 < best.distance2 ||
+      (p.distance2 == best.distance2 && (!best.facet.valid() || item.facet < best.facet)))
+    best = Closest{p, item.facet};
+}
+
+// The tree is halved by count, so it has at most 32 levels, and each leaves one child on the stack.
+void AabbTree::search(const Vec3& x, Closest& best) const {
+  struct Waiting {
+    std::size_t node;
+    double distance2;
+  };
+  std::array<Waiting, 64> stack;
+  std::size_t height = 0;
+  stack[height++] = {0, distance2(nodes_[0], x)};
+  while (height > 0) {
+    Waiting at = stack[--height];
+    if (at.distance2 > best.distance2) continue;
+    while (nodes_[at.node].count == 0) {
+      Waiting near{at.node + 1, 0}, far{static_cast<std::size_t>(nodes_[at.node].second_child), 0};
+      near.distance2 = distance2(nodes_[near.node], x);
+      far.distance2 = distance2(nodes_[far.node], x);
+      if (far.distance2 < near.distance2) std::swap(near, far);
+      if (far.distance2 <= best.distance2) stack[height++] = far;
+      at = near;
+      if (at.distance2 > best.distance2) break;
+    }
+    if (at.distance2 > best.distance2) continue;
+    const Node& leaf = nodes_[at.node];
+    for (std::int32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
+      improve(items_[static_cast<std::size_t>(k)], x, best);
+  }
+}
+
+void AabbTree::overlapping(const Box3& box, std::vector<FacetId>& facets) const {
+  const auto meets = [&](const Vec3& low, const Vec3& high) {
+    return (low.array() <= box.max().array()).all() && (high.array() >= box.min().array()).all();
+  };
+  std::array<std::size_t, 64> stack;
+  std::size_t height = 0;
+  stack[height++] = 0;
+  while (height > 0) {
+    const std::size_t at = stack[--height];
+    const Node& node = nodes_[at];
+    if (!meets(node.low, node.high)) continue;
+    if (node.count == 0) {
+      stack[height++] = at + 1;
+      stack[height++] = static_cast<std::size_t>(node.second_child);
+      continue;
+    }
+    for (std::int32_t k = node.first; k < node.first + node.count; ++k) {
+      const auto& [corners, facet] = items_[static_cast<std::size_t>(k)];
+      const auto& [a, b, c] = corners;
+      if (meets(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c))) facets.push_back(facet);
+    }
+  }
+}
+
+AabbTree::Closest AabbTree::closest(const Vec3& x, FacetId hint) const {
+  Closest best;
+  if (hint.valid()) improve(items_[slot_[hint]], x, best);
+  search(x, best);
+  return best;
+}
+
+}  // namespace geom

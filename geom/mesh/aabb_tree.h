@@ -1,0 +1,70 @@
+#pragma once
+// Closest points on a triangle mesh, by a static tree of bounding boxes.
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "geom/mesh/trimesh.h"
+
+namespace geom {
+
+/// A point of a triangle.
+struct TrianglePoint {
+  Vec3 point{0, 0, 0};
+  Vec3 barycentric{0, 0, 0};                                   ///< non-negative, sum 1 up to rounding
+  double distance2 = std::numeric_limits<double>::infinity();  ///< to the query, squared
+};
+
+/// The point of a triangle nearest to x. A triangle without area is its edges, an edge without length a
+/// point. The result lies in the triangle's box and is a corner bit for bit where that is nearest; else it is
+/// rounded. Requires lengths between about 1e-75 and 1e75 (squares of areas are formed).
+TrianglePoint closest_point(const Vec3& x, const std::array<Vec3, 3>& q);
+
+/// A binary tree over the facets, each node with the box of its facets. The mesh is copied, not referenced.
+/// Built in O(F log F); a query near the surface costs O(log F) typically, O(F) at worst (the center of a
+/// sphere).
+class AabbTree {
+ public:
+  struct Closest : TrianglePoint {
+    FacetId facet;
+  };
+
+  /// Throws InputError if the mesh has no facet.
+  explicit AabbTree(const TriMesh& mesh);
+
+  /// The nearest point of the mesh; of facets equally near, that of the smallest id: to the bit what
+  /// closest_point() gives on trying all facets. `hint`: a facet thought to be near, or none; it changes the
+  /// cost only.
+  Closest closest(const Vec3& x, FacetId hint = FacetId()) const;
+
+  /// Adds the facets whose boxes meet this one, in no order. O(log F + their number) typically.
+  void overlapping(const Box3& box, std::vector<FacetId>& facets) const;
+
+  const std::array<Vec3, 3>& triangle(FacetId t) const { return items_[slot_[t]].corners; }
+
+ private:
+  /// Nodes are in preorder: the first child of an inner node follows it.
+  struct Node {
+    Vec3 low, high;
+    std::int32_t first = 0, count = 0;  ///< leaf: items_[first, first + count); inner: 0 items
+    std::int32_t second_child = 0;
+  };
+  struct Item {
+    std::array<Vec3, 3> corners;
+    FacetId facet;
+  };
+  struct Ordering;
+
+  void build(Ordering& ordering, std::size_t first, std::size_t last);
+  void search(const Vec3& x, Closest& best) const;
+  static double distance2(const Node& node, const Vec3& x);
+  static void improve(const Item& item, const Vec3& x, Closest& best);
+
+  std::vector<Node> nodes_;
+  std::vector<Item> items_;  ///< those of a leaf next to each other
+  Table<FacetId, std::size_t> slot_;
+};
+
+}  // namespace geom

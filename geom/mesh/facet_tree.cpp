@@ -1,0 +1,86 @@
+#include "geom/mesh/facet_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace geom {
+namespace {
+
+float rounded_down(double x) {
+  const auto f = static_cast<float>(x);
+  return f > x ? std::nextafterf(f, -std::numeric_limits<float>::infinity()) : f;
+}
+float rounded_up(double x) { return -rounded_down(-x); }
+
+}  // namespace
+
+void FacetTree::Box::extend(const Box& other) {
+  for (int i = 0; i < 3; ++i) {
+    low[i] = std::min(low[i], other.low[i]);
+    high[i] = std::max(high[i], other.high[i]);
+  }
+}
+
+FacetTree::FacetTree(const TriMesh& mesh, std::vector<FacetId> order) : order_(std::move(order)) {
+  std::vector<Box> boxes;
+  for (const FacetId t : order_) {
+    Box box;
+    for (int i = 0; i < 3; ++i) {
+      const double a = mesh.corner(t, 0)[i], b = mesh.corner(t, 1)[i], c = mesh.corner(t, 2)[i];
+      box.low[i] = rounded_down(std::min({a, b, c}));
+      box.high[i] = rounded_up(std::max({a, b, c}));
+    }
+    boxes.push_back(box);
+  }
+  do {
+    std::vector<Box> above;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      if (i % arity == 0)
+        above.push_back(boxes[i]);
+      else
+        above.back().extend(boxes[i]);
+    }
+    boxes = above;
+    levels_.push_back(std::move(above));
+  } while (boxes.size() > 1);
+}
+
+void FacetTree::near(const Vec3& x, double distance, std::vector<FacetId>& out) const {
+  if (!(distance >= 0)) return;
+  const double limit2 = distance * distance * (1 + 1e-9);
+  descend(
+      levels_.size() - 1, 0, limit2, x, [](const Box&) { return false; }, out);
+}
+
+void FacetTree::near_but(const Vec3& x, double distance, const OfNoUse& is_of_no_use,
+                         std::vector<FacetId>& out) const {
+  if (!(distance >= 0)) return;
+  const double limit2 = distance * distance * (1 + 1e-9);
+  const auto is_box_of_no_use = [&](const Box& box) {
+    const Vec3 low(box.low[0], box.low[1], box.low[2]), high(box.high[0], box.high[1], box.high[2]);
+    return is_of_no_use(0.5 * (low + high), 0.5 * (high - low).norm() * (1 + 1e-9));
+  };
+  descend(levels_.size() - 1, 0, limit2, x, is_box_of_no_use, out);
+}
+
+template <class Skip>
+void FacetTree::descend(std::size_t level, std::size_t node, double limit2, const Vec3& x,
+                        const Skip& is_of_no_use, std::vector<FacetId>& out) const {
+  const Box& box = levels_[level][node];
+  double distance2 = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double gap = std::max({box.low[i] - x[i], x[i] - box.high[i], 0.0});
+    distance2 += gap * gap;
+  }
+  if (distance2 > limit2 || is_of_no_use(box)) return;
+  const std::size_t size = level == 0 ? order_.size() : levels_[level - 1].size();
+  for (std::size_t i = arity * node; i < std::min(arity * (node + 1), size); ++i) {
+    if (level == 0)
+      out.push_back(order_[i]);
+    else
+      descend(level - 1, i, limit2, x, is_of_no_use, out);
+  }
+}
+
+}  // namespace geom

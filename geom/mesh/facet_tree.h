@@ -1,0 +1,39 @@
+#pragma once
+// Which facets come near a location: boxes about runs of a space-filling curve.
+
+#include <functional>
+#include <vector>
+
+#include "geom/mesh/trimesh.h"
+
+namespace geom {
+
+/// A static tree over the facets of a mesh, in single precision: some 12 bytes a facet. Refers to nothing.
+class FacetTree {
+ public:
+  /// `order`: all facets, along a curve (facets_along_curve()). O(F).
+  FacetTree(const TriMesh& mesh, std::vector<FacetId> order);
+
+  /// Appends all facets that have a point within that distance of x, and some more. Cost: those, times the
+  /// logarithm of F at most.
+  void near(const Vec3& x, double distance, std::vector<FacetId>& out) const;
+  /// The same but for facets in balls (center, radius) of which is_of_no_use says so.
+  using OfNoUse = std::function<bool(const Vec3&, double)>;
+  void near_but(const Vec3& x, double distance, const OfNoUse& is_of_no_use, std::vector<FacetId>& out) const;
+
+ private:
+  struct Box {
+    float low[3], high[3];
+    void extend(const Box& other);
+  };
+  static constexpr std::size_t arity = 4;
+
+  template <class Skip>
+  void descend(std::size_t level, std::size_t node, double limit2, const Vec3& x, const Skip& is_of_no_use,
+               std::vector<FacetId>& out) const;
+
+  std::vector<FacetId> order_;
+  std::vector<std::vector<Box>> levels_;  ///< of runs of 4, 16, 64, ... facets; the last one has one box
+};
+
+}  // namespace geom

@@ -1,0 +1,78 @@
+#include "geom/power/construct.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geom/exact/exact_form.h"
+
+namespace geom {
+namespace {
+
+constexpr double unit_roundoff = 0x1p-53;
+constexpr double unknown = std::numeric_limits<double>::infinity();
+
+// Coordinates are bounded one by one; the factor 2 > sqrt(3) in the tolerances turns that into a distance.
+
+double largest(const LinearForm& form) {
+  return std::max({std::abs(form.f[0]), std::abs(form.f[1]), std::abs(form.f[2])}) + form.error;
+}
+
+}  // namespace
+
+// t = fa / (fa - fb). With errors |da|, |db| <= e and t in [0, 1], the rounded quotient differs from t by
+// ((1 - t) da + t db) / (fa - fb), at most e / |fa - fb|, plus 2u for the subtraction and the division.
+RoundedPoint corner_on_edge(const Vec3& a, const Vec3& b, double fa, double fb, double error, double extent) {
+  const double difference = fa - fb;
+  if (!(std::abs(difference) > 4 * error)) return {0.5 * (a + b), unknown};
+  const double t = std::clamp(fa / difference, 0.0, 1.0);
+  const Vec3 ab = b - a;
+  const double dt = 1.01 * error / std::abs(difference) + 4 * unit_roundoff;
+  return {a + t * ab, 2 * (dt * ab.lpNorm<Eigen::Infinity>() + 8 * unit_roundoff * extent)};
+}
+
+// lambda = F1 x F2, D = sum lambda, x = sum (lambda_i / D) q_i. With m the largest value of each form,
+//   |d lambda_i| <= e_lambda = 2 (m1 e2 + m2 e1) + 4u m1 m2,   |dD| <= e_D = 3 e_lambda + 6u max |lambda_i|,
+// and since each exact lambda_i / D is in [0, 1], each rounded one is off by at most (e_lambda + e_D) / |D| +
+// 4u.
+RoundedPoint corner_in_facet(const Vec3& q0, const Vec3& q1, const Vec3& q2, const LinearForm& first,
+                             const LinearForm& second, double extent) {
+  const double* f = first.f;
+  const double* g = second.f;
+  const double l0 = f[1] * g[2] - f[2] * g[1], l1 = f[2] * g[0] - f[0] * g[2], l2 = f[0] * g[1] - f[1] * g[0];
+  const double sum = l0 + l1 + l2;
+  const double m1 = largest(first), m2 = largest(second);
+  const double e_lambda = 2 * (m1 * second.error + m2 * first.error) + 4 * unit_roundoff * m1 * m2;
+  const double e_sum = 3 * e_lambda + 12 * unit_roundoff * m1 * m2;
+  if (!(std::abs(sum) > 4 * e_sum)) return {(q0 + q1 + q2) / 3, unknown};
+  const double inverse = 1 / sum;
+  const double b1 = std::clamp(l1 * inverse, 0.0, 1.0), b2 = std::clamp(l2 * inverse, 0.0, 1.0);
+  const Vec3 u = q1 - q0, v = q2 - q0;
+  const double db = 1.01 * (e_lambda + e_sum) * std::abs(inverse) + 8 * unit_roundoff;
+  const double size = u.lpNorm<Eigen::Infinity>() + v.lpNorm<Eigen::Infinity>();
+  return {q0 + b1 * u + b2 * v, 2 * (db * size + 16 * unit_roundoff * extent)};
+}
+
+// Each exact value is rounded with a relative error of at most 2u, so a quotient in [0, 1] is off by 5u. With
+// M the extent, a coordinate is off by 5u * 2M and another 5u M for a + t (b - a), or by 2 * 5u * 2M and
+// another 12u M for q0 + b1 u + b2 v; times sqrt(3) that makes 26u M and 56u M.
+RoundedPoint exact_corner_on_edge(const Vec3& a, const Vec3& b, const RankedPoint3& owner,
+                                  const RankedPoint3& j, double extent) {
+  const Expansion fa = form_at(a, owner, j), difference = fa - form_at(b, owner, j);
+  const double t =
+      difference.sign() == 0 ? 0.5 : std::clamp(fa.approximate() / difference.approximate(), 0.0, 1.0);
+  return {a + t * (b - a), 32 * unit_roundoff * extent};
+}
+
+RoundedPoint exact_corner_in_facet(const Vec3& q0, const Vec3& q1, const Vec3& q2, const RankedPoint3& owner,
+                                   const RankedPoint3& first, const RankedPoint3& second, double extent) {
+  const Expansion f[3] = {form_at(q0, owner, first), form_at(q1, owner, first), form_at(q2, owner, first)};
+  const Expansion g[3] = {form_at(q0, owner, second), form_at(q1, owner, second), form_at(q2, owner, second)};
+  const Expansion l1 = f[2] * g[0] - f[0] * g[2], l2 = f[0] * g[1] - f[1] * g[0];
+  const double sum = (f[1] * g[2] - f[2] * g[1] + l1 + l2).approximate();
+  if (sum == 0) return {(q0 + q1 + q2) / 3, unknown};
+  const double b1 = std::clamp(l1.approximate() / sum, 0.0, 1.0),
+               b2 = std::clamp(l2.approximate() / sum, 0.0, 1.0);
+  return {q0 + b1 * (q1 - q0) + b2 * (q2 - q0), 64 * unit_roundoff * extent};
+}
+
+}  // namespace geom

@@ -1,0 +1,72 @@
+#pragma once
+// The one place that rounds: bisectors evaluated in doubles and the corners of clipped facets, each with a
+// proven bound on its error, so that clip.h can use them as a filter and turn to exact predicates only where
+// the bound cannot tell.
+
+#include <limits>
+
+#include "geom/exact/predicates.h"
+
+namespace geom {
+
+/// The affine function f(x) = Pi(x, j) - Pi(x, p0) of two weighted points: negative where j beats the owner
+/// p0. f(x) = normal . x - offset, normal = 2 (p0 - pj), offset = (p0 - pj).(p0 + pj) + wj - w0.
+struct Bisector {
+  Vec3 normal;
+  double offset;
+  double length;  ///< |normal|
+  double error;   ///< |computed f(x) - f(x)| <= error for every double x with |x|_inf <= extent
+
+  double operator()(const Vec3& x) const { return normal.dot(x) - offset; }
+};
+
+/// `extent` bounds every coordinate of p0, pj and of the locations at which f will be evaluated.
+///
+/// Error: let u = 2^-53, n the normal, |.|_1 the sum of magnitudes, M the extent. The rounded normal . x is
+/// off by at most 4u |n|_1 M (a difference, a product, two sums), (p0 - pj).(p0 + pj) by 5u |n|_1 M, dw by
+/// u |dw|, their sum by u (|n|_1 M + |dw|), the last subtraction by u (2 |n|_1 M + |dw|): together
+/// u (12 |n|_1 M + 3 |dw|) to first order. As |n|_1 <= sqrt(3) |n|, 32u (|n| M + |dw|) leaves a third for the
+/// higher orders and the rounding of the bound.
+inline Bisector bisector(const WeightedPoint3& p0, const WeightedPoint3& pj, double extent) {
+  const Vec3 d = p0.position - pj.position, s = p0.position + pj.position;
+  const double dw = pj.weight - p0.weight;
+  const double length = 2 * d.norm();
+  return {2 * d, d.dot(s) + dw, length, 0x1p-48 * (length * extent + std::abs(dw))};
+}
+
+/// Values of a bisector's f at the three corners of a facet, each off by at most `error`.
+struct LinearForm {
+  double f[3];
+  double error;
+};
+
+inline LinearForm linear_form(const Bisector& b, const Vec3& q0, const Vec3& q1, const Vec3& q2) {
+  return {{b(q0), b(q1), b(q2)}, b.error};
+}
+
+/// A rounded location: the exact one is at most `tolerance` away (infinity: unknown, but both lie in the
+/// facet).
+struct RoundedPoint {
+  Vec3 position;
+  double tolerance;
+};
+
+/// The point of segment (a, b) where a linear form with end values fa, fb (each off by at most `error`)
+/// vanishes. Requires that the exact form vanishes between a and b. To get the same bits from both facets at
+/// an edge, pass the end of smaller mesh-vertex id first.
+RoundedPoint corner_on_edge(const Vec3& a, const Vec3& b, double fa, double fb, double error, double extent);
+
+/// The point of facet (q0, q1, q2) where two linear forms vanish: barycentric coordinates F1 x F2 up to
+/// scale. Requires that the exact point lies in the facet. A function of the arguments in this order: pass
+/// the site of smaller id first.
+RoundedPoint corner_in_facet(const Vec3& q0, const Vec3& q1, const Vec3& q2, const LinearForm& first,
+                             const LinearForm& second, double extent);
+
+/// The same two points where the forms above are too uncertain: from exact values, rounded at the end. The
+/// error is a few units in the last place of the facet's coordinates. Slow.
+RoundedPoint exact_corner_on_edge(const Vec3& a, const Vec3& b, const RankedPoint3& owner,
+                                  const RankedPoint3& j, double extent);
+RoundedPoint exact_corner_in_facet(const Vec3& q0, const Vec3& q1, const Vec3& q2, const RankedPoint3& owner,
+                                   const RankedPoint3& first, const RankedPoint3& second, double extent);
+
+}  // namespace geom

@@ -1,0 +1,82 @@
+#include "fpo/remesh/flaws.h"
+
+#include <algorithm>
+
+#include "doctest.h"
+#include "fpo/optimize.h"
+#include "fpo/remesh/fidelity.h"
+#include "fpo/surface/initial_samples.h"
+#include "geom/rng.h"
+#include "tests/fixtures/surfaces.h"
+
+using namespace fpo;
+
+namespace {
+
+SurfaceDomain domain_of(const geom::TriMesh& mesh, std::size_t n) {
+  return SurfaceDomain(mesh, random_samples(mesh, n, 4));
+}
+
+}  // namespace
+
+TEST_CASE("flaws: followed through removals, insertions and moves at once, they are those of the triangles") {
+  for (const auto& [name, mesh] : fixtures::surfaces()) {
+    CAPTURE(name);
+    constexpr std::size_t n = 80;
+    SurfaceDomain domain = domain_of(mesh, n);
+    const double wanted2 = mesh.area() / n / 2;
+    const auto measure = [&](const geom::EmptyCircle& circle) {
+      return std::max(circle.radius2 / wanted2 - 1, 0.0);
+    };
+    Flaws flaws(domain, measure);
+    geom::Rng rng(6);
+    for (int move = 0; move < 200; ++move) {
+      const SiteId x(static_cast<std::size_t>(rng.below(n)));
+      const bool asks_between = rng.below(3) == 0;
+      std::optional<bool> moved;
+      if (rng.below(2) == 0) {
+        moved = domain.move_directly(x, Scope::global);
+        flaws.follow(domain.last_change());  // who stays may have been out in between
+      }
+      if (!moved) {
+        domain.remove(x);
+        flaws.follow(domain.last_change());
+        if (asks_between) CHECK(flaws.number() == Flaws(domain, measure).number());
+        const Circle c = domain.largest_empty(Scope::two_ring);
+        if (c.id.valid())
+          domain.insert_at(x, c);
+        else
+          domain.put_back(x);
+        flaws.follow(domain.last_change());
+      }
+      if (rng.below(4) != 0) continue;
+      Flaws fresh(domain, measure);
+      REQUIRE(flaws.number() == fresh.number());
+      CHECK(flaws.badness() == doctest::Approx(fresh.badness()).epsilon(1e-9));
+      flaws.try_all_again();
+      const CircleId worst = flaws.take_worst(), expected = fresh.take_worst();
+      REQUIRE(worst.valid() == expected.valid());
+      if (worst.valid()) CHECK(domain.dual().circle(worst).sites == domain.dual().circle(expected).sites);
+    }
+  }
+}
+
+TEST_CASE("fidelity: triangles come no farther from the surface, and the moves are as many as allowed") {
+  const geom::TriMesh mesh = fixtures::blob(16);
+  constexpr std::size_t n = 150;
+  std::vector<std::size_t> tried;
+  for (const std::size_t most_moves : {std::size_t{0}, std::size_t{3000}}) {
+    SurfaceDomain domain = domain_of(mesh, n);
+    for (std::size_t i = 0; i < 10 * n; ++i) move_to_farthest_point(domain, SiteId(i % n), Scope::global);
+    FidelityOptions options;
+    options.most_moves = most_moves;
+    const FidelityResult result = improve_fidelity(domain, AngleOptions(), options);
+    CHECK(result.largest_before > 0);
+    CHECK(result.largest_after <= result.largest_before);
+    CHECK(domain.num_samples() == n);
+    domain.check();
+    tried.push_back(result.tried);
+  }
+  CHECK(tried[0] <= 1);
+  CHECK(tried[1] > tried[0]);
+}

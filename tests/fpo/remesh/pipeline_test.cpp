@@ -1,0 +1,167 @@
+#include "fpo/remesh/pipeline.h"
+
+#include "doctest.h"
+#include "geom/check.h"
+#include "tests/fixtures/effort.h"
+#include "tests/fixtures/surfaces.h"
+
+using namespace fpo;
+
+namespace {
+
+RemeshResult run(const geom::TriMesh& mesh, std::size_t n, Engine engine, std::uint64_t seed = 1) {
+  RemeshOptions options;
+  options.num_samples = n;
+  options.seed = seed;
+  options.surface.engine = engine;
+  options.optimize.max_iterations = 6;
+  return remesh(mesh, options);
+}
+
+bool same(const geom::TriMesh& a, const geom::TriMesh& b) {
+  return a.vertices() == b.vertices() && a.facets() == b.facets();
+}
+
+}  // namespace
+
+TEST_CASE("pipeline: both engines give the same bits, a repeated run too, another seed does not") {
+  const std::size_t samples = fixtures::effort(80, 150);
+  for (const fixtures::NamedSurface& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const RemeshResult a = run(surface.mesh, samples, Engine::search),
+                       b = run(surface.mesh, samples, Engine::triangulation),
+                       c = run(surface.mesh, samples, Engine::search),
+                       d = run(surface.mesh, samples, Engine::search, 2);
+    CHECK(a.mesh.num_vertices() == samples);
+    CHECK(same(a.mesh, b.mesh));
+    CHECK(same(a.mesh, c.mesh));
+    CHECK(!same(a.mesh, d.mesh));
+    CHECK(a.optimization.last.delta == b.optimization.last.delta);
+  }
+}
+
+TEST_CASE(
+    "pipeline: adaptive, with removal of short edges, local and global: both engines give the same bits") {
+  const std::size_t samples = fixtures::effort(60, 150);
+  for (const fixtures::NamedSurface& surface : fixtures::surfaces())
+    for (const Scope scope : {Scope::global, Scope::two_ring})
+      for (const geom::CornerTypes corners : {geom::CornerTypes::c_only, geom::CornerTypes::all}) {
+        CAPTURE(surface.name);
+        RemeshOptions options;
+        options.num_samples = samples;
+        options.sizing = SizingKind::given;
+        for (const geom::Vec3& p : surface.mesh.vertices())
+          options.rho.push_back(1 + std::abs(p.x() + p.y()));
+        options.limits.gradation = 0.3;
+        options.shortest_edge_removal = scope == Scope::two_ring;
+        options.surface.corners = corners;
+        options.optimize.scope = scope;
+        options.optimize.max_iterations = 3;
+        const RemeshResult a = remesh(surface.mesh, options);
+        options.surface.engine = Engine::triangulation;
+        const RemeshResult b = remesh(surface.mesh, options);
+        CHECK(a.mesh.num_vertices() == samples);
+        CHECK(same(a.mesh, b.mesh));
+        CHECK(a.optimization.last.delta == b.optimization.last.delta);
+        CHECK(a.shortest_edges.moves == b.shortest_edges.moves);
+      }
+}
+
+TEST_CASE("pipeline: edge lengths follow the sizing") {
+  const geom::TriMesh mesh = fixtures::blob(10);
+  RemeshOptions options;
+  options.num_samples = 1200;
+  options.sizing = SizingKind::given;
+  for (const geom::Vec3& p : mesh.vertices()) options.rho.push_back(2.2 + 1.6 * p.x());
+  options.optimize.scope = Scope::two_ring;
+  options.optimize.max_iterations = 15;
+  const RemeshResult result = remesh(mesh, options);
+  CHECK(result.fit.slope == doctest::Approx(1).epsilon(0.06));
+  CHECK(result.fit.cv < 0.16);
+  CHECK(result.hidden == 0);
+  CHECK(result.angles.bad_after == 0);
+  CHECK(geom::topology(result.mesh).manifold());
+}
+
+TEST_CASE("pipeline: a scaled input gives the scaled output, from tiny to huge") {
+  const geom::TriMesh mesh = fixtures::blob(5);
+  const RemeshResult unit = run(mesh, 100, Engine::search);
+  for (const int exponent : {-120, -3, 7, 130}) {
+    const double factor = std::ldexp(1.0, exponent);
+    geom::Table<geom::VertexId, geom::Vec3> vertices = mesh.vertices();
+    for (geom::Vec3& v : vertices) v *= factor;
+    const RemeshResult result = run(geom::TriMesh(std::move(vertices), mesh.facets()), 100, Engine::search);
+    for (std::size_t i = 0; i < 100; ++i)
+      CHECK(result.mesh.position(geom::VertexId(i)) == unit.mesh.position(geom::VertexId(i)) * factor);
+    CHECK(result.mesh.facets() == unit.mesh.facets());
+  }
+}
+
+TEST_CASE("pipeline: a closed smooth surface keeps its topology, and delta grows") {
+  const geom::TriMesh mesh = fixtures::blob(8);
+  RemeshOptions options;
+  options.num_samples = 300;
+  std::vector<double> deltas;
+  options.optimize.max_iterations = 20;
+  options.optimize.on_iteration = [&](const IterationReport& r) { deltas.push_back(r.delta); };
+  const RemeshResult result = remesh(mesh, options);
+  const geom::Topology t = geom::topology(result.mesh);
+  CHECK(t.manifold());
+  CHECK(t.euler == 2);
+  CHECK(t.boundary_edges == 0);
+  CHECK(t.misoriented_edges == 0);
+  CHECK(t.unreferenced_vertices == 0);
+  for (std::size_t i = 1; i < deltas.size(); ++i) CHECK(deltas[i] >= deltas[i - 1] - 1e-12);
+  CHECK(deltas.back() > 0.85);
+}
+
+TEST_CASE("pipeline: a plate thinner than the spacing of its samples is closed and of genus 0") {
+  const geom::TriMesh plate = fixtures::box(geom::Vec3(1, 1, 0.05), 6);
+  const RemeshResult result = run(plate, 150, Engine::search);
+  const geom::Topology t = geom::topology(result.mesh);
+  CHECK(result.localization.orphans > 0);
+  CHECK(result.localization.remaining == 0);
+  CHECK(result.mesh.num_vertices() == 150);
+  MESSAGE("plate: euler ", t.euler, ", non-manifold edges ", t.nonmanifold_edges);
+}
+
+TEST_CASE("pipeline: tiles, with features, sizes and shortest edge removal, give the same with any threads") {
+  const geom::TriMesh mesh = fixtures::box(geom::Vec3(1, 1, 1), 1);  // large facets, which are split
+  for (const SizingKind sizing : {SizingKind::uniform, SizingKind::curvature}) {
+    RemeshOptions options;
+    options.num_samples = 600;
+    options.sizing = sizing;
+    options.features = automatic_features();
+    options.shortest_edge_removal = true;
+    options.tile_samples = 150;
+    options.optimize.max_iterations = 5;
+    const RemeshResult one = remesh(mesh, options);
+    const geom::Topology t = geom::topology(one.mesh);
+    CHECK(t.manifold());
+    CHECK(t.euler == 2);
+    CHECK(one.broken_feature_edges == 0);
+    CHECK(one.optimization.moves == 5 * (600 - one.feature_samples));
+    for (const SurfaceSample& x : one.samples) CHECK(x.facet.index() < mesh.num_facets());
+    options.threads = 3;
+    CHECK(same(remesh(mesh, options).mesh, one.mesh));
+  }
+}
+
+TEST_CASE("pipeline: interruption keeps all samples; too few samples are refused") {
+  const geom::TriMesh mesh = fixtures::blob(5);
+  std::atomic<bool> stop{false};
+  RemeshOptions options;
+  options.num_samples = 80;
+  options.optimize.interrupted = &stop;
+  options.optimize.on_move = [&](std::size_t move) { stop = move >= 100; };
+  const RemeshResult result = remesh(mesh, options);
+  CHECK(result.optimization.reason == StopReason::interrupted);
+  CHECK(result.optimization.moves == 101);
+  CHECK(result.mesh.num_vertices() == 80);
+  CHECK_THROWS_AS(remesh(mesh, options), geom::Interrupted);  // before it has begun
+  stop = false;
+  options.num_samples = 1;
+  CHECK_THROWS_AS(remesh(mesh, options), geom::InputError);
+  options.num_samples = 0;
+  CHECK_THROWS_AS(remesh(mesh, options), geom::InputError);
+}
