@@ -5,8 +5,8 @@
 #include <functional>
 #include <numbers>
 
-#include "../fixtures/parametric.h"
-#include "../fixtures/surfaces.h"
+#include "../../fixtures/parametric.h"
+#include "../../fixtures/surfaces.h"
 #include "doctest.h"
 #include "geom/check.h"
 #include "geom/shapes/shapes.h"

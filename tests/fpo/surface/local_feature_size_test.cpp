@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "../fixtures/parametric.h"
-#include "../fixtures/surfaces.h"
+#include "../../fixtures/parametric.h"
+#include "../../fixtures/surfaces.h"
 #include "doctest.h"
 #include "fpo/surface/initial_samples.h"
 #include "geom/check.h"

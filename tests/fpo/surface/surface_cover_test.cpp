@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "../fixtures/surfaces.h"
+#include "../../fixtures/surfaces.h"
 #include "doctest.h"
 #include "fpo/surface/initial_samples.h"
 #include "geom/check.h"
