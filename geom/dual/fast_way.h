@@ -34,36 +34,31 @@
 //
 // False, from any of these, means: not certain, nothing is done.
 
-#include <array>
 #include <span>
 #include <vector>
 
-#include "geom/dual/chart.h"
-#include "geom/dual/edge_trace.h"
-#include "geom/dual/flood.h"
-#include "geom/dual/losses.h"
-#include "geom/dual/sheets.h"
-#include "geom/dual/state.h"
-#include "geom/dual/strangers.h"
+#include "geom/dual/cell_proof.h"
+#include "geom/dual/hole.h"
+#include "geom/dual/surroundings.h"
 
 namespace geom {
 
 class FastWay {
  public:
-  explicit FastWay(DualState& state);
+  explicit FastWay(DualState& state) : state_(state), around_(state), hole_(around_), cell_(around_) {}
 
   /// Plans the removal of p, which changes nothing.
   bool plan(SiteId p);
   /// Of the plan: the circles that the hole would have, without `beyond`; the rim, whose sites all win
   /// something; bounds of the power in the cell of p, and in the hole without p.
-  std::span<const EmptyCircle> circles() const { return circles_; }
-  std::span<const SiteId> rim() const { return rim_; }
-  double reach() const { return reach_; }
-  double max_radius2() const { return max_radius2_; }
+  std::span<const EmptyCircle> circles() const { return hole_.circles(); }
+  std::span<const SiteId> rim() const { return around_.rim.sites(); }
+  double reach() const { return hole_.reach(); }
+  double max_radius2() const { return hole_.max_radius2(); }
   /// Makes these bounds the least, if that can be done.
-  bool make_plan_exact();
+  bool make_plan_exact() { return hole_.make_exact(); }
   /// Ends the plan: p stays.
-  void cancel();
+  void cancel() { hole_.cancel(); }
   /// Carries the planned removal out. circles_created: in the order of circles().
   void remove(DualChange& change);
   /// p, as planned, to the center of that circle, if its link stays what it is.
@@ -76,113 +71,23 @@ class FastWay {
   void certify(SiteId p);
 
  private:
-  static constexpr int most = Frame::most - 2;  ///< sites on a rim
-
-  /// A triangle of the hole: sites by their places on the rim, counterclockwise.
-  struct Triangle {
-    std::array<int, 3> corners;
-    std::array<int, 3>
-        beyond;  ///< opposite to each: a triangle of the hole, or -1 - the edge of the rim from that place on
-    FacetId facet;
-    RoundedPoint point;
-    Frame::Values values;  ///< there
-  };
-  /// A corner of the new cell, between rim sites j and j + 1.
-  struct StarCorner {
-    FacetId facet;
-    RoundedPoint point;
-  };
-
-  bool open_star(SiteId p);
-  bool guess_triangles();
-  int apex(int first, int last) const;
-  bool find_circle(Triangle& triangle, FacetId start);
-  bool flip_until_empty();
-  void flip(int i, int e, int j, int f);
-  FacetId walk(int a, int b, int c, FacetId start);
-  bool flatten_rim();
-  bool chart_star();
-  void chart_sites(const Sheet& sheet);
-  bool prove_hole();
-  double with_tolerance(double distance2) const;
-  bool bound_hole();
-  void raise_by_hole();
-  struct Edge {
-    int left, right;   ///< sites of the frame
-    FacetId from, to;  ///< of its ends
-    Vec3 start, end;   ///< from the frame's origin
-  };
-  double farthest2(const Edge& edge, double enough) const;
-  bool trace_hole();
-  bool no_stranger_in_hole();
-  bool is_simple_with_strangers(double radius);
-  bool prove_new_cell(FacetId home, double least_distance, std::span<const CircleId> reached);
-  void find_far_rivals(double distance);
-  double distance_to_search(double near, std::span<const CircleId> reached);
-  bool find_star_corners();
-  double power_bound_at_corners() const;
-  void raise_reaches(const WeightedPoint3& old, double reach_before);
-  bool chart_around(double distance);
-  bool enclose_on_sheet(double distance);
-  bool trace_cell(FacetId home);
-  bool no_stranger_in_cell(double radius);
-  bool is_regular(SiteId p);
-  bool may_beat_unreached(std::span<const CircleId> reached);
-  bool has_one_component(double distance);
-  bool owns_nothing_of(FacetId t);
-  bool keep_part(const Vec3& d, double c, double size);
+  bool prove_in_place(FacetId home, const WeightedPoint3& old);
+  void raise_reaches(const WeightedPoint3& old);
+  void erase_inside(DualChange& change);
+  void fill_hole(DualChange& change);
+  void make_star(DualChange& change);
+  void name_rim(DualChange& change) const;
   void lower_reach(SiteId r);
-  bool find_conflict(CircleId first);
-  EmptyCircle circle_of(const std::array<SiteId, 3>& counterclockwise, FacetId facet,
-                        const RoundedPoint& point) const;
-  int next(int i) const { return i + 1 == size() ? 0 : i + 1; }
-  int previous(int i) const { return i == 0 ? size() - 1 : i - 1; }
-  int size() const { return static_cast<int>(rim_.size()); }
 
   DualState& state_;
-  Frame frame_;
-  Chart chart_;
-  Flood flood_;
-  Sheets sheets_;
-  Losses losses_;
-  Strangers strangers_;
-  Sheet sheet_;                 ///< of the chart
-  bool on_sheet_ = false;       ///< the chart is simple, and what is proven is proven there
-  bool hole_on_sheet_ = false;  ///< that of the plan was proven there
-
-  SiteId p_;
-  WeightedPoint3 old_;           ///< p_ as its circles have it
-  int self_ = Frame::none;       ///< the number of p_ in the frame; in the chart it comes after the rim
-  std::vector<SiteId> rim_;      ///< counterclockwise
-  std::vector<CircleId> star_;   ///< of p and places j, j + 1 of the rim
-  std::vector<CircleId> outer_;  ///< beyond them
-  std::vector<double> x_, y_;    ///< the rim in its plane, from p
-  std::vector<Triangle> triangles_;
-  std::vector<EmptyCircle> circles_;
-  double reach_ = 0, max_radius2_ = 0;
-  double range_ = 0;                 ///< who owns something of the hole is that near to p_
-  std::vector<StarCorner> corners_;  ///< of a new cell
-  double cell_reach_ = 0;
-  double kept_radius_ = 0;   ///< strangers are kept for a ball of that radius
-  std::vector<double> arc_;  ///< bounds of the power on the edges of p_'s new cell
-  double cell_power_ = 0;    ///< no location of a second component has more
-  std::vector<CircleId> conflict_;
-  std::vector<FacetId> starts_;
+  Surroundings around_;
+  Hole hole_;
+  CellProof cell_;
   struct HoleCorner {
     Vec3 place;
     double power, tolerance;
   };
-  std::vector<HoleCorner> hole_corners_;
-  // Workspaces.
-  std::vector<Vec3> part_, clipped_;
-  std::vector<SiteId> others_, suspects_;
-  struct FarRival {
-    double distance;  ///< from p_: it loses nothing farther away
-    SiteId site;
-  };
-  std::vector<FarRival> far_rivals_;
-  std::vector<FacetId> facets_;
-  std::vector<Sheets::Neighbour> link_;
+  std::vector<HoleCorner> hole_corners_;  // workspace
 };
 
 }  // namespace geom

@@ -24,7 +24,7 @@
 // if the walk along all chains passes every B, there is no closed curve: no island, no second border. What no
 // walk can reach, another component of the cell, is excluded elsewhere (sheets.h), and sites that are not in
 // the frame by testing them at all corners, on whose convex hulls the difference of two powers is affine
-// (fast_way.cpp).
+// (hole.cpp, cell_proof.cpp).
 //
 // All decisions are by Sure values; where one is not certain, or the surface has a border or an edge of three
 // facets there, there is no certificate, and the general way is taken (redivision.h).

@@ -207,6 +207,16 @@ bool DualState::corner_circle_of_any(const Polygon& polygon, std::size_t corner,
   return true;
 }
 
+EmptyCircle DualState::circle_of(const std::array<SiteId, 3>& sites_around, FacetId facet,
+                                 const RoundedPoint& place) const {
+  EmptyCircle circle;
+  circle.facet = facet;
+  circle.sites = sites_around;
+  circle.sort_counterclockwise();
+  center_circle(circle, place.position);
+  return circle;
+}
+
 CellCorner DualState::corner_of(const EmptyCircle& circle, double tolerance) const {
   const auto edge = [](int e) { return EdgeLabel::facet_edge(e); };
   CellCorner corner{circle.facet, circle.sites[0], EdgeLabel(), EdgeLabel(), {circle.center, tolerance}};

@@ -59,6 +59,8 @@ struct DualState {
   bool corner_circle(const Polygon& polygon, std::size_t corner, EmptyCircle& out) const;
   /// The same whichever of its cells registers it; a B corner still in the smaller facet only.
   bool corner_circle_of_any(const Polygon& polygon, std::size_t corner, EmptyCircle& out) const;
+  /// The circle of three sites, counterclockwise, at that place.
+  EmptyCircle circle_of(const std::array<SiteId, 3>& sites, FacetId facet, const RoundedPoint& place) const;
   /// A circle as a corner of the cell of its first site. `tolerance`: of its center.
   CellCorner corner_of(const EmptyCircle& circle, double tolerance) const;
   /// Sets center and radius2 of a circle whose facet and sites are known. The corner is rounded; a site may

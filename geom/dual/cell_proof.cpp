@@ -1,0 +1,209 @@
+#include "geom/dual/cell_proof.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace geom {
+
+using margin::ampler;
+using margin::bend;
+using margin::more;
+using margin::widest;
+
+bool CellProof::prove_new(const Place& place) {
+  if (!place.home.valid() || !find_corners()) return false;
+  NeighbourSource* const paper = around_.state.paper;
+  if (paper) paper->insert(around_.p, around_.site(), around_.rim[0]);
+  if (prove_inserted(place)) return true;
+  if (paper) paper->remove(around_.p);
+  return false;
+}
+
+bool CellProof::prove_inserted(const Place& place) {
+  if (may_beat_unreached()) return false;
+  DualState& state = around_.state;
+  const Vec3& position = around_.site().position;
+  reach_ = power_bound_at_corners();
+  const double own = state.distance_at(reach_, around_.p);
+  if (!has_no_stranger(ampler * own)) return false;
+  const double all = state.distance_at(std::max(reach_, state.largest_reach()), around_.p);
+  const bool is_all_near = around_.on_sheet && around_.sheet.covers(position, all);
+  far_rivals_.clear();
+  if (!is_all_near) find_far_rivals(own);
+  const double farthest = far_rivals_.empty() ? own : far_rivals_.front().distance;
+  double least = farthest <= widest * own ? farthest : own;
+  around_.on_sheet = around_.on_sheet && around_.sheet.covers(position, least);
+  if (!around_.on_sheet)
+    least = std::max(least, place.least_distance);  // the hole was not proven on that sheet
+  if (around_.chart_around(least)) {
+    const double near = around_.sheet.distance_from(position);
+    around_.on_sheet = distance_to_search(near, place.old) <= near && enclose_on_sheet(least);
+  }
+  if (around_.on_sheet) return true;
+  if (!trace(place.home)) return false;
+  if (is_all_near) find_far_rivals(own);
+  const double near = std::max({own, place.least_distance, state.distance_at(reach_, around_.p)});
+  return single_.is_all(reach_, distance_to_search(near, place.old));
+}
+
+bool CellProof::prove_present() {
+  const DualState& state = around_.state;
+  const SiteId p = around_.p;
+  around_.see_rim();
+  corners_.clear();
+  for (const CircleId c : around_.rim.inside())
+    corners_.push_back(
+        {state.circles[c].facet, {state.circles[c].center, 2 * state.clipper.most_tolerance()}});
+  const double known = state.distance_at(state.reach[p], p);
+  reach_ = power_bound_at_corners();
+  if (!has_no_stranger(ampler * state.distance_at(reach_, p))) return false;
+  around_.on_sheet = known <= widest * state.distance_at(reach_, p) && around_.chart_around(known) &&
+                     enclose_on_sheet(known);
+  return around_.on_sheet || (trace(state.home[p]) && single_.is_all(reach_, known));
+}
+
+/// Of the new cell of p, empty but for strangers.
+bool CellProof::find_corners() {
+  const Rim& rim = around_.rim;
+  const DualState& state = around_.state;
+  const int p = around_.self;
+  if (p == Frame::none) around_.see_rim();
+  corners_.clear();
+  Frame::Values values;
+  for (int j = 0; j < rim.size(); ++j) {
+    const FacetId t = around_.facet_on_axis({p, j, rim.next(j)}, state.circles[rim.inner(j)].facet);
+    if (!t.valid()) return false;
+    std::array<SiteId, 3> sites{around_.p, rim[j], rim[rim.next(j)]};
+    std::ranges::sort(sites);
+    const RoundedPoint point = state.clipper.meeting(t, sites);
+    around_.frame.evaluate(point.position - around_.frame.origin().position, point.tolerance, values);
+    for (int i = 0; i < rim.size(); ++i)
+      if (i != j && i != rim.next(j) && !values.nearer(p, i)) return false;
+    corners_.push_back({t, point});
+  }
+  return true;
+}
+
+/// May p beat circles that are not reached? They would be of an irregular site.
+bool CellProof::may_beat_unreached() {
+  DualState& state = around_.state;
+  if (state.not_regular().empty()) return false;
+  const WeightedPoint3& point = around_.site();
+  const std::span<const CircleId> reached = around_.rim.inside();
+  suspects_.clear();
+  state.irregular_rivals(around_.p, suspects_);
+  return std::ranges::any_of(suspects_, [&](SiteId s) {
+    const double far = state.distance_at(state.reach[s], s) + state.distance_at(state.reach[s], around_.p);
+    if (s == around_.p || (state.sites[s].position - point.position).squaredNorm() > far * far * more)
+      return false;
+    const std::span<const CircleId> circles = state.circles.of_site(s);
+    return circles.empty() || std::ranges::any_of(circles, [&](CircleId c) {
+             return std::ranges::find(reached, c) == reached.end() &&
+                    !state.lead_at(state.circles[c], point).positive();
+           });
+  });
+}
+
+/// Of p at the corners of its cell.
+double CellProof::power_bound_at_corners() const {
+  double far2 = 0;
+  for (const Corner& corner : corners_)
+    far2 = std::max(far2, (corner.point.position - around_.site().position).squaredNorm());
+  return around_.with_tolerance(far2) - around_.site().weight;
+}
+
+/// Those who may lose something farther from p than that, the farthest first.
+void CellProof::find_far_rivals(double distance) {
+  const DualState& state = around_.state;
+  far_rivals_.clear();
+  suspects_.clear();
+  around_.strangers.find_rivals_beyond(distance * distance - around_.site().weight, around_.p, suspects_);
+  for (const SiteId s : suspects_) far_rivals_.push_back({state.distance_at(state.reach[s], around_.p), s});
+  std::ranges::sort(far_rivals_,
+                    [](const FarRival& a, const FarRival& b) { return a.distance > b.distance; });
+}
+
+/// All that p has is known if its cell is, within that distance: not less than `near`, for which it is so of
+/// what hangs together with a circle inside the rim.
+double CellProof::distance_to_search(double near, const WeightedPoint3& old) {
+  for (const FarRival& rival : far_rivals_) {
+    if (rival.distance <= near) break;
+    if (!losses_.hang_together(rival.site, {around_.p, around_.site(), old}, around_.rim.inside()))
+      return rival.distance;
+  }
+  return near;
+}
+
+/// Is the cell of p what its corners say (chart.h), and all that p has where the chart is, at least within
+/// that distance? Sets reach_ and arcs_.
+bool CellProof::enclose_on_sheet(double distance) {
+  const Rim& rim = around_.rim;
+  const WeightedPoint3& site = around_.site();
+  const Vec3& origin = around_.frame.origin().position;
+  const double enough = bend * (power_bound_at_corners() + site.weight);
+  double own2 = 0;
+  arcs_.clear();
+  for (int j = 0; j < rim.size(); ++j) {
+    const Corner &from = corners_[static_cast<std::size_t>(rim.previous(j))],
+                 &to = corners_[static_cast<std::size_t>(j)];
+    const Surroundings::Edge arc{
+        around_.self, j, from.facet, to.facet, from.point.position - origin, to.point.position - origin};
+    const double far2 = around_.with_tolerance(around_.farthest2(arc, enough));
+    arcs_.push_back(far2 - site.weight);
+    own2 = std::max(own2, far2);
+  }
+  const Vec3 middle = site.position - origin;
+  const double own = std::sqrt(own2) * more, radius = own + middle.norm();
+  if (!around_.sheet.covers(site.position, std::max(distance, own)) ||
+      !around_.chart.is_simple_with(rim.size(), radius))
+    return false;
+  link_.clear();
+  for (int j = 0; j < rim.size(); ++j)
+    link_.push_back({around_.frame.offset(j) - middle, Frame::constant(around_.site(j), site)});
+  if (!Sheets::has_one_component(around_.sheet, own, link_)) return false;
+  reach_ = own2 - site.weight;
+  return (own <= kept_radius_ || has_no_stranger(own)) && around_.is_simple_with_strangers(radius);
+}
+
+/// Sets reach_. `home`: a facet with the location of p.
+bool CellProof::trace(FacetId home) {
+  Flood& flood = around_.flood;
+  const Rim& rim = around_.rim;
+  around_.see_rim();
+  facets_.clear();
+  for (const Corner& corner : corners_) facets_.push_back(corner.facet);
+  if (!flood.trace(facets_, false) || !flood.meets(home)) return false;
+  for (int j = 0; j < rim.size(); ++j) {
+    const FacetId t = facets_[static_cast<std::size_t>(j)];
+    if (!flood.add_end(t, j, Frame::none) || !flood.add_end(t, rim.next(j), Frame::none)) return false;
+  }
+  if (!flood.is_complete()) return false;
+  const WeightedPoint3& site = around_.site();
+  double radius2 = flood.radius2();
+  for (const Corner& corner : corners_) {
+    const double far = (corner.point.position - site.position).norm() + corner.point.tolerance;
+    radius2 = std::max(radius2, far * far);
+  }
+  reach_ = radius2 * more - site.weight;
+  return has_no_stranger(std::sqrt(radius2 * more));
+}
+
+/// Are the sites beyond the rim farther at all corners of the cell, and at those of the flood? The cell is in
+/// that ball.
+bool CellProof::has_no_stranger(double radius) {
+  const WeightedPoint3& site = around_.site();
+  const Vec3& origin = around_.frame.origin().position;
+  Strangers& strangers = around_.strangers;
+  kept_radius_ = radius;
+  strangers.find_rivals(around_.p, site.position, radius);
+  strangers.keep_near(around_.frame, around_.p, around_.rim.sites(), {site.position - origin, radius},
+                      around_.self);
+  const auto is_p_nearest = [&](const Vec3& z, double off) { return strangers.are_beyond(z, site, off); };
+  return std::ranges::all_of(
+             corners_, [&](const Corner& c) { return is_p_nearest(c.point.position, c.point.tolerance); }) &&
+         std::ranges::all_of(around_.flood.corners(),
+                             [&](const Flood::Corner& c) { return is_p_nearest(c.y + origin, c.tolerance); });
+}
+
+}  // namespace geom

@@ -1,0 +1,161 @@
+#include "geom/dual/hole_triangles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace geom {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+bool HoleTriangles::fill() {
+  if (!guess()) return false;
+  for (Triangle& triangle : triangles_) {
+    const int parent = triangle.beyond[1];
+    const CircleId corner = around_.rim.inner(triangle.corners[1]);
+    if (!find_circle(triangle, parent >= 0 ? numbered(parent).facet : around_.state.circles[corner].facet))
+      return false;
+  }
+  return flip_until_empty();
+}
+
+/// The rim in a plane: that of the chart, or else one along most of it.
+bool HoleTriangles::flatten_rim() {
+  x_.resize(at(around_.rim.size()));
+  y_.resize(at(around_.rim.size()));
+  if (around_.on_sheet) {
+    for (int j = 0; j < around_.rim.size(); ++j)
+      x_[at(j)] = around_.chart.x(j), y_[at(j)] = around_.chart.y(j);
+    return true;
+  }
+  Vec3 normal(0, 0, 0);
+  for (int j = 0; j < around_.rim.size(); ++j)
+    normal += around_.frame.offset(j).cross(around_.frame.offset(around_.rim.next(j)));
+  const double length = normal.norm();
+  if (!(length > 0)) return false;
+  normal /= length;
+  const Vec3 reference = std::abs(normal.x()) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+  const Vec3 u = reference.cross(normal).normalized(), v = normal.cross(u);
+  for (int j = 0; j < around_.rim.size(); ++j)
+    x_[at(j)] = around_.frame.offset(j).dot(u), y_[at(j)] = around_.frame.offset(j).dot(v);
+  return true;
+}
+
+// Gift wrapping in the plane of the rim, as in regular2: in the part of the polygon beyond a chord the apex
+// is the corner whose circle with the chord's ends holds no other.
+bool HoleTriangles::guess() {
+  if (!flatten_rim()) return false;
+  struct Chord {
+    int first, last, beyond, side;  ///< of the triangle beyond, where this one will be beyond
+  };
+  std::array<Chord, Rim::most> waiting;
+  std::size_t num_waiting = 0;
+  triangles_.clear();
+  waiting[num_waiting++] = {0, around_.rim.size() - 1, -1 - (around_.rim.size() - 1), 0};
+  while (num_waiting > 0) {
+    const auto [first, last, beyond, side] = waiting[--num_waiting];
+    const int a = apex(first, last), i = static_cast<int>(triangles_.size());
+    if (a < 0) return false;
+    Triangle& triangle = triangles_.emplace_back();
+    triangle.corners = {first, a, last};
+    triangle.beyond = {-1 - a, beyond, -1 - first};
+    if (beyond >= 0) numbered(beyond).beyond[at(side)] = i;
+    if (a - first > 1) waiting[num_waiting++] = {first, a, i, 2};
+    if (last - a > 1) waiting[num_waiting++] = {a, last, i, 0};
+  }
+  return true;
+}
+
+int HoleTriangles::apex(int first, int last) const {
+  if (last - first == 2) return first + 1;
+  const double ax = x_[at(last)], ay = y_[at(last)], al = around_.frame.constant(last);
+  const double bx = x_[at(first)] - ax, by = y_[at(first)] - ay;
+  const double b2 = bx * bx + by * by, bl = around_.frame.constant(first) - al - 2 * (ax * bx + ay * by);
+  int best = -1;
+  double best_height = 0, best_det = 0;
+  for (int k = first + 1; k < last; ++k) {
+    const double cx = x_[at(k)] - ax, cy = y_[at(k)] - ay, det = bx * cy - by * cx;
+    if (!(det > 0)) continue;
+    const double height =
+        (around_.frame.constant(k) - al - 2 * (ax * cx + ay * cy)) * b2 - bl * (bx * cx + by * cy);
+    if (best >= 0 && !(best_height * det - height * best_det > 0)) continue;
+    best = k;
+    best_height = height;
+    best_det = det;
+  }
+  return best;
+}
+
+bool HoleTriangles::find_circle(Triangle& triangle, FacetId start) {
+  const auto& [a, b, c] = triangle.corners;
+  triangle.facet = around_.facet_on_axis(triangle.corners, start);
+  if (!triangle.facet.valid()) return false;
+  std::array<SiteId, 3> sites{around_.rim[a], around_.rim[b], around_.rim[c]};
+  std::ranges::sort(sites);
+  triangle.point = around_.state.clipper.meeting(triangle.facet, sites);
+  around_.frame.evaluate(triangle.point.position - around_.frame.origin().position, triangle.point.tolerance,
+                         triangle.values);
+  return true;
+}
+
+/// The surface has the last word: flips edges until no circle holds the corner across, then looks at the
+/// whole rim.
+bool HoleTriangles::flip_until_empty() {
+  const auto holds = [&](const Triangle& triangle, int site, bool& certain) {
+    const Sure lead = triangle.values.difference(site, triangle.corners[0]);
+    certain &= lead.certain();
+    return lead.value < 0;
+  };
+  bool certain = true;
+  const auto find_flip = [&] {
+    for (int i = 0; i < static_cast<int>(triangles_.size()); ++i)
+      for (int e = 0; e < 3; ++e) {
+        const int j = numbered(i).beyond[at(e)];
+        if (j < i) continue;
+        int f = 0;
+        while (numbered(j).beyond[at(f)] != i) ++f;
+        if (!holds(numbered(i), numbered(j).corners[at(f)], certain) &&
+            !holds(numbered(j), numbered(i).corners[at(e)], certain))
+          continue;
+        const FacetId start = numbered(i).facet;
+        flip(i, e, j, f);
+        certain &= find_circle(numbered(i), start) && find_circle(numbered(j), start);
+        return true;
+      }
+    return false;
+  };
+  for (int flips = 0; find_flip(); ++flips)
+    if (!certain || flips > 4 * around_.rim.size()) return false;
+  for (const Triangle& triangle : triangles_) {
+    for (int s = 0; s < around_.rim.size(); ++s)
+      if (std::ranges::find(triangle.corners, s) == triangle.corners.end() && holds(triangle, s, certain))
+        return false;
+    if (!holds(triangle, Frame::none, certain)) return false;  // in the cell of p
+  }
+  return certain;
+}
+
+//      p            p           Edge (q, r) of triangles i = (p, q, r) and j = (o, r, q) becomes (p, o): i =
+//     /i\          /|\          (p, q, o) and j = (p, o, r).
+//    q---r   ->   q | r
+//     \j/          \|/
+//      o            o
+void HoleTriangles::flip(int i, int e, int j, int f) {
+  const auto after = [](int k) { return k == 2 ? 0 : k + 1; };
+  const auto before = [](int k) { return k == 0 ? 2 : k - 1; };
+  const Triangle a = numbered(i), b = numbered(j);
+  const int p = a.corners[at(e)], q = a.corners[at(after(e))], r = a.corners[at(before(e))],
+            o = b.corners[at(f)];
+  const int pq = a.beyond[at(before(e))], rp = a.beyond[at(after(e))], qo = b.beyond[at(after(f))],
+            o_r = b.beyond[at(before(f))];
+  numbered(i).corners = {p, q, o};
+  numbered(i).beyond = {qo, j, pq};
+  numbered(j).corners = {p, o, r};
+  numbered(j).beyond = {o_r, rp, i};
+  if (qo >= 0) std::ranges::replace(numbered(qo).beyond, j, i);
+  if (rp >= 0) std::ranges::replace(numbered(rp).beyond, i, j);
+}
+
+}  // namespace geom

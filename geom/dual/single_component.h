@@ -1,0 +1,32 @@
+#pragma once
+// Has a site no second component? By the shape of the surface (sheets.h), or else by looking at each facet
+// near it that the cell which was traced does not meet.
+
+#include <vector>
+
+#include "geom/dual/surroundings.h"
+
+namespace geom {
+
+class SingleComponent {
+ public:
+  /// Keeps a reference.
+  explicit SingleComponent(Surroundings& around) : around_(around) {}
+
+  /// Has the cell of p that was traced (around.flood), with at most that power, all that p owns within that
+  /// distance? p is the frame's origin. False: not certain.
+  bool is_all(double cell_reach, double distance);
+
+ private:
+  bool owns_nothing_of(FacetId t, double distance);
+  bool keep_part(const Vec3& d, double c, double size);
+
+  Surroundings& around_;
+  // Workspaces.
+  std::vector<Vec3> part_, clipped_;
+  std::vector<SiteId> others_;
+  std::vector<FacetId> facets_;
+  std::vector<Sheets::Neighbour> link_;
+};
+
+}  // namespace geom

@@ -1,0 +1,92 @@
+#include "geom/dual/surroundings.h"
+
+#include <algorithm>
+
+namespace geom {
+namespace {
+
+constexpr std::size_t walk_limit = 256;  // facets
+
+}  // namespace
+
+Surroundings::Surroundings(DualState& whole)
+    : state(whole),
+      frame(whole.mesh),
+      sheets(whole.mesh, whole.facets),
+      strangers(whole),
+      flood(whole.mesh, frame) {}
+
+void Surroundings::forget() {
+  on_sheet = false;
+  strangers.forget();
+  flood.clear();
+}
+
+void Surroundings::see_rim() {
+  frame.begin(site());
+  self = Frame::none;
+  for (const SiteId r : rim.sites()) frame.add(state.sites[r]);
+}
+
+void Surroundings::chart_sites(const Sheet& found) {
+  sheet = found;
+  chart.begin(sheet);
+  for (int j = 0; j < rim.size(); ++j) chart.add(frame.offset(j), frame.constant(j));
+  chart.add(frame.offset(self), frame.constant(self));
+}
+
+bool Surroundings::chart_around(double distance) {
+  const Vec3& place = site().position;
+  if (on_sheet && sheet.covers(place, distance)) {
+    chart.replace(rim.size(), frame.offset(self), frame.constant(self));
+    return true;
+  }
+  const Sheet* found = sheets.around(p, place, distance);
+  if (found) chart_sites(*found);
+  return on_sheet = found;
+}
+
+double Surroundings::with_tolerance(double distance2) const {
+  const double off = 2 * state.clipper.most_tolerance();
+  return distance2 * (1 + 1e-6) + 1.1e6 * off * off;  // (a + b)^2 <= a^2 (1 + e) + b^2 (1 + 1 / e)
+}
+
+double Surroundings::farthest2(const Edge& edge, double enough) const {
+  const Vec3 d = frame.offset(edge.left);
+  if (edge.from == edge.to) return std::max((edge.start - d).squaredNorm(), (edge.end - d).squaredNorm());
+  const int left = edge.left == self ? rim.size() : edge.left;
+  const double bound = chart.farthest2(left, edge.right, edge.start - d, edge.end - d);
+  if (bound <= enough) return bound;
+  const Vec3& origin = frame.origin().position;
+  const WeightedPoint3& l = edge.left == self ? site() : site(edge.left);
+  return std::min(bound, extent_of_edge(state.mesh, l, site(edge.right),
+                                        {edge.from, edge.to, edge.start + origin, edge.end + origin})
+                             .far2);
+}
+
+bool Surroundings::is_simple_with_strangers(double radius) {
+  return std::ranges::all_of(strangers.kept(), [&](const Strangers::Stranger& stranger) {
+    chart.add(stranger.d, stranger.c);
+    const bool is_simple = chart.is_simple_with(rim.size() + 1, radius);
+    chart.take_back();
+    return is_simple;
+  });
+}
+
+FacetId Surroundings::facet_on_axis(const std::array<int, 3>& sites, FacetId start) {
+  FacetId t = start;
+  for (std::size_t step = 0; step < walk_limit; ++step) {
+    const TriMesh::Facet& corners = state.mesh.facet(t);
+    const Frame::Slot s0 = frame.at(corners[0]), s1 = frame.at(corners[1]), s2 = frame.at(corners[2]);
+    int least = 0;
+    const Frame::Meets meets =
+        Frame::axis_meets({&frame.vertex(s0), &frame.vertex(s1), &frame.vertex(s2)}, sites, least);
+    if (meets == Frame::Meets::inside) return t;
+    if (meets == Frame::Meets::unsure) return FacetId();
+    t = state.mesh.across(t, least == 2 ? 0 : least + 1);
+    if (!t.valid()) return FacetId();
+  }
+  return FacetId();
+}
+
+}  // namespace geom

@@ -1,0 +1,69 @@
+#pragma once
+// What the fast way (fast_way.h) knows around a site that goes, comes or is looked at: the rim in a frame, the
+// sheet of the surface there with its chart, the strangers beyond the rim, the facets that were traced.
+
+#include "geom/dual/chart.h"
+#include "geom/dual/edge_trace.h"
+#include "geom/dual/flood.h"
+#include "geom/dual/rim.h"
+#include "geom/dual/sheets.h"
+#include "geom/dual/state.h"
+#include "geom/dual/strangers.h"
+
+namespace geom {
+
+namespace margin {
+constexpr double more = 1 + 1e-9;  ///< for the rounding of distances
+constexpr double bend = 1.1;       ///< of an edge does not matter
+constexpr double ampler = 1.15;    ///< a cell than its corners
+constexpr double widest = 1.35;    ///< in radii of a cell: the distance for which a sheet is made
+}  // namespace margin
+
+struct Surroundings {
+  /// Keeps a reference.
+  explicit Surroundings(DualState& state);
+  Surroundings(const Surroundings&) = delete;
+
+  /// Nothing is known of the sheet, the strangers and the facets.
+  void forget();
+  /// Sees the rim from where p is; p itself has no number.
+  void see_rim();
+  /// Puts the rim and p into a chart.
+  void chart_sites(const Sheet& sheet);
+  /// The same on a sheet that covers that distance around p, if there is one; sets on_sheet.
+  bool chart_around(double distance);
+
+  const WeightedPoint3& site() const { return state.sites[p]; }
+  /// That of the rim.
+  const WeightedPoint3& site(int j) const { return state.sites[rim[j]]; }
+  /// A bound of the squared distance where circles may be off.
+  double with_tolerance(double distance2) const;
+
+  struct Edge {
+    int left, right;   ///< sites of the frame
+    FacetId from, to;  ///< of its ends
+    Vec3 start, end;   ///< from the frame's origin
+  };
+  /// A bound, squared, of how far an edge of the diagram comes from one of its sites: by the chart, if that is
+  /// enough, else from facet to facet.
+  double farthest2(const Edge& edge, double enough) const;
+  /// Is the chart with each of the strangers simple? All that is spoken of is that near to the frame's origin.
+  bool is_simple_with_strangers(double radius);
+  /// Where the axis of three sites of the frame meets the surface, counterclockwise there: from facet to facet
+  /// across the edge that is farthest beyond. None: not certain, or too far.
+  FacetId facet_on_axis(const std::array<int, 3>& sites, FacetId start);
+
+  DualState& state;
+  SiteId p;
+  Rim rim;
+  Frame frame;
+  int self = Frame::none;  ///< the number of p in the frame; in the chart it comes after the rim
+  Sheets sheets;
+  Sheet sheet;  ///< of the chart
+  Chart chart;
+  bool on_sheet = false;  ///< the chart is simple, and what is proven is proven there
+  Strangers strangers;
+  Flood flood;
+};
+
+}  // namespace geom
