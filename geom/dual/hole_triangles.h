@@ -1,6 +1,6 @@
 #pragma once
-// How the hole that a site leaves is filled: by triangles of the rim, guessed in a plane, each with the circle
-// where the axis of its sites meets the surface.
+// How the hole that a site leaves is filled: by triangles of the rim, guessed in a plane, each with the
+// circle where the axis of its sites meets the surface.
 
 #include <array>
 #include <span>

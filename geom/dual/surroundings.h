@@ -1,6 +1,6 @@
 #pragma once
-// What the fast way (fast_way.h) knows around a site that goes, comes or is looked at: the rim in a frame, the
-// sheet of the surface there with its chart, the strangers beyond the rim, the facets that were traced.
+// What the fast way (fast_way.h) knows around a site that goes, comes or is looked at: the rim in a frame,
+// the sheet of the surface there with its chart, the strangers beyond the rim, the facets that were traced.
 
 #include "geom/dual/chart.h"
 #include "geom/dual/edge_trace.h"
@@ -44,13 +44,14 @@ struct Surroundings {
     FacetId from, to;  ///< of its ends
     Vec3 start, end;   ///< from the frame's origin
   };
-  /// A bound, squared, of how far an edge of the diagram comes from one of its sites: by the chart, if that is
-  /// enough, else from facet to facet.
+  /// A bound, squared, of how far an edge of the diagram comes from one of its sites: by the chart, if that
+  /// is enough, else from facet to facet.
   double farthest2(const Edge& edge, double enough) const;
-  /// Is the chart with each of the strangers simple? All that is spoken of is that near to the frame's origin.
+  /// Is the chart with each of the strangers simple? All that is spoken of is that near to the frame's
+  /// origin.
   bool is_simple_with_strangers(double radius);
-  /// Where the axis of three sites of the frame meets the surface, counterclockwise there: from facet to facet
-  /// across the edge that is farthest beyond. None: not certain, or too far.
+  /// Where the axis of three sites of the frame meets the surface, counterclockwise there: from facet to
+  /// facet across the edge that is farthest beyond. None: not certain, or too far.
   FacetId facet_on_axis(const std::array<int, 3>& sites, FacetId start);
 
   DualState& state;
