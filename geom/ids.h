@@ -22,11 +22,11 @@ struct Id {
   constexpr auto operator<=>(const Id&) const = default;
 };
 
-using SiteId = Id<struct SiteTag>;      ///< a sample (the paper's x_i, p_i)
-using VertexId = Id<struct VertexTag>;  ///< a vertex of the input mesh
-using FacetId = Id<struct FacetTag>;    ///< a triangle of the input mesh
-using CellId = Id<struct CellTag>;      ///< a simplex of a regular triangulation
-using CircleId = Id<struct CircleTag>;  ///< an empty circle (section 3.2; on surfaces section 4.2)
+using SiteId = Id<struct SiteTag>;        ///< a sample (the paper's x_i, p_i)
+using VertexId = Id<struct VertexTag>;    ///< a vertex of the input mesh
+using FacetId = Id<struct FacetTag>;      ///< a triangle of the input mesh
+using SimplexId = Id<struct SimplexTag>;  ///< a simplex of a regular triangulation
+using CircleId = Id<struct CircleTag>;    ///< an empty circle (section 3.2; on surfaces section 4.2)
 
 /// A vector indexed by one kind of id only.
 template <class I, class T>

@@ -13,8 +13,8 @@ namespace tools {
 namespace {
 
 using fpo::PlaneDomain;
-using geom::CellId;
 using geom::Regular2;
+using geom::SimplexId;
 using geom::SiteId;
 using geom::Vec2;
 
@@ -93,7 +93,7 @@ Scene scene_of(const PlaneDomain& domain) {
     scene.radius.push_back(p.weight > 0 ? std::sqrt(p.weight) : domain.edge_length(x) / 2);
     if (t.is_hidden(x)) continue;
     std::vector<Vec2> corners;
-    t.visit_star(x, [&](CellId c, int) {
+    t.visit_star(x, [&](SimplexId c, int) {
       corners.push_back(p.position + t.torus().shortest(t.center(c) - p.position));
     });
     for (std::size_t k = 0; k < corners.size(); ++k)

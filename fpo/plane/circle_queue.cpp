@@ -7,7 +7,7 @@
 
 namespace fpo {
 
-using geom::CellId;
+using geom::SimplexId;
 
 namespace {
 
@@ -20,26 +20,26 @@ CircleQueue::CircleQueue(const geom::Regular2& triangulation)
 
 void CircleQueue::apply(const geom::Regular2::Change& change) {
   if (!active_) return;
-  for (const CellId t : change.destroyed)
+  for (const SimplexId t : change.destroyed)
     if (heap_.contains(t)) heap_.erase(t);
-  for (const CellId t : fresh_)
+  for (const SimplexId t : fresh_)
     if (std::ranges::find(change.destroyed, t) == change.destroyed.end())
       heap_.push(t, triangulation_.radius2(t));
   fresh_.clear();
-  for (const CellId t : change.created) {
+  for (const SimplexId t : change.created) {
     if (triangulation_.radius2(t) >= bar_) fresh_.push_back(t);
   }
 }
 
-bool CircleQueue::larger(CellId a, CellId b) const {
+bool CircleQueue::larger(SimplexId a, SimplexId b) const {
   const double ra = triangulation_.radius2(a), rb = triangulation_.radius2(b);
-  return ra > rb || (ra == rb && triangulation_.cell_before(a, b));
+  return ra > rb || (ra == rb && triangulation_.simplex_before(a, b));
 }
 
-CellId CircleQueue::top() {
+SimplexId CircleQueue::top() {
   if (!active_ || heap_.empty() || heap_.size() > most_) refill();
-  CellId best = heap_.top().slot;
-  for (const CellId t : fresh_) {
+  SimplexId best = heap_.top().slot;
+  for (const SimplexId t : fresh_) {
     if (larger(t, best)) best = t;
   }
   return best;
@@ -49,14 +49,14 @@ void CircleQueue::refill() {
   active_ = true;
   fresh_.clear();
   scratch_.clear();
-  const std::size_t capacity = triangulation_.cell_capacity();
-  for (CellId t(0); t.index() < capacity; ++t.value)
+  const std::size_t capacity = triangulation_.simplex_capacity();
+  for (SimplexId t(0); t.index() < capacity; ++t.value)
     if (triangulation_.is_live(t)) scratch_.push_back(triangulation_.radius2(t));
   const auto nth = scratch_.begin() + static_cast<std::ptrdiff_t>(scratch_.size() / share);
   std::nth_element(scratch_.begin(), nth, scratch_.end(), std::greater<>());
   bar_ = *nth;
   heap_ = Heap(Order{&triangulation_});
-  for (CellId t(0); t.index() < capacity; ++t.value) {
+  for (SimplexId t(0); t.index() < capacity; ++t.value) {
     if (triangulation_.is_live(t) && triangulation_.radius2(t) >= bar_)
       heap_.push(t, triangulation_.radius2(t));
   }
@@ -67,7 +67,7 @@ void CircleQueue::check() const {
   if (!active_) return;
   heap_.check();
   std::size_t above = 0;
-  for (CellId t(0); t.index() < triangulation_.cell_capacity(); ++t.value) {
+  for (SimplexId t(0); t.index() < triangulation_.simplex_capacity(); ++t.value) {
     if (!triangulation_.is_live(t)) continue;
     const double radius2 = triangulation_.radius2(t);
     above += radius2 >= bar_;

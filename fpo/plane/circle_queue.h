@@ -21,18 +21,20 @@ class CircleQueue {
   /// Follows one change of the triangulation. O(1) expected, O(log n) for a circle above the bar.
   void apply(const geom::Regular2::Change& change);
   /// The largest circle; among equals the triangle with the smallest corners.
-  geom::CellId top();
+  geom::SimplexId top();
   /// Compares the top with a search in all triangles. O(n). Throws geom::Bug.
   void check() const;
 
  private:
   struct Order {
     const geom::Regular2* triangulation;
-    bool operator()(geom::CellId a, geom::CellId b) const { return triangulation->cell_before(a, b); }
+    bool operator()(geom::SimplexId a, geom::SimplexId b) const {
+      return triangulation->simplex_before(a, b);
+    }
   };
-  using Heap = geom::IndexedHeap<geom::CellId, Order>;
+  using Heap = geom::IndexedHeap<geom::SimplexId, Order>;
 
-  bool larger(geom::CellId a, geom::CellId b) const;
+  bool larger(geom::SimplexId a, geom::SimplexId b) const;
   void refill();
 
   const geom::Regular2& triangulation_;
@@ -42,7 +44,7 @@ class CircleQueue {
   bool active_ = false;   ///< somebody has asked for the top
   /// Circles above the bar that the last change created. The next one destroys most of them (a removal opens
   /// a hole, the insertion closes it), so they enter the heap only if they survive it.
-  std::vector<geom::CellId> fresh_;
+  std::vector<geom::SimplexId> fresh_;
   std::vector<double> scratch_;
 };
 

@@ -16,9 +16,9 @@
 
 namespace fpo {
 
-using geom::CellId;
 using geom::FlatTorus;
 using geom::Regular2;
+using geom::SimplexId;
 using geom::Vec2;
 using geom::Vec3;
 
@@ -124,7 +124,7 @@ class MedialAxis {
       const geom::SiteId a(i);
       if (diagram.is_hidden(a)) continue;
       const Vec2 at = diagram.point(a).position;
-      diagram.visit_star(a, [&](CellId t, int corner) {
+      diagram.visit_star(a, [&](SimplexId t, int corner) {
         // The edge from a to the corner before it; the triangle beyond is the one before t around a.
         const geom::SiteId b = diagram.corners(t)[static_cast<std::size_t>((corner + 1) % 3)];
         if (!(a < b) || curves.pieces.contains(std::minmax(i % n, b.index() % n))) return;
@@ -145,9 +145,9 @@ class MedialAxis {
 
  private:
   /// The triangle to the right of the edge from a to b.
-  static CellId before(const Regular2& diagram, geom::SiteId a, geom::SiteId b) {
-    CellId found;
-    diagram.visit_star(a, [&](CellId t, int corner) {
+  static SimplexId before(const Regular2& diagram, geom::SiteId a, geom::SiteId b) {
+    SimplexId found;
+    diagram.visit_star(a, [&](SimplexId t, int corner) {
       if (diagram.corners(t)[static_cast<std::size_t>((corner + 2) % 3)] == b) found = t;
     });
     return found;

@@ -12,15 +12,15 @@
 
 namespace fpo {
 
-using geom::CellId;
 using geom::Regular2;
+using geom::SimplexId;
 using geom::Vec2;
 
 namespace {
 
 constexpr int passes = 16;         // of resampling in an attempt
 constexpr int most_rings = 3;      // around the corners of a bad triangle that may be resampled
-constexpr double rounding = 1e-9;  // badness is a running sum
+constexpr double rounding = 1e-9;  // penalty is a running sum
 constexpr double margin = 0.05;    // degrees more than wanted, so that what creeps up to the bound passes it
 
 /// The smallest angle of a triangle, in degrees, and the corner that has it.
@@ -44,26 +44,26 @@ SmallestAngle smallest_angle(const Regular2& t, const Regular2::Triangle& corner
 class BadTriangles {
  public:
   BadTriangles(PlaneDomain& domain, double smallest) : domain_(domain), smallest_(smallest) {
-    for (std::size_t t = 0; t < domain.triangulation().cell_capacity(); ++t)
-      if (domain.triangulation().is_live(CellId(t))) add(CellId(t));
+    for (std::size_t t = 0; t < domain.triangulation().simplex_capacity(); ++t)
+      if (domain.triangulation().is_live(SimplexId(t))) add(SimplexId(t));
   }
 
   std::size_t number() const { return number_; }
   /// The sum of the squares of the degrees that they miss.
-  double badness() const { return badness_; }
-  bool contains(CellId t) const { return t.index() < badness_of_.size() && badness_of_[t] > 0; }
-  bool contains(CellId t, const Regular2::Triangle& corners) const {
+  double penalty() const { return penalty_; }
+  bool contains(SimplexId t) const { return t.index() < penalty_of_.size() && penalty_of_[t] > 0; }
+  bool contains(SimplexId t, const Regular2::Triangle& corners) const {
     return contains(t) && domain_.triangulation().corners(t) == corners;
   }
 
   /// With their corners, the worst first.
-  std::vector<std::pair<CellId, Regular2::Triangle>> worst_first() const {
-    std::vector<std::pair<CellId, Regular2::Triangle>> all;
-    for (CellId t(0); t.index() < badness_of_.size(); ++t.value)
+  std::vector<std::pair<SimplexId, Regular2::Triangle>> worst_first() const {
+    std::vector<std::pair<SimplexId, Regular2::Triangle>> all;
+    for (SimplexId t(0); t.index() < penalty_of_.size(); ++t.value)
       if (contains(t)) all.emplace_back(t, domain_.triangulation().corners(t));
     std::ranges::sort(all, [&](const auto& a, const auto& b) {
-      if (badness_of_[a.first] != badness_of_[b.first]) return badness_of_[a.first] > badness_of_[b.first];
-      return domain_.triangulation().cell_before(a.first, b.first);
+      if (penalty_of_[a.first] != penalty_of_[b.first]) return penalty_of_[a.first] > penalty_of_[b.first];
+      return domain_.triangulation().simplex_before(a.first, b.first);
     });
     return all;
   }
@@ -85,28 +85,28 @@ class BadTriangles {
   void follow() {
     const Regular2::Change& change = domain_.last_change();
     more_hidden_ += std::ssize(change.hidden) - std::ssize(change.exposed);
-    for (const CellId t : change.destroyed) forget(t);
-    for (const CellId t : change.created) add(t);
+    for (const SimplexId t : change.destroyed) forget(t);
+    for (const SimplexId t : change.created) add(t);
   }
-  void add(CellId t) {
+  void add(SimplexId t) {
     const double angle = smallest_angle(domain_.triangulation(), domain_.triangulation().corners(t)).degrees;
     if (angle >= smallest_) return;
     const double missing = smallest_ + margin - angle;
-    if (t.index() >= badness_of_.size()) badness_of_.resize(t.index() + 1, 0.0);
-    badness_of_[t] = missing * missing;
-    badness_ += badness_of_[t];
+    if (t.index() >= penalty_of_.size()) penalty_of_.resize(t.index() + 1, 0.0);
+    penalty_of_[t] = missing * missing;
+    penalty_ += penalty_of_[t];
     ++number_;
   }
-  void forget(CellId t) {
+  void forget(SimplexId t) {
     if (!contains(t)) return;
-    badness_ -= std::exchange(badness_of_[t], 0.0);
+    penalty_ -= std::exchange(penalty_of_[t], 0.0);
     --number_;
   }
 
   PlaneDomain& domain_;
   double smallest_;
-  geom::Table<CellId, double> badness_of_;  ///< 0: good, or no triangle
-  double badness_ = 0;
+  geom::Table<SimplexId, double> penalty_of_;  ///< 0: good, or no triangle
+  double penalty_ = 0;
   std::size_t number_ = 0;
   std::ptrdiff_t more_hidden_ = 0;
 };
@@ -129,7 +129,7 @@ void resample(PlaneDomain& domain, BadTriangles& bad, SiteId x) {
   const Vec2 home = domain.triangulation().point(x).position;
   bad.remove(x);
   const Circle c = domain.largest_empty(Scope::two_ring);
-  bad.insert(x, c.radius2 > d ? domain.triangulation().center(CellId(c.id.value)) : home, share);
+  bad.insert(x, c.radius2 > d ? domain.triangulation().center(SimplexId(c.id.value)) : home, share);
 }
 
 /// The spacing of the sample nearest to another among these and their neighbours.
@@ -155,7 +155,7 @@ struct Limits {
 struct Attempt {
   double weight_share = 1;
   std::size_t steps = 0;
-  double badness = std::numeric_limits<double>::infinity();  ///< that it leads to
+  double penalty = std::numeric_limits<double>::infinity();  ///< that it leads to
 };
 
 std::vector<Backup> backups_of(const PlaneDomain& domain, std::span<const SiteId> samples) {
@@ -186,13 +186,13 @@ Attempt best_attempt(PlaneDomain& domain, BadTriangles& bad, std::span<const Sit
   const std::ptrdiff_t hidden = bad.more_hidden();
   const std::vector<Backup> backups = backups_of(domain, samples);
   Attempt best;
-  best.badness = bad.badness() - rounding;
+  best.penalty = bad.penalty() - rounding;
   for (const double share : limits.weight_shares) {
     const Attempt plan{share, passes * samples.size()};
     carry_out(domain, bad, samples, plan, [&](std::size_t step) {
-      if (bad.badness() < best.badness && bad.more_hidden() <= hidden &&
+      if (bad.penalty() < best.penalty && bad.more_hidden() <= hidden &&
           least_spacing(domain, samples) >= spacing)
-        best = {share, step, bad.badness()};
+        best = {share, step, bad.penalty()};
     });
     for (const Backup& x : backups) put(bad, x);
   }
@@ -225,10 +225,10 @@ void restore_weights(PlaneDomain& domain, BadTriangles& bad) {
     const Backup now{SiteId(i), domain.triangulation().point(SiteId(i)).position,
                      domain.weight_share(SiteId(i))};
     if (now.weight_share == 1) continue;
-    const double before = bad.badness();
+    const double before = bad.penalty();
     const std::ptrdiff_t hidden = bad.more_hidden();
     put(bad, {now.id, now.position, 1});
-    if (bad.badness() > before + rounding || bad.more_hidden() > hidden) put(bad, now);
+    if (bad.penalty() > before + rounding || bad.more_hidden() > hidden) put(bad, now);
   }
 }
 

@@ -9,8 +9,8 @@
 
 namespace fpo {
 
-using geom::CellId;
 using geom::Regular2;
+using geom::SimplexId;
 using geom::Vec2;
 using geom::WeightedPoint2;
 
@@ -76,7 +76,7 @@ void PlaneDomain::remove(SiteId x) {
 /// in its hole.
 bool PlaneDomain::is_farther(const Circle& c, SiteId) {
   if (!owns_its_place_) return c.radius2 > removed_separation_;
-  return std::ranges::any_of(last_change_.created, [&](CellId t) {
+  return std::ranges::any_of(last_change_.created, [&](SimplexId t) {
     return std::ranges::any_of(triangulation_.corners(t), [&](SiteId v) {
       const Vec2 d = torus().shortest(triangulation_.point(v).position - removed_.position);
       return c.radius2 > d.squaredNorm();
@@ -85,22 +85,22 @@ bool PlaneDomain::is_farther(const Circle& c, SiteId) {
 }
 
 Circle PlaneDomain::largest_empty(Scope scope) {
-  const CellId t = scope == Scope::global ? circles_.top() : largest_in_two_ring();
+  const SimplexId t = scope == Scope::global ? circles_.top() : largest_in_two_ring();
   return {triangulation_.radius2(t), CircleId(t.value)};
 }
 
 /// Among the triangles with a corner in the link of the removed sample, those that fill its hole included: a
 /// disk of two rings around it.
-CellId PlaneDomain::largest_in_two_ring() {
-  CellId best;
-  const auto consider = [&](CellId t, int) {
+SimplexId PlaneDomain::largest_in_two_ring() {
+  SimplexId best;
+  const auto consider = [&](SimplexId t, int) {
     if (!best.valid() || triangulation_.radius2(t) > triangulation_.radius2(best) ||
-        (triangulation_.radius2(t) == triangulation_.radius2(best) && triangulation_.cell_before(t, best)))
+        (triangulation_.radius2(t) == triangulation_.radius2(best) && triangulation_.simplex_before(t, best)))
       best = t;
   };
   ring_.clear();
   if (near_removed_.valid()) ring_.push_back(near_removed_);
-  for (const CellId t : last_change_.created) {
+  for (const SimplexId t : last_change_.created) {
     for (const SiteId v : triangulation_.corners(t))
       if (std::find(ring_.begin(), ring_.end(), v) == ring_.end()) ring_.push_back(v);
   }
@@ -109,7 +109,7 @@ CellId PlaneDomain::largest_in_two_ring() {
 }
 
 void PlaneDomain::insert_at(SiteId x, const Circle& c) {
-  const CellId t(c.id.value);
+  const SimplexId t(c.id.value);
   const Vec2 at = triangulation_.center(t);
   const double weight = is_uniform() ? 0 : weight_share(x) * weight_at(torus().snap(at));
   apply(triangulation_.insert(x, {at, weight}, t));
@@ -150,7 +150,7 @@ double PlaneDomain::normalized_spacing(SiteId x) {
   if (triangulation_.is_hidden(x)) {
     least2 = triangulation_.difference(x, triangulation_.nearest_other(x).id).squaredNorm();
   } else {
-    triangulation_.visit_star(x, [&](CellId t, int corner) {
+    triangulation_.visit_star(x, [&](SimplexId t, int corner) {
       const SiteId y = triangulation_.corners(t)[static_cast<std::size_t>(corner == 2 ? 0 : corner + 1)];
       least2 = std::min(least2, triangulation_.difference(x, y).squaredNorm());
     });

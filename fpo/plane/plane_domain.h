@@ -94,7 +94,7 @@ class PlaneDomain final : public Domain {
               std::span<const geom::Vec2> samples, const PlaneOptions& options,
               const std::vector<std::uint32_t>& order);
   double weight_at(const geom::Vec2& x) const;
-  geom::CellId largest_in_two_ring();
+  geom::SimplexId largest_in_two_ring();
   void apply(const geom::Regular2::Change& change);
 
   const PlaneSizing& sizing_;

@@ -18,7 +18,7 @@ constexpr std::size_t iterations = 10;  // as many moves as they take, and some 
 constexpr std::size_t least_moves = 2000;
 constexpr std::size_t patience =
     8;  // a round begins with the farthest: if they stay, so does the largest distance
-constexpr double least_gain = 0.5;  // of a triangle's badness: else attempts nibble at it for ever
+constexpr double least_gain = 0.5;  // of a triangle's penalty: else attempts nibble at it for ever
 
 /// Distances between the surface and triangles of samples on it.
 class Distances {
@@ -108,7 +108,7 @@ FidelityResult improve_fidelity(SurfaceDomain& domain, const AngleOptions& angle
     far.try_all_again();
     std::size_t futile = 0;  // in a row
     for (CircleId c; futile < patience && !enough() && (c = far.take_worst()).valid(); ++result.tried) {
-      resampling.require_gain(least_gain * far.badness(c));
+      resampling.require_gain(least_gain * far.penalty(c));
       const bool mended = mend(domain, resampling, distances, c);
       result.mended += mended;
       futile = mended ? 0 : futile + 1;

@@ -16,10 +16,10 @@ namespace {
 
 constexpr int passes = 4;          // of resampling in an attempt
 constexpr std::size_t crowd = 24;  // samples: twice those around a triangle of a manifold
-constexpr double rounding = 1e-9;  // badness is a running sum
+constexpr double rounding = 1e-9;  // penalty is a running sum
 constexpr std::array<double, 4> nudges = {0.01, 0.02, 0.04, 0.08};  // in units of h
 constexpr int directions = 12;
-constexpr double least_nudge_gain = 1e-3;  // of the badness
+constexpr double least_nudge_gain = 1e-3;  // of the penalty
 
 }  // namespace
 
@@ -60,9 +60,9 @@ CircleId Flaws::take_worst() {
 void Flaws::try_all_again() {
   catch_up();
   tried_.clear();
-  for (std::size_t c = 0; c < badness_of_.size(); ++c)
-    if (badness_of_[CircleId(c)] > 0 && !untried_.contains(CircleId(c)))
-      untried_.push(CircleId(c), badness_of_[CircleId(c)]);
+  for (std::size_t c = 0; c < penalty_of_.size(); ++c)
+    if (penalty_of_[CircleId(c)] > 0 && !untried_.contains(CircleId(c)))
+      untried_.push(CircleId(c), penalty_of_[CircleId(c)]);
 }
 
 void Flaws::add(CircleId c) {
@@ -70,17 +70,17 @@ void Flaws::add(CircleId c) {
   if (!circle.sites[2].valid()) return;  // type A or B: no triangle
   const double bad = measure_(circle);
   if (!(bad > 0)) return;
-  if (c.index() >= badness_of_.size()) badness_of_.resize(c.index() + 1, 0.0);
-  badness_of_[c] = bad;
-  badness_ += bad;
+  if (c.index() >= penalty_of_.size()) penalty_of_.resize(c.index() + 1, 0.0);
+  penalty_of_[c] = bad;
+  penalty_ += bad;
   ++number_;
   if (!tried_.contains(circle.sites)) untried_.push(c, bad);
 }
 
 void Flaws::forget(CircleId c) {
-  if (c.index() >= badness_of_.size() || badness_of_[c] == 0) return;
-  badness_ -= badness_of_[c];
-  badness_of_[c] = 0;
+  if (c.index() >= penalty_of_.size() || penalty_of_[c] == 0) return;
+  penalty_ -= penalty_of_[c];
+  penalty_of_[c] = 0;
   --number_;
   if (untried_.contains(c)) untried_.erase(c);
 }
@@ -127,9 +127,9 @@ void LocalResampling::resample(const Backup& x) {
 }
 
 bool LocalResampling::better() const {
-  if (!(flaws_[0]->badness() < before_[0] - std::max(gain_, rounding))) return false;
+  if (!(flaws_[0]->penalty() < before_[0] - std::max(gain_, rounding))) return false;
   for (std::size_t i = 1; i < flaws_.size(); ++i)
-    if (flaws_[i]->badness() > before_[i] + rounding) return false;
+    if (flaws_[i]->penalty() > before_[i] + rounding) return false;
   return true;
 }
 
@@ -156,7 +156,7 @@ bool LocalResampling::settle(std::span<const Backup> samples, std::span<const Ba
 }
 
 bool LocalResampling::attempt(std::span<const SiteId> samples, double weight_share) {
-  for (std::size_t i = 0; i < flaws_.size(); ++i) before_[i] = flaws_[i]->badness();
+  for (std::size_t i = 0; i < flaws_.size(); ++i) before_[i] = flaws_[i]->penalty();
   const std::vector<Backup> backups = backups_of(samples);
   std::vector<Backup> moving = backups;
   for (std::size_t i = 1; i < 3 && weight_share < 1; ++i) {
@@ -168,22 +168,22 @@ bool LocalResampling::attempt(std::span<const SiteId> samples, double weight_sha
 
 bool LocalResampling::attempt_at(std::span<const SiteId> samples, const SurfaceSample& place) {
   if (domain_.is_fixed(samples[0])) return false;
-  for (std::size_t i = 0; i < flaws_.size(); ++i) before_[i] = flaws_[i]->badness();
+  for (std::size_t i = 0; i < flaws_.size(); ++i) before_[i] = flaws_[i]->penalty();
   const std::vector<Backup> backups = backups_of(samples);
   move({samples[0], place, backups[0].weight_share});
   return settle(backups, std::span(backups).subspan(1));
 }
 
 bool LocalResampling::nudge(const std::array<SiteId, 3>& corners) {
-  double least = (1 - least_nudge_gain) * flaws_[0]->badness();
+  double least = (1 - least_nudge_gain) * flaws_[0]->penalty();
   std::optional<Backup> best;
   for (const SiteId x : corners) {
     if (domain_.is_fixed(x)) continue;
     const Backup home = backup(x);
     for (const SurfaceSample& place : places_around(home.place)) {
       move({x, place, home.weight_share});
-      if (flaws_[0]->badness() >= least || !wide_enough(x)) continue;
-      least = flaws_[0]->badness();
+      if (flaws_[0]->penalty() >= least || !wide_enough(x)) continue;
+      least = flaws_[0]->penalty();
       best = backup(x);
     }
     move(home);
@@ -213,9 +213,9 @@ std::vector<SurfaceSample> LocalResampling::places_around(const SurfaceSample& x
 bool LocalResampling::restore_weight(SiteId x) {
   const Backup lowered = backup(x);
   if (lowered.weight_share == 1 || domain_.is_fixed(x)) return true;
-  const double before = flaws_[0]->badness();
+  const double before = flaws_[0]->penalty();
   move({x, lowered.place, 1});
-  if (flaws_[0]->badness() <= before + rounding) return true;
+  if (flaws_[0]->penalty() <= before + rounding) return true;
   move(lowered);
   return false;
 }

@@ -29,8 +29,8 @@ class Flaws {
   void follow(const geom::RestrictedDual::Change& change);
 
   std::size_t number() { return catch_up(), number_; }
-  double badness() { return catch_up(), badness_; }            ///< the sum of all measures
-  double badness(CircleId c) const { return badness_of_[c]; }  ///< of one that take_worst() gave
+  double penalty() { return catch_up(), penalty_; }            ///< the sum of all measures
+  double penalty(CircleId c) const { return penalty_of_[c]; }  ///< of one that take_worst() gave
 
   /// The worst that take_worst() has not given yet since try_all_again(); none if there is none.
   CircleId take_worst();
@@ -51,8 +51,8 @@ class Flaws {
   std::vector<CircleId> unmeasured_;
   geom::IndexedHeap<CircleId, Order> untried_;
   std::set<std::array<SiteId, 3>> tried_;     ///< triangles: what is undone comes back as another circle
-  geom::Table<CircleId, double> badness_of_;  ///< 0: good or no triangle
-  double badness_ = 0;
+  geom::Table<CircleId, double> penalty_of_;  ///< 0: good or no triangle
+  double penalty_ = 0;
   std::size_t number_ = 0;
 };
 
@@ -63,7 +63,7 @@ class LocalResampling {
   /// come closer to another than any is now, and closer than `enough` (normalized). Keeps references.
   LocalResampling(SurfaceDomain& domain, std::vector<Flaws*> flaws, double enough);
 
-  /// Things are better if the first badness is smaller by more than this: 0 at first.
+  /// Things are better if the first penalty is smaller by more than this: 0 at first.
   void require_gain(double gain) { gain_ = gain; }
 
   /// Multiplies the weights of samples[1] and [2] by `weight_share`, then resamples all in turn (Algorithm 1
@@ -72,7 +72,7 @@ class LocalResampling {
   bool attempt(std::span<const SiteId> samples, double weight_share);
   /// The same with samples[0] put at a place first, where it stays.
   bool attempt_at(std::span<const SiteId> samples, const SurfaceSample& place);
-  /// Moves a corner of a triangle by a small step to where the first badness is least, if that is less than
+  /// Moves a corner of a triangle by a small step to where the first penalty is least, if that is less than
   /// now: what no empty circle mends this often does, for farthest points do not have the best angles.
   bool nudge(const std::array<SiteId, 3>& corners);
   /// Gives x its full weight back unless that makes the first flaws worse. Whether it has it now.
@@ -101,7 +101,7 @@ class LocalResampling {
 
   SurfaceDomain& domain_;
   std::vector<Flaws*> flaws_;
-  std::vector<double> before_;  ///< badness of each at the start of the attempt
+  std::vector<double> before_;  ///< penalty of each at the start of the attempt
   double gain_ = 0;
   std::size_t moves_ = 0;
   std::optional<geom::AabbTree> tree_;  ///< made when first needed

@@ -67,7 +67,7 @@ class VoronoiBalls {
   std::vector<MedialPoint> medial() const;
 
  private:
-  using Corners = Regular3::Cell;
+  using Corners = Regular3::Simplex;
 
   Regular3 triangulate() const;
   bool spans(const Ball& ball, const CoverPoint& p, const CoverPoint& q) const;
@@ -87,7 +87,7 @@ VoronoiBalls::VoronoiBalls(std::vector<CoverPoint> points, const LocalFeatureSiz
       chord_per_radius_(chord_per_radius(options.min_angle)),
       chord_per_radius_within_facets_(chord_per_radius(options.min_angle_within_facets)) {
   const Regular3 triangulation = triangulate();
-  cells_ = triangulation.cells();
+  cells_ = triangulation.simplices();
   balls_.resize(cells_.size());
   geom::parallel_ranges(cells_.size(), 4096, options.threads, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {

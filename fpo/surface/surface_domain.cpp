@@ -8,7 +8,7 @@
 #include "geom/check.h"
 #include "geom/mesh/scaling.h"
 #include "geom/rng.h"
-#include "geom/sites/triangulation_source.h"
+#include "geom/sites/triangulation_oracle.h"
 
 namespace fpo {
 namespace {
@@ -16,9 +16,9 @@ namespace {
 constexpr double weight_unit = geom::coordinate_unit * geom::coordinate_unit;
 constexpr Circle no_circle{-std::numeric_limits<double>::infinity(), CircleId()};
 
-std::unique_ptr<geom::NeighbourSource> make_source(Engine engine, const geom::Box3& box) {
+std::unique_ptr<geom::NeighbourOracle> make_source(Engine engine, const geom::Box3& box) {
   if (engine == Engine::search) return nullptr;
-  return std::make_unique<geom::TriangulationSource>(box);
+  return std::make_unique<geom::TriangulationOracle>(box);
 }
 
 /// The heap's order.
@@ -218,7 +218,7 @@ void SurfaceDomain::apply(const geom::RestrictedDual::Change& change) {
 
 double SurfaceDomain::normalized_spacing(SiteId x) {
   const double h = sizing_.at(samples_[x]);
-  const geom::NeighbourSource::Nearest nearest = dual_->nearest(samples_[x].position, x);
+  const geom::NeighbourOracle::Nearest nearest = dual_->nearest(samples_[x].position, x);
   if (!nearest.site.valid()) return std::numeric_limits<double>::infinity();
   double least2 = (samples_[nearest.site].position - samples_[x].position).squaredNorm();
   if (unweighted_) return std::sqrt(least2) / h;

@@ -33,7 +33,7 @@ struct SurfaceOptions {
   Engine engine = Engine::search;
   geom::CornerTypes corners = geom::CornerTypes::c_only;
   std::size_t num_fixed = 0;  ///< the samples with smaller ids stay where they are
-  std::uint64_t seed = 1;  ///< of the order in which the source is filled (the result does not depend on it)
+  std::uint64_t seed = 1;  ///< of the order in which the oracle is filled (the result does not depend on it)
   int threads = 1;         ///< that build the first diagram; no matter to the result
   /// If given: only circles for which it is true may be the largest empty one, everywhere. Told the circle
   /// and its first site; asked once, when the circle comes into being.
@@ -133,7 +133,7 @@ class SurfaceDomain final : public Domain {
   geom::Table<SiteId, SurfaceSample> samples_;
   geom::Table<SiteId, double> weight_share_;
   bool unweighted_;                               ///< all weights are and have always been 0
-  std::unique_ptr<geom::NeighbourSource> paper_;  ///< Engine::triangulation
+  std::unique_ptr<geom::NeighbourOracle> paper_;  ///< Engine::triangulation
   std::unique_ptr<geom::RestrictedDual> dual_;
   geom::IndexedHeap<CircleId, CircleOrder> circles_;
   std::array<SiteId, 3> expected_;  ///< the samples that are next, the last one first

@@ -13,7 +13,7 @@ using margin::widest;
 
 bool CellProof::prove_new(const Place& place) {
   if (!place.home.valid() || !find_corners()) return false;
-  NeighbourSource* const paper = around_.state.paper;
+  NeighbourOracle* const paper = around_.state.paper;
   if (paper) paper->insert(around_.p, around_.site(), around_.rim[0]);
   if (prove_inserted(place)) return true;
   if (paper) paper->remove(around_.p);

@@ -29,7 +29,7 @@ class CellProof {
     WeightedPoint3 old;     ///< p as its circles have it
     double least_distance;  ///< so far there may be what was not someone else's, and circles that p beats
   };
-  /// The cell that p gets there; the rim is known. If true, p is in the paper's source.
+  /// The cell that p gets there; the rim is known. If true, p is in the paper's oracle.
   bool prove_new(const Place& place);
   /// The cell that p has, from its star.
   bool prove_present();

@@ -16,10 +16,10 @@ class Hole {
   /// Keeps a reference.
   explicit Hole(Surroundings& around) : around_(around), triangles_(around) {}
 
-  /// Fills and proves the hole of around.p, whose rim is known; p goes out of the paper's source. False: not
+  /// Fills and proves the hole of around.p, whose rim is known; p goes out of the paper's oracle. False: not
   /// certain, and p is in again.
   bool plan();
-  /// p is in the paper's source again.
+  /// p is in the paper's oracle again.
   void cancel();
   /// Makes the bounds the least, if that can be done.
   bool make_exact();

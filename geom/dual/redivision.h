@@ -37,7 +37,7 @@ class Redivision {
   std::span<const SiteId> heirs() const { return heirs_; }
   double reach() const { return reach_; }
   double power() const { return power_; }
-  /// Carries it out: the tree and the neighbour source follow.
+  /// Carries it out: the tree and the oracle follow.
   void remove(DualChange& change);
 
   /// Puts p in at a place, likewise.

@@ -7,7 +7,7 @@
 
 namespace geom {
 
-RestrictedDual::RestrictedDual(const TriMesh& mesh, CornerTypes types, NeighbourSource* paper)
+RestrictedDual::RestrictedDual(const TriMesh& mesh, CornerTypes types, NeighbourOracle* paper)
     : state_(mesh, types, paper), fast_(state_), redivision_(state_) {}
 
 void RestrictedDual::begin() {

@@ -21,7 +21,7 @@ class RestrictedDual {
   /// Empty. Keeps references. `paper`: if given, it is filled with the same sites and names those that can
   /// matter to each other (the paper's regular triangulation); else a search does. Throws InputError if the
   /// mesh has no facet.
-  RestrictedDual(const TriMesh& mesh, CornerTypes types, NeighbourSource* paper = nullptr);
+  RestrictedDual(const TriMesh& mesh, CornerTypes types, NeighbourOracle* paper = nullptr);
 
   /// Sites 0, 1, ... at once, there being none. `order`: in which they enter the search; it and the number of
   /// threads do not matter to the result. Cost: the facets and the fragments, times the logarithm of the
@@ -76,8 +76,8 @@ class RestrictedDual {
   double reach(SiteId p);
   /// The polygons of p's cell, ascending by facet. Cost: the facets around p.
   std::vector<FacetPolygon> cell(SiteId p);
-  /// The site nearest to x in power, as NeighbourSource::nearest().
-  NeighbourSource::Nearest nearest(const Vec3& x, SiteId without) const { return state_.nearest(x, without); }
+  /// The site nearest to x in power, as NeighbourOracle::nearest().
+  NeighbourOracle::Nearest nearest(const Vec3& x, SiteId without) const { return state_.nearest(x, without); }
   /// All sites that are in, by position.
   const SiteTree& tree() const { return state_.tree; }
 

@@ -18,7 +18,7 @@ constexpr std::size_t few = 40;       // sites are looked at one by one
 
 }  // namespace
 
-DualState::DualState(const TriMesh& surface, CornerTypes corners, NeighbourSource* source)
+DualState::DualState(const TriMesh& surface, CornerTypes corners, NeighbourOracle* source)
     : mesh(surface),
       types(corners),
       extent(extent_of(surface)),
@@ -130,7 +130,7 @@ bool DualState::find_near(const Vec3& x, double distance, std::vector<SiteId>& o
 }
 
 /// A site beside one that is in bounds the distance.
-NeighbourSource::Nearest DualState::nearest(const Vec3& x, SiteId without) const {
+NeighbourOracle::Nearest DualState::nearest(const Vec3& x, SiteId without) const {
   double bound = std::numeric_limits<double>::infinity();
   if (grid.is_in_use() && without.valid())
     for (const CircleId c : circles.of_site(without))
@@ -142,7 +142,7 @@ NeighbourSource::Nearest DualState::nearest(const Vec3& x, SiteId without) const
   std::vector<SiteId>& found = found_;
   found.clear();
   grid.near(x, distance, found);
-  NeighbourSource::Nearest best{SiteId(), std::numeric_limits<double>::infinity()};
+  NeighbourOracle::Nearest best{SiteId(), std::numeric_limits<double>::infinity()};
   for (const SiteId s : found) {
     if (s == without) continue;
     const double radius2 = power(x, sites[s]);

@@ -30,7 +30,7 @@ struct DualChange {
 struct DualState {
   /// Without sites. Keeps a reference to the mesh. Throws InputError if it has no facet. `paper`: if given,
   /// it holds the same sites and names those that can matter to each other; else the tree does.
-  DualState(const TriMesh& mesh, CornerTypes types, NeighbourSource* paper);
+  DualState(const TriMesh& mesh, CornerTypes types, NeighbourOracle* paper);
   DualState(const DualState&) = delete;
 
   /// Sets the point of a site that is not in.
@@ -42,12 +42,12 @@ struct DualState {
   /// All sites are in, of about even density or not: chooses how they are searched from now on.
   void choose_search();
 
-  /// Appends all sites that may own a location of the vacancy, and some more (NeighbourSource::heirs()).
+  /// Appends all sites that may own a location of the vacancy, and some more (NeighbourOracle::heirs()).
   void near(const Vacancy& vacancy, std::vector<SiteId>& out) const;
   /// Appends all sites that near a location if that is a quick search; else false.
   bool find_near(const Vec3& x, double distance, std::vector<SiteId>& out) const;
-  /// NeighbourSource::nearest().
-  NeighbourSource::Nearest nearest(const Vec3& x, SiteId without) const;
+  /// NeighbourOracle::nearest().
+  NeighbourOracle::Nearest nearest(const Vec3& x, SiteId without) const;
   /// A corner of a polygon of the diagram as a circle; none if another polygon registers it. Each C corner is
   /// seen from three cells: the one of smallest id registers it. A B corner is registered by the smaller id
   /// in the smaller facet, an A corner in the first facet of the vertex.
@@ -87,7 +87,7 @@ struct DualState {
   const TriMesh& mesh;
   const CornerTypes types;
   const double extent;  ///< bounds all coordinates
-  NeighbourSource* const paper;
+  NeighbourOracle* const paper;
   Clipper::Sites sites;
   SiteTree tree;
   SiteGrid grid;  ///< the same sites, where their density is even

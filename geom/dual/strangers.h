@@ -20,7 +20,7 @@ class Strangers {
   /// Sees to it that all who may own a location of the vacancy are known; they are that near to its center. A
   /// search finds some more, and they stay known.
   void find_heirs(const Vacancy& vacancy, double range);
-  /// All who may lose something to p, whose cell is in that ball; p is in with the paper's source.
+  /// All who may lose something to p, whose cell is in that ball; p is in with the paper's oracle.
   void find_rivals(SiteId p, const Vec3& center, double radius);
 
   /// Appends those who may lose something to p, at its present place, where the power to them is more than

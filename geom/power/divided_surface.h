@@ -22,7 +22,7 @@ struct DividedSurface {
   const TriMesh& mesh;
   const Clipper::Sites& sites;
   const Clipper& clipper;
-  const NeighbourSource& search;
+  const NeighbourOracle& search;
   using Visit = std::function<void(FacetId, std::span<const FacetPiece>)>;
   void for_each(std::span<const FacetId> facets, int threads, const Visit& visit) const;
 };

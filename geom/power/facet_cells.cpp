@@ -34,7 +34,7 @@ Vec3 centroid(const TriMesh& mesh, FacetId t) {
 }  // namespace
 
 FacetCells::FacetCells(const TriMesh& mesh, const Clipper::Sites& sites, const Clipper& clipper,
-                       const NeighbourSource& search)
+                       const NeighbourOracle& search)
     : mesh_(mesh),
       sites_(sites),
       clipper_(clipper),

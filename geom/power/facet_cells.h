@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "geom/power/clip.h"
-#include "geom/sites/neighbour_source.h"
+#include "geom/sites/neighbour_oracle.h"
 
 namespace geom {
 
@@ -23,7 +23,7 @@ class FacetCells {
   /// Keeps references, and a copy of the clipper. `search` must hold all sites, and answer any question of
   /// the whole space, from several threads: a SiteTree.
   FacetCells(const TriMesh& mesh, const Clipper::Sites& sites, const Clipper& clipper,
-             const NeighbourSource& search);
+             const NeighbourOracle& search);
 
   /// All fragments on the facet, the same, to the bit, as insertion of the sites one by one leads to. Corners
   /// begin with the smallest label. Expected cost: the number of fragments, times the logarithm of that of
@@ -57,7 +57,7 @@ class FacetCells {
   const TriMesh& mesh_;
   const Clipper::Sites& sites_;
   Clipper clipper_;
-  const NeighbourSource& search_;
+  const NeighbourOracle& search_;
   std::vector<Surroundings> known_;  ///< of site s in place s mod size, if of s at all
   double likely_radius_ = 0;         ///< how far the next fragment will reach from its owner
   std::size_t sites_looked_at_ = 0;

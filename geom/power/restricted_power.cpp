@@ -17,7 +17,7 @@ double extent_of(const TriMesh& mesh) {
 }
 
 RestrictedPower::RestrictedPower(const TriMesh& mesh, std::span<const WeightedPoint3> points,
-                                 const NeighbourSource& search, int threads)
+                                 const NeighbourOracle& search, int threads)
     : mesh_(mesh),
       sites_(points.begin(), points.end()),
       clipper_(mesh, sites_, extent_of(mesh)),
@@ -52,7 +52,7 @@ double RestrictedPower::reach(SiteId p) const {
 // --- giving parts of a cell to others ------------------------------------------------------------
 
 bool RestrictedPower::abandon(SiteId p, std::span<const FragmentId> fragments,
-                              std::span<const SiteId> excluded, const NeighbourSource& search) {
+                              std::span<const SiteId> excluded, const NeighbourOracle& search) {
   const std::vector<FragmentId> vacated(fragments.begin(), fragments.end());
   division_.begin(p, vacated, excluded);
   if (division_.heirs().empty()) return false;
@@ -71,7 +71,7 @@ bool RestrictedPower::abandon(SiteId p, std::span<const FragmentId> fragments,
 }
 
 /// Asks the source for sites that beat the division somewhere; true if there are any, which are heirs now.
-bool RestrictedPower::add_missing_heirs(SiteId p, const NeighbourSource& source) {
+bool RestrictedPower::add_missing_heirs(SiteId p, const NeighbourOracle& source) {
   // At the corners of p's cell the power has not changed.
   const double radius2 = std::max(reach(p) + sites_[p].weight, 0.0);
   candidates_.clear();

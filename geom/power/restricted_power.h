@@ -9,7 +9,7 @@
 
 #include "geom/power/cell_division.h"
 #include "geom/power/fragment_store.h"
-#include "geom/sites/neighbour_source.h"
+#include "geom/sites/neighbour_oracle.h"
 
 namespace geom {
 
@@ -18,7 +18,7 @@ class RestrictedPower {
   /// Of sites 0, 1, ..., at least one. Keeps a reference to the mesh. Throws InputError if that has no facet.
   /// `search` must hold all sites and answer from several threads: a SiteTree. The number of threads does not
   /// matter to the result. Cost: the facets and the fragments, times the logarithm of the number of sites.
-  RestrictedPower(const TriMesh& mesh, std::span<const WeightedPoint3> points, const NeighbourSource& search,
+  RestrictedPower(const TriMesh& mesh, std::span<const WeightedPoint3> points, const NeighbourOracle& search,
                   int threads = 1);
   RestrictedPower(const RestrictedPower&) = delete;
 
@@ -27,7 +27,7 @@ class RestrictedPower {
   /// `search` must hold all sites. Does nothing, and says so, if no other site borders the fragments, or if
   /// the shares do not fit together because of what was abandoned before.
   bool abandon(SiteId p, std::span<const FragmentId> fragments, std::span<const SiteId> excluded,
-               const NeighbourSource& search);
+               const NeighbourOracle& search);
 
   std::size_t num_sites() const { return sites_.size(); }
   const WeightedPoint3& site(SiteId p) const { return sites_[p]; }
@@ -50,7 +50,7 @@ class RestrictedPower {
 
  private:
   void commit(FragmentId f, const FacetPolygon& polygon);
-  bool add_missing_heirs(SiteId p, const NeighbourSource& source);
+  bool add_missing_heirs(SiteId p, const NeighbourOracle& source);
   struct Seam {
     std::size_t in_old, in_share;  ///< the edges labelled p
     bool fits;                     ///< and the edges next to them continue each other

@@ -32,7 +32,7 @@ Regular2::Regular2(const Vec2& period, std::span<const WeightedPoint2> points) :
     positions.push_back(torus_.snap(p.position));
     weight = std::min(weight, p.weight);
   }
-  cells_.reserve(2 * points.size() + 64);
+  simplices_.reserve(2 * points.size() + 64);
   start_with_lattice(points.size(), weight);
   for (const std::uint32_t i : hilbert_order(positions, torus_.period()))
     insert(SiteId(static_cast<std::size_t>(i)), points[i]);
@@ -61,9 +61,9 @@ void Regular2::start_with_lattice(std::size_t first_id, double weight) {
   std::map<std::pair<SiteId, SiteId>, Side> open;
   const auto add = [&](SiteId a, SiteId b, SiteId c) {
     const Site& origin = sites_[a];
-    const CellId t = create(seen_from(origin, a), seen_from(origin, b), seen_from(origin, c));
+    const SimplexId t = create(seen_from(origin, a), seen_from(origin, b), seen_from(origin, c));
     for (int k = 0; k < 3; ++k) {
-      const Triangle& corner = cells_[t].corner;
+      const Triangle& corner = simplices_[t].corner;
       const SiteId from = corner[next(k)], to = corner[previous(k)];
       const auto other = open.find({to, from});
       if (other == open.end())
@@ -94,16 +94,16 @@ void Regular2::admit(SiteId id, const WeightedPoint2& point) {
 
 // --- triangles -----------------------------------------------------------------------------------
 
-CellId Regular2::create(const Corner& a, const Corner& b, const Corner& c) {
-  CellId id;
+SimplexId Regular2::create(const Corner& a, const Corner& b, const Corner& c) {
+  SimplexId id;
   if (free_.empty()) {
-    id = cells_.next_id();
-    cells_.emplace_back();
+    id = simplices_.next_id();
+    simplices_.emplace_back();
   } else {
     id = free_.back();
     free_.pop_back();
   }
-  Cell& t = cells_[id];
+  Simplex& t = simplices_[id];
   t.corner = {a.id, b.id, c.id};
   t.first_hidden = SiteId();
   for (int k = 0; k < 3; ++k) sites_[t.corner[static_cast<std::size_t>(k)]].at = Side(id, k);
@@ -128,7 +128,7 @@ CellId Regular2::create(const Corner& a, const Corner& b, const Corner& c) {
 // q = |x - o|^2, R = |o|, which is <= e (3 R + q / R). If 3 e <= 2^-21 R this is <= 2^-21 (R^2 + q), and
 // R^2 <= |radius2| + max|w|. Rounding of the evaluation itself, some u of the same terms, is far below
 // another 2^-21 of them. Hence the relative tolerance 2^-20 of the filter in in_conflict().
-void Regular2::set_dual(Cell& t, const Corner& base, const Corner& b, const Corner& c) {
+void Regular2::set_dual(Simplex& t, const Corner& base, const Corner& b, const Corner& c) {
   const double bx = b.x - base.x, by = b.y - base.y, cx = c.x - base.x, cy = c.y - base.y;
   const double b2 = bx * bx + by * by, c2 = cx * cx + cy * cy;
   const double bw = b2 - (b.weight - base.weight), cw = c2 - (c.weight - base.weight);
@@ -162,7 +162,7 @@ void Regular2::set_dual(Cell& t, const Corner& base, const Corner& b, const Corn
 }
 
 /// Is site e inside the circle of t? `corner` is one of t's that is less than half a period from e.
-bool Regular2::in_conflict_exactly(const Cell& t, SiteId e, int corner) const {
+bool Regular2::in_conflict_exactly(const Simplex& t, SiteId e, int corner) const {
   const Site& origin = sites_[e];
   std::array<WeightedPoint2, 3> p;
   const auto k0 = static_cast<std::size_t>(corner);
@@ -181,33 +181,33 @@ bool Regular2::in_conflict_exactly(const Cell& t, SiteId e, int corner) const {
 /// A triangle that contains e, by a visibility walk on the unrolled plane: through any edge that separates
 /// the triangle from e. Each step strictly lessens the power of e to the circle (infinitesimals included), so
 /// the walk ends whichever such edge is taken.
-CellId Regular2::locate(SiteId e, CellId start) const {
-  CellId here = start;
+SimplexId Regular2::locate(SiteId e, SimplexId start) const {
+  SimplexId here = start;
   std::array<Vec2, 3> v;  // the corners seen from e
-  v[0] = difference(e, cells_[here].corner[0]);
+  v[0] = difference(e, simplices_[here].corner[0]);
   for (std::size_t k = 1; k < 3; ++k)
-    v[k] = v[0] + difference(cells_[here].corner[0], cells_[here].corner[k]);
+    v[k] = v[0] + difference(simplices_[here].corner[0], simplices_[here].corner[k]);
   const Vec2 target(0, 0);
   int entered = -1;
   for (;;) {
-    const Cell& t = cells_[here];
+    const Simplex& t = simplices_[here];
     int exit = -1;
     for (int k = 0; k < 3 && exit < 0; ++k) {
       const auto from = static_cast<std::size_t>(next(k)), to = static_cast<std::size_t>(previous(k));
       if (k != entered && orient2(v[from], v[to], target) < 0) exit = k;
     }
     if (exit < 0) return here;
-    const Side across = t.neighbor[static_cast<std::size_t>(exit)];
+    const Side across = t.mate[static_cast<std::size_t>(exit)];
     const auto from = static_cast<std::size_t>(next(exit)), to = static_cast<std::size_t>(previous(exit));
     const auto far = static_cast<std::size_t>(across.corner());
-    const SiteId apex = cells_[across.cell()].corner[far];
+    const SiteId apex = simplices_[across.simplex()].corner[far];
     const Vec2 a = v[from], b = v[to];
     // The edge runs from a to b here, from b to a there.
     v[far] = a + difference(t.corner[from], apex);
     v[static_cast<std::size_t>(next(across.corner()))] = b;
     v[static_cast<std::size_t>(previous(across.corner()))] = a;
     entered = across.corner();
-    here = across.cell();
+    here = across.simplex();
   }
 }
 
@@ -223,19 +223,19 @@ Regular2::Nearest Regular2::nearest_other(SiteId id) const {
     if (p < best.power || (p == best.power && other < best.id)) best = {other, p};
   };
   if (x.next_hidden == not_hidden) {
-    visit_star(id, [&](CellId t, int corner) {
-      const Cell& cell = cells_[t];
-      consider(cell.corner[static_cast<std::size_t>(next(corner))]);
-      for (SiteId h = cell.first_hidden; h.valid(); h = sites_[h].next_hidden) consider(h);
+    visit_star(id, [&](SimplexId t, int corner) {
+      const Simplex& simplex = simplices_[t];
+      consider(simplex.corner[static_cast<std::size_t>(next(corner))]);
+      for (SiteId h = simplex.first_hidden; h.valid(); h = sites_[h].next_hidden) consider(h);
     });
     if (best.power >= -x.weight) return best;
     if (is_hidden(best.id)) best = {SiteId(), INFINITY};
   }
-  if (!best.id.valid()) consider(cells_[x.at.cell()].corner[x.at.corner() == 0 ? 1 : 0]);
+  if (!best.id.valid()) consider(simplices_[x.at.simplex()].corner[x.at.corner() == 0 ? 1 : 0]);
   for (;;) {
     const SiteId from = best.id;
-    visit_star(from, [&](CellId t, int corner) {
-      const SiteId v = cells_[t].corner[static_cast<std::size_t>(next(corner))];
+    visit_star(from, [&](SimplexId t, int corner) {
+      const SiteId v = simplices_[t].corner[static_cast<std::size_t>(next(corner))];
       if (v != id) consider(v);
     });
     if (best.id == from) return best;
@@ -244,27 +244,27 @@ Regular2::Nearest Regular2::nearest_other(SiteId id) const {
 
 void Regular2::prefetch_corner(SiteId id) const {
   const Side at = sites_[id].at;
-  if (at.valid()) geom::prefetch(&cells_[at.cell()]);
+  if (at.valid()) geom::prefetch(&simplices_[at.simplex()]);
 }
 
 void Regular2::prefetch_around(SiteId id) const {
   const Side at = sites_[id].at;
-  if (!at.valid() || !is_live(at.cell())) return;
-  const Cell& t = cells_[at.cell()];
+  if (!at.valid() || !is_live(at.simplex())) return;
+  const Simplex& t = simplices_[at.simplex()];
   for (std::size_t k = 0; k < 3; ++k) {
-    geom::prefetch(&cells_[t.neighbor[k].cell()]);
+    geom::prefetch(&simplices_[t.mate[k].simplex()]);
     geom::prefetch(&sites_[t.corner[k]]);
   }
 }
 
 void Regular2::prefetch_star(SiteId id) const {
   if (!contains(id) || is_hidden(id)) return;
-  const Cell& t = cells_[sites_[id].at.cell()];
-  for (const Side side : t.neighbor) {
-    const Cell& beside = cells_[side.cell()];
+  const Simplex& t = simplices_[sites_[id].at.simplex()];
+  for (const Side side : t.mate) {
+    const Simplex& beside = simplices_[side.simplex()];
     if (side.corner() < 0 || !beside.corner[0].valid()) continue;
     for (std::size_t k = 0; k < 3; ++k) {
-      geom::prefetch(&cells_[beside.neighbor[k].cell()]);
+      geom::prefetch(&simplices_[beside.mate[k].simplex()]);
       geom::prefetch(&sites_[beside.corner[k]]);
     }
   }
@@ -274,8 +274,8 @@ void Regular2::link(SiteId id, std::vector<SiteId>& out) const {
   out.clear();
   ensure(contains(id), "link of a site that is not in the triangulation");
   if (is_hidden(id)) return;
-  visit_star(id, [&](CellId t, int corner) {
-    out.push_back(cells_[t].corner[static_cast<std::size_t>(next(corner))]);
+  visit_star(id, [&](SimplexId t, int corner) {
+    out.push_back(simplices_[t].corner[static_cast<std::size_t>(next(corner))]);
   });
 }
 
@@ -288,13 +288,13 @@ Regular2::Triangle smallest_first(Regular2::Triangle t) {
 
 }  // namespace
 
-bool Regular2::cell_before(CellId a, CellId b) const {
+bool Regular2::simplex_before(SimplexId a, SimplexId b) const {
   return smallest_first(corners(a)) < smallest_first(corners(b));
 }
 
 std::vector<Regular2::Triangle> Regular2::triangles() const {
   std::vector<Triangle> live;
-  for (const Cell& t : cells_) {
+  for (const Simplex& t : simplices_) {
     if (t.corner[0].valid()) live.push_back(smallest_first(t.corner));
   }
   return live;

@@ -29,8 +29,8 @@ class Regular2 {
   /// What one insertion or removal did. Valid until the next one. The id of a destroyed triangle may be in
   /// use again, hence in both lists.
   struct Change {
-    std::span<const CellId> destroyed;
-    std::span<const CellId> created;
+    std::span<const SimplexId> destroyed;
+    std::span<const SimplexId> created;
     std::span<const SiteId> hidden;   ///< sites that lost their last triangle (the inserted one included)
     std::span<const SiteId> exposed;  ///< sites that were hidden and are vertices now
   };
@@ -46,7 +46,7 @@ class Regular2 {
 
   /// Inserts a site under an id not in use, snapped to the grid. `hint`: a triangle nearby, best one whose
   /// circle the site conflicts with; none for a walk from the last change. Expected O(1) with a good hint.
-  Change insert(SiteId id, const WeightedPoint2& point, CellId hint = CellId());
+  Change insert(SiteId id, const WeightedPoint2& point, SimplexId hint = SimplexId());
   /// Removes a site, visible or hidden. O(k^2) for k neighbours; expected O(1).
   Change remove(SiteId id);
 
@@ -66,15 +66,15 @@ class Regular2 {
   template <class Visit>
   void visit_star(SiteId id, Visit&& visit) const;
 
-  std::size_t cell_capacity() const { return cells_.size(); }  ///< ids of triangles are below
-  bool is_live(CellId t) const { return cells_[t].corner[0].valid(); }
-  const Triangle& corners(CellId t) const { return cells_[t].corner; }
+  std::size_t simplex_capacity() const { return simplices_.size(); }  ///< ids of triangles are below
+  bool is_live(SimplexId t) const { return simplices_[t].corner[0].valid(); }
+  const Triangle& corners(SimplexId t) const { return simplices_[t].corner; }
   /// The dual power vertex, coordinates in [0, period], rounded, and its power to the corners. radius2 is
   /// computed from the corner of smallest id, so its bits are a function of the triangle alone.
-  Vec2 center(CellId t) const { return {cells_[t].center_x, cells_[t].center_y}; }
-  double radius2(CellId t) const { return cells_[t].radius2; }
+  Vec2 center(SimplexId t) const { return {simplices_[t].center_x, simplices_[t].center_y}; }
+  double radius2(SimplexId t) const { return simplices_[t].radius2; }
   /// An order of live triangles by their corners (ids), whatever their ids.
-  bool cell_before(CellId a, CellId b) const;
+  bool simplex_before(SimplexId a, SimplexId b) const;
   std::vector<Triangle> triangles() const;  ///< smallest corner first, in no particular order
 
   // Hints to the memory, for a site that will be removed soon. Each loads what the next one reads, so they
@@ -93,16 +93,16 @@ class Regular2 {
   struct Side {
     std::int32_t code = -1;
     Side() = default;
-    Side(CellId t, int corner) : code(4 * t.value + corner) {}
+    Side(SimplexId t, int corner) : code(4 * t.value + corner) {}
     bool valid() const { return code >= 0; }
-    CellId cell() const { return CellId(code >> 2); }
+    SimplexId simplex() const { return SimplexId(code >> 2); }
     int corner() const { return code & 3; }
     bool operator==(const Side&) const = default;
   };
   /// One cache line. A free one has no corners.
-  struct alignas(64) Cell {
+  struct alignas(64) Simplex {
     Triangle corner;
-    std::array<Side, 3> neighbor;  ///< the other side of the same edge, by the corner opposite
+    std::array<Side, 3> mate;  ///< the other side of the same edge, by the corner opposite
     double center_x, center_y, radius2;
     float tolerance;      ///< of the filter: relative, or infinite if the center is not known well enough
     SiteId first_hidden;  ///< the sites that it witnesses, a list through Site::next_hidden
@@ -140,35 +140,35 @@ class Regular2 {
   void normalize_change();
 
   void start_with_lattice(std::size_t first_id, double weight);
-  CellId create(const Corner& a, const Corner& b, const Corner& c);
-  void destroy(CellId t) {
-    cells_[t].corner[0] = SiteId();
+  SimplexId create(const Corner& a, const Corner& b, const Corner& c);
+  void destroy(SimplexId t) {
+    simplices_[t].corner[0] = SiteId();
     free_.push_back(t);
     destroyed_.push_back(t);
   }
   void glue(Side one, Side other) {
-    cells_[one.cell()].neighbor[static_cast<std::size_t>(one.corner())] = other;
-    cells_[other.cell()].neighbor[static_cast<std::size_t>(other.corner())] = one;
+    simplices_[one.simplex()].mate[static_cast<std::size_t>(one.corner())] = other;
+    simplices_[other.simplex()].mate[static_cast<std::size_t>(other.corner())] = one;
   }
-  void set_dual(Cell& t, const Corner& base, const Corner& b, const Corner& c);
+  void set_dual(Simplex& t, const Corner& base, const Corner& b, const Corner& c);
 
   Corner seen_from(const Site& origin, SiteId id) const {
     const Site& s = sites_[id];
     return {torus_.shortest_x(s.x - origin.x), torus_.shortest_y(s.y - origin.y), s.weight, id};
   }
-  bool in_conflict(const Cell& t, SiteId e, int corner) const;
-  bool in_conflict_exactly(const Cell& t, SiteId e, int corner) const;
-  CellId locate(SiteId e, CellId start) const;
+  bool in_conflict(const Simplex& t, SiteId e, int corner) const;
+  bool in_conflict_exactly(const Simplex& t, SiteId e, int corner) const;
+  SimplexId locate(SiteId e, SimplexId start) const;
 
-  void insert_visible_or_hide(SiteId e, CellId hint);
-  void dig_cavity(SiteId e, CellId start);
+  void insert_visible_or_hide(SiteId e, SimplexId hint);
+  void dig_cavity(SiteId e, SimplexId start);
   void star_cavity(SiteId e);
   void release_corners_of_cavity();
   void settle_displaced();
   void expose_orphans();
-  void hide(SiteId id, CellId witness);
+  void hide(SiteId id, SimplexId witness);
   void unlink_hidden(SiteId id);
-  void take_hidden_of(const Cell& t);
+  void take_hidden_of(const Simplex& t);
 
   void open_hole(SiteId p);
   HoleScale hole_scale() const;
@@ -178,18 +178,18 @@ class Regular2 {
   void fill_hole(SiteId p);
 
   double covered_area() const;
-  void check_cell(CellId id) const;
+  void check_simplex(SimplexId id) const;
   void check_site(SiteId id) const;
 
   FlatTorus torus_;
   Table<SiteId, Site> sites_;
-  Table<CellId, Cell> cells_;
-  std::vector<CellId> free_;
-  CellId recent_;                ///< a live triangle: the last created
+  Table<SimplexId, Simplex> simplices_;
+  std::vector<SimplexId> free_;
+  SimplexId recent_;             ///< a live triangle: the last created
   double weight_allowance_ = 0;  ///< three times the largest |w| so far: for the filter
   std::uint32_t mark_ = 0;
 
-  std::vector<CellId> destroyed_, created_;  ///< the current change
+  std::vector<SimplexId> destroyed_, created_;  ///< the current change
   std::vector<SiteId> hidden_, exposed_;
   std::vector<SiteId> displaced_;  ///< hidden sites whose witness is destroyed
   std::vector<SiteId> released_;   ///< corners of a cavity, some of which may be swallowed
@@ -197,7 +197,7 @@ class Regular2 {
   std::vector<Side> pending_;      ///< sides of the cavity still to be crossed
   std::vector<Corner> rim_;        ///< corners of the cavity or hole, counterclockwise
   std::vector<Side> beyond_;       ///< the sides outside its edges: beyond_[k] from rim_[k] to the next
-  std::vector<CellId> star_;       ///< its triangles
+  std::vector<SimplexId> star_;    ///< its triangles
   std::vector<Chain> plan_;        ///< how the hole will be filled
   std::vector<std::array<std::int32_t, 4>> chords_;  ///< first, last, parent, which child: to be planned
 };
@@ -207,11 +207,11 @@ void Regular2::visit_star(SiteId id, Visit&& visit) const {
   const Side start = sites_[id].at;
   Side here = start;
   do {
-    const Cell& t = cells_[here.cell()];
-    visit(here.cell(), here.corner());
+    const Simplex& t = simplices_[here.simplex()];
+    visit(here.simplex(), here.corner());
     // From (id, a, b) across (id, b), which lies opposite a: there the corners are (id, b, c), c opposite.
-    const Side across = t.neighbor[next(here.corner())];
-    here = Side(across.cell(), next(across.corner()));
+    const Side across = t.mate[next(here.corner())];
+    here = Side(across.simplex(), next(across.corner()));
   } while (here != start);
 }
 

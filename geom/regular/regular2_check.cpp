@@ -10,12 +10,12 @@ namespace geom {
 
 void Regular2::check() const {
   std::size_t live = 0, visible = 0;
-  for (CellId t(0); t.index() < cells_.size(); ++t.value) {
+  for (SimplexId t(0); t.index() < simplices_.size(); ++t.value) {
     if (!is_live(t)) continue;
     ++live;
-    check_cell(t);
+    check_simplex(t);
   }
-  ensure(live + free_.size() == cells_.size(), "regular2: free triangles and live ones do not add up");
+  ensure(live + free_.size() == simplices_.size(), "regular2: free triangles and live ones do not add up");
   for (SiteId id(0); id.index() < sites_.size(); ++id.value) {
     if (!contains(id)) continue;
     check_site(id);
@@ -30,7 +30,7 @@ void Regular2::check() const {
 
 double Regular2::covered_area() const {
   double sum = 0;
-  for (const Cell& t : cells_) {
+  for (const Simplex& t : simplices_) {
     if (!t.corner[0].valid()) continue;
     const Vec2 b = difference(t.corner[0], t.corner[1]), c = difference(t.corner[0], t.corner[2]);
     sum += (b.x() * c.y() - b.y() * c.x()) / 2;
@@ -38,8 +38,8 @@ double Regular2::covered_area() const {
   return sum;
 }
 
-void Regular2::check_cell(CellId id) const {
-  const Cell& t = cells_[id];
+void Regular2::check_simplex(SimplexId id) const {
+  const Simplex& t = simplices_[id];
   std::array<Corner, 3> v;
   for (std::size_t k = 0; k < 3; ++k) {
     ensure(contains(t.corner[k]) && !is_hidden(t.corner[k]), "regular2: a corner is not a visible site");
@@ -50,10 +50,10 @@ void Regular2::check_cell(CellId id) const {
   for (int k = 0; k < 3; ++k) {
     const Corner &a = v[static_cast<std::size_t>(next(k))], &b = v[static_cast<std::size_t>(previous(k))];
     ensure(torus_.is_short(b.x - a.x, b.y - a.y), "regular2: an edge is half a period or longer");
-    const Side across = t.neighbor[static_cast<std::size_t>(k)];
-    const Cell& other = cells_[across.cell()];
+    const Side across = t.mate[static_cast<std::size_t>(k)];
+    const Simplex& other = simplices_[across.simplex()];
     ensure(other.corner[0].valid(), "regular2: a neighbour is not live");
-    ensure(other.neighbor[static_cast<std::size_t>(across.corner())] == Side(id, k),
+    ensure(other.mate[static_cast<std::size_t>(across.corner())] == Side(id, k),
            "regular2: neighbours disagree");
     ensure(other.corner[static_cast<std::size_t>(next(across.corner()))] == b.id &&
                other.corner[static_cast<std::size_t>(previous(across.corner()))] == a.id,
@@ -70,7 +70,7 @@ void Regular2::check_cell(CellId id) const {
              "regular2: a neighbour's apex is inside a circle");
   }
   for (SiteId h = t.first_hidden; h.valid(); h = sites_[h].next_hidden)
-    ensure(sites_[h].at.cell() == id, "regular2: a hidden site names another witness");
+    ensure(sites_[h].at.simplex() == id, "regular2: a hidden site names another witness");
   const double size2 = std::abs(t.radius2) + weight_allowance_;
   const Vec2 o = torus_.shortest(center(id) - Vec2(sites_[t.corner[0]].x, sites_[t.corner[0]].y));
   ensure(!std::isnan(t.radius2), "regular2: a radius is not a number");
@@ -81,7 +81,7 @@ void Regular2::check_cell(CellId id) const {
 
 void Regular2::check_site(SiteId id) const {
   const Site& s = sites_[id];
-  const Cell& t = cells_[s.at.cell()];
+  const Simplex& t = simplices_[s.at.simplex()];
   ensure(t.corner[0].valid(), "regular2: a site is at a triangle that is not there");
   if (!is_hidden(id)) {
     ensure(t.corner[static_cast<std::size_t>(s.at.corner())] == id, "regular2: a site is not where it says");

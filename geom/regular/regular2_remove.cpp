@@ -42,11 +42,11 @@ void Regular2::open_hole(SiteId p) {
   rim_.clear();
   beyond_.clear();
   const Site& origin = sites_[p];
-  visit_star(p, [&](CellId t, int corner) {
-    const Cell& cell = cells_[t];
+  visit_star(p, [&](SimplexId t, int corner) {
+    const Simplex& simplex = simplices_[t];
     star_.push_back(t);
-    rim_.push_back(seen_from(origin, cell.corner[static_cast<std::size_t>(next(corner))]));
-    beyond_.push_back(cell.neighbor[static_cast<std::size_t>(corner)]);
+    rim_.push_back(seen_from(origin, simplex.corner[static_cast<std::size_t>(next(corner))]));
+    beyond_.push_back(simplex.mate[static_cast<std::size_t>(corner)]);
   });
 }
 
@@ -136,15 +136,15 @@ void Regular2::require_short_chords() const {
 
 void Regular2::fill_hole(SiteId p) {
   displaced_.clear();
-  for (const CellId t : star_) {
-    if (cells_[t].first_hidden.valid()) take_hidden_of(cells_[t]);
+  for (const SimplexId t : star_) {
+    if (simplices_[t].first_hidden.valid()) take_hidden_of(simplices_[t]);
     destroy(t);
   }
   sites_[p].at = Side();
   for (std::size_t k = plan_.size(); k-- > 0;) {
     Chain& chain = plan_[k];
     const auto first = static_cast<std::size_t>(chain.first), middle = static_cast<std::size_t>(chain.apex);
-    const CellId t = create(rim_[static_cast<std::size_t>(chain.last)], rim_[first], rim_[middle]);
+    const SimplexId t = create(rim_[static_cast<std::size_t>(chain.last)], rim_[first], rim_[middle]);
     const auto side_of = [&](std::int32_t child, std::size_t edge) {
       return child >= 0 ? plan_[static_cast<std::size_t>(child)].closing : beyond_[edge];
     };
@@ -170,11 +170,11 @@ void Regular2::expose_orphans() {
 
 /// After several changes in one: each triangle once, and only those that are there now as created.
 void Regular2::normalize_change() {
-  for (std::vector<CellId>* list : {&destroyed_, &created_}) {
+  for (std::vector<SimplexId>* list : {&destroyed_, &created_}) {
     std::sort(list->begin(), list->end());
     list->erase(std::unique(list->begin(), list->end()), list->end());
   }
-  std::erase_if(created_, [&](CellId t) { return !is_live(t); });
+  std::erase_if(created_, [&](SimplexId t) { return !is_live(t); });
 }
 
 }  // namespace geom

@@ -50,15 +50,15 @@ Regular3::Regular3(const Box3& box) : box_(box) {
 
 /// By the definition: those four of the eight whose orthosphere excludes the other four.
 void Regular3::triangulate_guards() {
-  const auto add_if_empty = [&](Cell corner) {
+  const auto add_if_empty = [&](Simplex corner) {
     const int side = orientation(corner);
     if (side == 0) return;
     if (side < 0) std::swap(corner[0], corner[1]);
-    const CellId t = create(corner);
+    const SimplexId t = create(corner);
     for (int k = 0; k < guard_count; ++k) {
       if (std::find(corner.begin(), corner.end(), guard(k)) != corner.end() || !in_conflict(t, guard(k)))
         continue;
-      cells_.pop_back();
+      simplices_.pop_back();
       created_.pop_back();
       return;
     }
@@ -73,8 +73,8 @@ void Regular3::triangulate_guards() {
     for (int b = a + 1; b < guard_count; ++b)
       for (int c = b + 1; c < guard_count; ++c)
         for (int d = c + 1; d < guard_count; ++d) add_if_empty({guard(a), guard(b), guard(c), guard(d)});
-  for (const CellId t : created_) {
-    for (const SiteId v : cells_[t].corner) site(v).cell = t;
+  for (const SimplexId t : created_) {
+    for (const SiteId v : simplices_[t].corner) site(v).simplex = t;
   }
   recent_ = created_.front();
 }
@@ -95,8 +95,8 @@ void Regular3::link(SiteId id, std::vector<SiteId>& out) const {
   collect_star(id, star_);
   const std::uint32_t seen = next_mark();
   site(id).mark = seen;
-  for (const CellId t : star_) {
-    for (const SiteId v : cells_[t].corner) {
+  for (const SimplexId t : star_) {
+    for (const SiteId v : simplices_[t].corner) {
       if (site(v).mark == seen) continue;
       site(v).mark = seen;
       if (v.valid()) out.push_back(v);
@@ -107,29 +107,29 @@ void Regular3::link(SiteId id, std::vector<SiteId>& out) const {
 void Regular3::link_and_hidden(SiteId id, std::vector<SiteId>& out) const {
   link(id, out);
   if (is_hidden(id)) return;
-  for (const CellId t : star_)
-    for (SiteId h = cells_[t].first_hidden; h.valid(); h = site(h).next_hidden) out.push_back(h);
+  for (const SimplexId t : star_)
+    for (SiteId h = simplices_[t].first_hidden; h.valid(); h = site(h).next_hidden) out.push_back(h);
 }
 
-std::vector<Regular3::Cell> Regular3::cells() const {
-  std::vector<Cell> live;
-  for (const Tetrahedron& t : cells_) {
+std::vector<Regular3::Simplex> Regular3::simplices() const {
+  std::vector<Simplex> live;
+  for (const Tetrahedron& t : simplices_) {
     if (t.corner[0] != SiteId()) live.push_back(t.corner);
   }
   return live;
 }
 
 /// Appends all tetrahedra with corner v: those reachable from one of them through facets that contain v.
-void Regular3::collect_star(SiteId v, std::vector<CellId>& out) const {
+void Regular3::collect_star(SiteId v, std::vector<SimplexId>& out) const {
   const std::uint32_t seen = next_mark();
-  out.push_back(site(v).cell);
-  cells_[out.back()].mark = seen;
+  out.push_back(site(v).simplex);
+  simplices_[out.back()].mark = seen;
   for (std::size_t k = out.size() - 1; k < out.size(); ++k) {
-    const Tetrahedron& here = cells_[out[k]];
+    const Tetrahedron& here = simplices_[out[k]];
     for (int i = 0; i < 4; ++i) {
-      const CellId next = here.mate[i].cell();
-      if (here.corner[i] == v || !next.valid() || cells_[next].mark == seen) continue;
-      cells_[next].mark = seen;
+      const SimplexId next = here.mate[i].simplex();
+      if (here.corner[i] == v || !next.valid() || simplices_[next].mark == seen) continue;
+      simplices_[next].mark = seen;
       out.push_back(next);
     }
   }
@@ -139,15 +139,15 @@ void Regular3::collect_star(SiteId v, std::vector<CellId>& out) const {
 /// x, the tetrahedra of a regular triangulation are ordered without cycles (each step strictly lessens the
 /// power of x to the orthosphere, infinitesimals included), so the walk ends whichever such facet is taken.
 /// Guards' hull contains x strictly, so it never leaves.
-CellId Regular3::locate(const Vec3& x, CellId start) const {
-  CellId here = start, previous;
+SimplexId Regular3::locate(const Vec3& x, SimplexId start) const {
+  SimplexId here = start, previous;
   for (;;) {
-    const Tetrahedron& t = cells_[here];
-    CellId next;
+    const Tetrahedron& t = simplices_[here];
+    SimplexId next;
     for (int i = 0; i < 4 && !next.valid(); ++i) {
-      if (!t.mate[i].valid() || t.mate[i].cell() == previous) continue;
+      if (!t.mate[i].valid() || t.mate[i].simplex() == previous) continue;
       const auto [a, b, c] = facet_corners(t.corner, i);
-      if (orient3(position(a), position(b), position(c), x) < 0) next = t.mate[i].cell();
+      if (orient3(position(a), position(b), position(c), x) < 0) next = t.mate[i].simplex();
     }
     if (!next.valid()) return here;
     previous = here;
@@ -155,7 +155,7 @@ CellId Regular3::locate(const Vec3& x, CellId start) const {
   }
 }
 
-int Regular3::orientation(const Cell& corner) const {
+int Regular3::orientation(const Simplex& corner) const {
   return orient3(position(corner[0]), position(corner[1]), position(corner[2]), position(corner[3]));
 }
 
@@ -171,8 +171,8 @@ int power_side(const WeightedPoint3& a, const WeightedPoint3& b, const WeightedP
 
 }  // namespace
 
-bool Regular3::in_conflict(CellId t, SiteId e) const {
-  const Cell& corner = cells_[t].corner;
+bool Regular3::in_conflict(SimplexId t, SiteId e) const {
+  const Simplex& corner = simplices_[t].corner;
   const int first_guard =
       static_cast<int>(std::find_if(corner.begin(), corner.end(), is_guard) - corner.begin());
   const int apex = std::min(first_guard, 3);
@@ -200,51 +200,51 @@ void Regular3::begin_change() {
 
 /// Frees the destroyed; only now, so that no id is destroyed and created in one change.
 Regular3::Change Regular3::finish_change() {
-  for (const CellId t : destroyed_) {
-    cells_[t].corner[0] = SiteId();
+  for (const SimplexId t : destroyed_) {
+    simplices_[t].corner[0] = SiteId();
     free_.push_back(t);
   }
   if (!created_.empty()) recent_ = created_.back();
   return {destroyed_, created_, hidden_, exposed_};
 }
 
-CellId Regular3::create(const Cell& corner) {
-  CellId t = cells_.next_id();
+SimplexId Regular3::create(const Simplex& corner) {
+  SimplexId t = simplices_.next_id();
   if (free_.empty()) {
-    cells_.emplace_back();
+    simplices_.emplace_back();
   } else {
     t = free_.back();
     free_.pop_back();
   }
-  cells_[t] = {corner, {}, SiteId(), 0};
-  for (const SiteId v : corner) site(v).cell = t;
+  simplices_[t] = {corner, {}, SiteId(), 0};
+  for (const SiteId v : corner) site(v).simplex = t;
   created_.push_back(t);
   return t;
 }
 
 /// Makes two tetrahedra neighbours across a facet. `other` may be none.
 void Regular3::glue(Facet one, Facet other) {
-  cells_[one.cell()].mate[one.corner()] = other;
-  if (other.valid()) cells_[other.cell()].mate[other.corner()] = one;
+  simplices_[one.simplex()].mate[one.corner()] = other;
+  if (other.valid()) simplices_[other.simplex()].mate[other.corner()] = one;
 }
 
-int Regular3::corner_of(CellId t, SiteId v) const {
-  const Cell& corner = cells_[t].corner;
+int Regular3::corner_of(SimplexId t, SiteId v) const {
+  const Simplex& corner = simplices_[t].corner;
   return static_cast<int>(std::find(corner.begin(), corner.end(), v) - corner.begin());
 }
 
 /// A mark that no tetrahedron and no site carries.
 std::uint32_t Regular3::next_mark() const {
   if (++mark_ != 0) return mark_;
-  for (const Tetrahedron& t : cells_) t.mark = 0;
+  for (const Tetrahedron& t : simplices_) t.mark = 0;
   for (const Site& s : sites_) s.mark = 0;
   return mark_ = 1;
 }
 
-void Regular3::hide(SiteId id, CellId witness) {
+void Regular3::hide(SiteId id, SimplexId witness) {
   Site& s = site(id);
-  SiteId& first = cells_[witness].first_hidden;
-  s.cell = witness;
+  SiteId& first = simplices_[witness].first_hidden;
+  s.simplex = witness;
   s.state = State::hidden;
   s.previous_hidden = SiteId();
   s.next_hidden = first;
@@ -258,31 +258,31 @@ void Regular3::unlink_hidden(SiteId id) {
   if (s.previous_hidden.valid()) {
     site(s.previous_hidden).next_hidden = s.next_hidden;
   } else {
-    cells_[s.cell].first_hidden = s.next_hidden;
+    simplices_[s.simplex].first_hidden = s.next_hidden;
   }
 }
 
 /// Moves the sites that the dying tetrahedron t witnesses to the displaced.
-void Regular3::take_hidden_of(CellId t) {
-  for (SiteId h = cells_[t].first_hidden; h.valid(); h = site(h).next_hidden) displaced_.push_back(h);
+void Regular3::take_hidden_of(SimplexId t) {
+  for (SiteId h = simplices_[t].first_hidden; h.valid(); h = site(h).next_hidden) displaced_.push_back(h);
 }
 
 // --- verification --------------------------------------------------------------------------------
 
 void Regular3::check() const {
   std::size_t live = 0;
-  for (CellId t(0); t < cells_.next_id(); ++t.value) {
-    if (cells_[t].corner[0] == SiteId()) continue;
+  for (SimplexId t(0); t < simplices_.next_id(); ++t.value) {
+    if (simplices_[t].corner[0] == SiteId()) continue;
     ++live;
-    check_cell(t);
+    check_simplex(t);
   }
-  ensure(live + free_.size() == cells_.size(), "regular3: a tetrahedron is neither live nor free");
+  ensure(live + free_.size() == simplices_.size(), "regular3: a tetrahedron is neither live nor free");
   for (int k = 0; k < guard_count; ++k) check_site(guard(k));
   for (SiteId id(0); slot(id) < sites_.size(); ++id.value) check_site(id);
 }
 
-void Regular3::check_cell(CellId t) const {
-  const Tetrahedron& here = cells_[t];
+void Regular3::check_simplex(SimplexId t) const {
+  const Tetrahedron& here = simplices_[t];
   ensure(orientation(here.corner) > 0, "regular3: a tetrahedron is not positively oriented");
   for (const SiteId v : here.corner) {
     ensure(is_guard(v) || contains(v), "regular3: a corner is not a site");
@@ -290,28 +290,28 @@ void Regular3::check_cell(CellId t) const {
   }
   for (int i = 0; i < 4; ++i) {
     const auto [a, b, c] = facet_corners(here.corner, i);
-    const CellId next = here.mate[i].cell();
+    const SimplexId next = here.mate[i].simplex();
     if (!next.valid()) {
       ensure(is_guard(a) && is_guard(b) && is_guard(c), "regular3: a facet of the hull is not of guards");
       continue;
     }
     const int j = here.mate[i].corner();
-    ensure(cells_[next].mate[j] == Facet(t, i), "regular3: adjacency is not symmetric");
+    ensure(simplices_[next].mate[j] == Facet(t, i), "regular3: adjacency is not symmetric");
     for (const SiteId v : {a, b, c}) {
       const int k = corner_of(next, v);
       ensure(k < 4 && k != j, "regular3: neighbours do not share their facet");
     }
-    ensure(!in_conflict(t, cells_[next].corner[j]), "regular3: a facet is not locally regular");
+    ensure(!in_conflict(t, simplices_[next].corner[j]), "regular3: a facet is not locally regular");
   }
 }
 
 void Regular3::check_site(SiteId id) const {
   const Site& s = site(id);
   if (s.state == State::absent) return;
-  const Cell& corner = cells_[s.cell].corner;
+  const Simplex& corner = simplices_[s.simplex].corner;
   ensure(corner[0] != SiteId(), "regular3: a site refers to a freed tetrahedron");
   if (s.state == State::visible) {
-    ensure(corner_of(s.cell, id) < 4, "regular3: a site is no corner of its tetrahedron");
+    ensure(corner_of(s.simplex, id) < 4, "regular3: a site is no corner of its tetrahedron");
     return;
   }
   for (int i = 0; i < 4; ++i) {
@@ -319,8 +319,8 @@ void Regular3::check_site(SiteId id) const {
     ensure(orient3(position(a), position(b), position(c), position(id)) >= 0,
            "regular3: a hidden site is outside its witness");
   }
-  ensure(!in_conflict(s.cell, id), "regular3: a hidden site conflicts with its witness");
-  SiteId h = cells_[s.cell].first_hidden;
+  ensure(!in_conflict(s.simplex, id), "regular3: a hidden site conflicts with its witness");
+  SiteId h = simplices_[s.simplex].first_hidden;
   while (h.valid() && h != id) h = site(h).next_hidden;
   ensure(h == id, "regular3: a witness does not list its hidden site");
 }

@@ -21,17 +21,17 @@ namespace geom {
 /// leaves no trace. Steady state allocates nothing. Queries use scratch marks: one thread at a time.
 class Regular3 {
  public:
-  /// What one insertion or removal did. Valid until the next one. No cell is in both lists: the ids of the
+  /// What one insertion or removal did. Valid until the next one. No simplex is in both lists: the ids of the
   /// destroyed are free only for the next change.
   struct Change {
-    std::span<const CellId> destroyed;
-    std::span<const CellId> created;
+    std::span<const SimplexId> destroyed;
+    std::span<const SimplexId> created;
     std::span<const SiteId> hidden;   ///< sites that lost their last tetrahedron (the inserted one included)
     std::span<const SiteId> exposed;  ///< sites that were hidden and are vertices now
   };
 
   /// Corners of a tetrahedron, positively oriented; guards are sites with negative ids below none.
-  using Cell = std::array<SiteId, 4>;
+  using Simplex = std::array<SiteId, 4>;
 
   static constexpr int guard_count = 8;
   static constexpr SiteId guard(int k) { return SiteId(-2 - k); }
@@ -61,9 +61,9 @@ class Regular3 {
   void link_and_hidden(SiteId id, std::vector<SiteId>& out) const;
 
   /// Corners of a live tetrahedron, such as one that a Change calls created.
-  const Cell& cell(CellId t) const { return cells_[t].corner; }
+  const Simplex& simplex(SimplexId t) const { return simplices_[t].corner; }
   /// All live tetrahedra (guards included), for tests and drawings.
-  std::vector<Cell> cells() const;
+  std::vector<Simplex> simplices() const;
   /// Verifies orientation, adjacency, the empty-orthosphere property of every facet and the witnesses of
   /// hidden sites; throws Bug. O(n).
   void check() const;
@@ -74,9 +74,9 @@ class Regular3 {
    public:
     Facet() = default;
     explicit Facet(std::int32_t code) : code_(code) {}
-    Facet(CellId t, int corner) : code_(4 * t.value + corner) {}
+    Facet(SimplexId t, int corner) : code_(4 * t.value + corner) {}
     bool valid() const { return code_ >= 0; }
-    CellId cell() const { return CellId(code_ >> 2); }
+    SimplexId simplex() const { return SimplexId(code_ >> 2); }
     int corner() const { return code_ & 3; }
     std::int32_t code() const { return code_; }
     bool operator==(const Facet&) const = default;
@@ -86,16 +86,16 @@ class Regular3 {
   };
   /// A free one has no corners.
   struct Tetrahedron {
-    Cell corner;
+    Simplex corner;
     std::array<Facet, 4> mate;  ///< the facet opposite each corner as a facet of the neighbor there
     SiteId first_hidden;        ///< the sites that it witnesses, a list through Site::next_hidden
     mutable std::uint32_t mark = 0;
   };
   enum class State : std::uint8_t { absent, visible, hidden };
-  /// Site or guard. `cell`: a tetrahedron at this vertex; the witness, if hidden: one that contains the site
-  /// and with whose orthosphere the site is not in conflict.
+  /// Site or guard. `simplex`: a tetrahedron at this vertex; the witness, if hidden: one that contains the
+  /// site and with whose orthosphere the site is not in conflict.
   struct Site {
-    CellId cell;
+    SimplexId simplex;
     State state = State::absent;
     mutable std::uint32_t mark = 0;
     SiteId next_hidden, previous_hidden;
@@ -115,21 +115,21 @@ class Regular3 {
   const Vec3& position(SiteId id) const { return points_[slot(id)].position; }
   RankedPoint3 ranked(SiteId id) const { return {&points_[slot(id)], rank(id)}; }
 
-  int orientation(const Cell& corner) const;
-  bool in_conflict(CellId t, SiteId e) const;
-  int corner_of(CellId t, SiteId v) const;
-  CellId locate(const Vec3& x, CellId start) const;
-  void collect_star(SiteId v, std::vector<CellId>& out) const;
+  int orientation(const Simplex& corner) const;
+  bool in_conflict(SimplexId t, SiteId e) const;
+  int corner_of(SimplexId t, SiteId v) const;
+  SimplexId locate(const Vec3& x, SimplexId start) const;
+  void collect_star(SiteId v, std::vector<SimplexId>& out) const;
 
   void triangulate_guards();
   void admit(SiteId id, const WeightedPoint3& point);
   void begin_change();
   Change finish_change();
-  CellId create(const Cell& corner);
+  SimplexId create(const Simplex& corner);
   void glue(Facet one, Facet other);
   std::uint32_t next_mark() const;
 
-  void dig_cavity(CellId start, SiteId p);
+  void dig_cavity(SimplexId start, SiteId p);
   void star_cavity(SiteId p);
   void hide_swallowed();
 
@@ -137,29 +137,29 @@ class Regular3 {
   void fill_hole();
   SiteId apex(const OpenFacet& facet) const;
 
-  void hide(SiteId id, CellId witness);
+  void hide(SiteId id, SimplexId witness);
   void unlink_hidden(SiteId id);
-  void take_hidden_of(CellId t);
+  void take_hidden_of(SimplexId t);
 
-  void check_cell(CellId t) const;
+  void check_simplex(SimplexId t) const;
   void check_site(SiteId id) const;
 
   Box3 box_;
   std::vector<WeightedPoint3> points_;  ///< by slot: guards, none, sites
   std::vector<Site> sites_;             ///< by slot
-  Table<CellId, Tetrahedron> cells_;
-  std::vector<CellId> free_;
-  CellId recent_;  ///< a live cell
+  Table<SimplexId, Tetrahedron> simplices_;
+  std::vector<SimplexId> free_;
+  SimplexId recent_;  ///< a live simplex
   mutable std::uint32_t mark_ = 0;
 
-  std::vector<CellId> destroyed_, created_;  ///< the current change
+  std::vector<SimplexId> destroyed_, created_;  ///< the current change
   std::vector<SiteId> hidden_, exposed_;
   std::vector<SiteId> displaced_;  ///< sites whose witness is destroyed
   FacetMatcher matcher_;
-  std::vector<Facet> boundary_;       ///< of the cavity: facets of destroyed cells
-  std::vector<OpenFacet> open_;       ///< of the hole
-  std::vector<SiteId> candidates_;    ///< corners that tetrahedra in the hole may have
-  mutable std::vector<CellId> star_;  ///< scratch of link()
+  std::vector<Facet> boundary_;          ///< of the cavity: facets of destroyed simplices
+  std::vector<OpenFacet> open_;          ///< of the hole
+  std::vector<SiteId> candidates_;       ///< corners that tetrahedra in the hole may have
+  mutable std::vector<SimplexId> star_;  ///< scratch of link()
 };
 
 }  // namespace geom

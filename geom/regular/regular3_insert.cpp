@@ -24,7 +24,7 @@ namespace geom {
 Regular3::Change Regular3::insert(SiteId id, const WeightedPoint3& point, SiteId hint) {
   admit(id, point);
   begin_change();
-  const CellId start = locate(point.position, contains(hint) && hint != id ? site(hint).cell : recent_);
+  const SimplexId start = locate(point.position, contains(hint) && hint != id ? site(hint).simplex : recent_);
   if (!in_conflict(start, id)) {
     hide(id, start);
     hidden_.push_back(id);
@@ -53,16 +53,16 @@ void Regular3::admit(SiteId id, const WeightedPoint3& point) {
 
 /// Floods the tetrahedra in conflict with p from one of them: they become the destroyed, in breadth-first
 /// order, and the facets around them the boundary.
-void Regular3::dig_cavity(CellId start, SiteId p) {
+void Regular3::dig_cavity(SimplexId start, SiteId p) {
   const std::uint32_t clear = next_mark(), conflicting = next_mark();
-  cells_[start].mark = conflicting;
+  simplices_[start].mark = conflicting;
   destroyed_.push_back(start);
   for (std::size_t k = 0; k < destroyed_.size(); ++k) {
-    const Tetrahedron& here = cells_[destroyed_[k]];
+    const Tetrahedron& here = simplices_[destroyed_[k]];
     for (int i = 0; i < 4; ++i) {
-      const CellId next = here.mate[i].cell();
+      const SimplexId next = here.mate[i].simplex();
       if (next.valid()) {
-        std::uint32_t& mark = cells_[next].mark;
+        std::uint32_t& mark = simplices_[next].mark;
         if (mark == conflicting) continue;
         if (mark != clear) {
           mark = in_conflict(next, p) ? conflicting : clear;
@@ -82,10 +82,10 @@ void Regular3::dig_cavity(CellId start, SiteId p) {
 void Regular3::star_cavity(SiteId p) {
   matcher_.clear();
   for (const Facet inner : boundary_) {
-    Cell corner = cells_[inner.cell()].corner;
+    Simplex corner = simplices_[inner.simplex()].corner;
     corner[inner.corner()] = p;
-    const CellId t = create(corner);
-    glue({t, inner.corner()}, cells_[inner.cell()].mate[inner.corner()]);
+    const SimplexId t = create(corner);
+    glue({t, inner.corner()}, simplices_[inner.simplex()].mate[inner.corner()]);
     for (int i = 0; i < 4; ++i) {
       if (i == inner.corner()) continue;
       const auto [a, b, c] = facet_corners(corner, i);
@@ -98,12 +98,12 @@ void Regular3::star_cavity(SiteId p) {
 /// Finds witnesses in or about the new star for the sites that lost theirs and for the corners inside the
 /// cavity. The latter still refer to a destroyed tetrahedron, the corners on the boundary to a new one.
 void Regular3::hide_swallowed() {
-  const std::uint32_t conflicting = cells_[destroyed_.front()].mark;
-  for (const CellId t : destroyed_) {
+  const std::uint32_t conflicting = simplices_[destroyed_.front()].mark;
+  for (const SimplexId t : destroyed_) {
     take_hidden_of(t);
-    for (const SiteId v : cells_[t].corner) {
+    for (const SiteId v : simplices_[t].corner) {
       Site& corner = site(v);
-      if (corner.state != State::visible || cells_[corner.cell].mark != conflicting) continue;
+      if (corner.state != State::visible || simplices_[corner.simplex].mark != conflicting) continue;
       corner.state = State::hidden;
       hidden_.push_back(v);
     }

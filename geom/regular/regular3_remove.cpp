@@ -42,16 +42,16 @@ void Regular3::open_hole(SiteId p) {
   collect_star(p, destroyed_);
   const std::uint32_t seen = next_mark();
   matcher_.clear();
-  for (const CellId t : destroyed_) {
+  for (const SimplexId t : destroyed_) {
     const int i = corner_of(t, p);
-    const auto [a, b, c] = facet_corners(cells_[t].corner, i);
+    const auto [a, b, c] = facet_corners(simplices_[t].corner, i);
     for (const SiteId v : {a, b, c}) {
       if (site(v).mark == seen) continue;
       site(v).mark = seen;
       candidates_.push_back(v);
     }
     matcher_.find_or_insert(a, b, c, static_cast<std::int32_t>(open_.size()));
-    open_.push_back({a, b, c, cells_[t].mate[i]});
+    open_.push_back({a, b, c, simplices_[t].mate[i]});
     take_hidden_of(t);
   }
   candidates_.insert(candidates_.end(), displaced_.begin(), displaced_.end());
@@ -66,8 +66,8 @@ void Regular3::fill_hole() {
       site(d).state = State::visible;
       exposed_.push_back(d);
     }
-    const Cell corner = {base.a, base.b, base.c, d};
-    const CellId t = create(corner);
+    const Simplex corner = {base.a, base.b, base.c, d};
+    const SimplexId t = create(corner);
     glue({t, 3}, base.outer);
     for (int i = 0; i < 3; ++i) {
       const auto [a, b, c] = facet_corners(corner, i);

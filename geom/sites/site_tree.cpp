@@ -221,7 +221,7 @@ void SiteTree::heirs(const Vacancy& vacancy, std::vector<SiteId>& out) const {
 
 /// What lies within slack of the best must be computed in doubles: (d - slack)^2 >= d^2 (1 - e) - slack^2 /
 /// e.
-NeighbourSource::Nearest SiteTree::nearest(const Vec3& x, SiteId without, SiteId) const {
+NeighbourOracle::Nearest SiteTree::nearest(const Vec3& x, SiteId without, SiteId) const {
   constexpr double e = 0x1p-10;
   const double allowance = slack_ * slack_ / e;
   Nearest best{SiteId(), infinity};

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "geom/short_lists.h"
-#include "geom/sites/neighbour_source.h"
+#include "geom/sites/neighbour_oracle.h"
 
 namespace geom {
 
@@ -24,7 +24,7 @@ namespace geom {
 /// Adapts to any grading, as long as few sites are nearer to each other than 2^-23 of the largest coordinate.
 /// insert, remove, set_reach, queries: O(log n) expected. A site is in one leaf, which it leaves only on
 /// remove.
-class SiteTree final : public NeighbourSource {
+class SiteTree final : public NeighbourOracle {
  public:
   SiteTree() : nodes_(1) {}
 

@@ -54,7 +54,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Sites in random order, each hinted by a neighbour on the surface where one is known: by the cell of a
+/// Sites in random order, each hinted by a neighbour on the surface where one is known: by the simplex of a
 /// coarse grid.
 class HintGrid {
  public:
@@ -87,7 +87,7 @@ void measure(const Surface& surface, int n) {
     hint = SiteId(i);
   }
   const double build = seconds_since(start);
-  const double per_site = static_cast<double>(t.cells().size()) / n;
+  const double per_site = static_cast<double>(t.simplices().size()) / n;
 
   std::vector<SiteId> link;
   const int moves = 50000;
@@ -109,7 +109,7 @@ void measure(const Surface& surface, int n) {
   }
   t.check();
   std::printf(
-      "%-14s %8d  build %6.2f us/site  cells/site %5.2f  star %5.1f  hole %5.1f  remove %6.2f us  insert "
+      "%-14s %8d  build %6.2f us/site  simplices/site %5.2f  star %5.1f  hole %5.1f  remove %6.2f us  insert "
       "%6.2f us  both %6.2f us\n",
       surface.name, n, 1e6 * build / n, per_site, 1.0 * star / moves, 1.0 * hole / moves,
       1e6 * removing / moves, 1e6 * inserting / moves, 1e6 * (removing + inserting) / moves);

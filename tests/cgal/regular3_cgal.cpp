@@ -21,7 +21,7 @@ using geom::Rng;
 using geom::SiteId;
 using geom::Vec3;
 using geom::WeightedPoint3;
-using Tetrahedra = std::vector<Regular3::Cell>;
+using Tetrahedra = std::vector<Regular3::Simplex>;
 
 template <class Kernel>
 using Triangulation =
@@ -31,10 +31,10 @@ using Triangulation =
                                           SiteId, Kernel, CGAL::Regular_triangulation_vertex_base_3<Kernel>>,
                                       CGAL::Regular_triangulation_cell_base_3<Kernel>>>;
 
-Tetrahedra sorted(Tetrahedra cells) {
-  for (Regular3::Cell& cell : cells) std::ranges::sort(cell);
-  std::ranges::sort(cells);
-  return cells;
+Tetrahedra sorted(Tetrahedra simplices) {
+  for (Regular3::Simplex& simplex : simplices) std::ranges::sort(simplex);
+  std::ranges::sort(simplices);
+  return simplices;
 }
 
 /// What CGAL makes of the same sites and guards; `convert` turns a site into its weighted point.
@@ -46,10 +46,11 @@ Tetrahedra by_cgal(const Regular3& ours, std::vector<SiteId> sites, Convert conv
     const auto v = theirs.insert(convert(ours.point(s), s));
     if (v != typename Triangulation<Kernel>::Vertex_handle()) v->info() = s;
   }
-  Tetrahedra cells;
+  Tetrahedra simplices;
   for (const auto& c : theirs.finite_cell_handles())
-    cells.push_back({c->vertex(0)->info(), c->vertex(1)->info(), c->vertex(2)->info(), c->vertex(3)->info()});
-  return sorted(std::move(cells));
+    simplices.push_back(
+        {c->vertex(0)->info(), c->vertex(1)->info(), c->vertex(2)->info(), c->vertex(3)->info()});
+  return sorted(std::move(simplices));
 }
 
 /// Sites that come and go.
@@ -159,7 +160,7 @@ TEST_CASE(
       const auto convert = [](const WeightedPoint3& p, SiteId s) {
         return cgal::perturbed(p, s.valid() ? s.value : 24 + (-2 - s.value));  // guards come last
       };
-      REQUIRE(sorted(walk.triangulation().cells()) ==
+      REQUIRE(sorted(walk.triangulation().simplices()) ==
               by_cgal<cgal::Kernel>(walk.triangulation(), walk.present(), convert));
     }
   }
@@ -175,7 +176,7 @@ TEST_CASE("CGAL: many random sites in space") {
       return Epick::Weighted_point_3(Epick::Point_3(p.position.x(), p.position.y(), p.position.z()),
                                      p.weight);
     };
-    CHECK(sorted(walk.triangulation().cells()) ==
+    CHECK(sorted(walk.triangulation().simplices()) ==
           by_cgal<Epick>(walk.triangulation(), walk.present(), convert));
   }
 }

@@ -7,7 +7,7 @@
 
 namespace endurance {
 
-using geom::CellId;
+using geom::SimplexId;
 using geom::SiteId;
 using geom::Vec2;
 using geom::Vec3;
@@ -52,16 +52,16 @@ void PlaneStage::note(const geom::Regular2::Change& change) {
 }
 
 bool PlaneStage::farthest(bool of_last_change, Vec3& out) const {
-  CellId best;
-  const auto look_at = [&](CellId t) {
+  SimplexId best;
+  const auto look_at = [&](SimplexId t) {
     if (triangulation_.is_live(t) &&
         (!best.valid() || triangulation_.radius2(t) > triangulation_.radius2(best)))
       best = t;
   };
   if (of_last_change)
-    for (const CellId t : last_created_) look_at(t);
+    for (const SimplexId t : last_created_) look_at(t);
   else
-    for (std::size_t t = 0; t < triangulation_.cell_capacity(); ++t) look_at(CellId(t));
+    for (std::size_t t = 0; t < triangulation_.simplex_capacity(); ++t) look_at(SimplexId(t));
   if (best.valid()) out = {triangulation_.center(best).x(), triangulation_.center(best).y(), 0};
   return best.valid();
 }
@@ -87,8 +87,8 @@ std::vector<SiteId> PlaneStage::all_sites() const {
 void PlaneStage::check_by_brute_force(geom::Rng& rng) const {
   const std::vector<SiteId> ids = all_sites();
   check_nearest(ids[rng.below(ids.size())]);
-  CellId t;
-  do t = CellId(static_cast<std::size_t>(rng.below(triangulation_.cell_capacity())));
+  SimplexId t;
+  do t = SimplexId(static_cast<std::size_t>(rng.below(triangulation_.simplex_capacity())));
   while (!triangulation_.is_live(t));
   check_empty(t);
 }
@@ -106,7 +106,7 @@ void PlaneStage::check_nearest(SiteId id) const {
 }
 
 /// No site is closer to the center than the corners, but for rounding.
-void PlaneStage::check_empty(CellId t) const {
+void PlaneStage::check_empty(SimplexId t) const {
   const double radius2 = triangulation_.radius2(t), unit2 = std::pow(triangulation_.torus().unit(), 2);
   for (const SiteId s : all_sites()) {
     const geom::WeightedPoint2 p = triangulation_.point(s);
@@ -124,8 +124,8 @@ std::unique_ptr<Stage> PlaneStage::rebuilt() const {
 
 std::vector<PlaneStage::Keyed> PlaneStage::triangles() const {
   std::vector<Keyed> result;
-  for (std::size_t i = 0; i < triangulation_.cell_capacity(); ++i) {
-    const CellId t(i);
+  for (std::size_t i = 0; i < triangulation_.simplex_capacity(); ++i) {
+    const SimplexId t(i);
     if (!triangulation_.is_live(t)) continue;
     Keyed keyed{triangulation_.corners(t), triangulation_.radius2(t)};
     std::rotate(keyed.corners.begin(), std::ranges::min_element(keyed.corners), keyed.corners.end());

@@ -30,13 +30,13 @@ class PlaneStage final : public Stage {
   bool remove(geom::SiteId s) override;
   void note(const geom::Regular2::Change& change);
   void check_nearest(geom::SiteId id) const;
-  void check_empty(geom::CellId t) const;
+  void check_empty(geom::SimplexId t) const;
   std::vector<geom::SiteId> all_sites() const;
   std::vector<Keyed> triangles() const;
 
   Place place_;
   geom::Regular2 triangulation_;
-  std::vector<geom::CellId> last_created_;
+  std::vector<geom::SimplexId> last_created_;
 };
 
 }  // namespace endurance

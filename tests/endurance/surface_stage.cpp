@@ -8,7 +8,7 @@
 #include "geom/check.h"
 #include "geom/mesh/scaling.h"
 #include "geom/shapes/shapes.h"
-#include "geom/sites/triangulation_source.h"
+#include "geom/sites/triangulation_oracle.h"
 #include "tests/oracle/restricted_dual_oracle.h"
 
 namespace endurance {
@@ -31,9 +31,9 @@ geom::TriMesh make_mesh(const Place& place) {
   return geom::scaled_to_unit_box(tilt ? geom::tilted(mesh) : mesh, 1);
 }
 
-std::unique_ptr<geom::NeighbourSource> make_paper(bool search, const geom::Box3& box) {
+std::unique_ptr<geom::NeighbourOracle> make_paper(bool search, const geom::Box3& box) {
   if (search) return nullptr;
-  return std::make_unique<geom::TriangulationSource>(box);
+  return std::make_unique<geom::TriangulationOracle>(box);
 }
 
 std::vector<oracle::KnownCircle> without_beyond(std::vector<oracle::KnownCircle> circles, FacetId t) {

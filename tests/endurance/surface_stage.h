@@ -49,7 +49,7 @@ class SurfaceStage final : public Stage {
   Place place_;
   bool search_;
   std::shared_ptr<const Surface> surface_;
-  std::unique_ptr<geom::NeighbourSource> paper_;
+  std::unique_ptr<geom::NeighbourOracle> paper_;
   std::unique_ptr<geom::RestrictedDual> dual_;
   geom::IndexedHeap<geom::CircleId, CircleOrder> heap_;
   std::vector<geom::CircleId> last_created_;

@@ -19,10 +19,10 @@ using fpo::PlaneDomain;
 using fpo::PlaneSample;
 using fpo::Scope;
 using fpo::SiteId;
-using geom::CellId;
 using geom::FlatTorus;
 using geom::Regular2;
 using geom::Rng;
+using geom::SimplexId;
 using geom::Vec2;
 using geom::WeightedPoint2;
 
@@ -77,9 +77,10 @@ TEST_CASE("plane domain: each step of a move against search in all samples") {
       const Circle local = d.largest_empty(Scope::two_ring);
       const Circle c = d.largest_empty(Scope::global);
       REQUIRE(local.radius2 <= c.radius2);
-      for (std::size_t t = 0; t < d.triangulation().cell_capacity(); ++t)
-        if (d.triangulation().is_live(CellId(t))) REQUIRE(d.triangulation().radius2(CellId(t)) <= c.radius2);
-      const Vec2 center = d.triangulation().center(CellId(c.id.value));
+      for (std::size_t t = 0; t < d.triangulation().simplex_capacity(); ++t)
+        if (d.triangulation().is_live(SimplexId(t)))
+          REQUIRE(d.triangulation().radius2(SimplexId(t)) <= c.radius2);
+      const Vec2 center = d.triangulation().center(SimplexId(c.id.value));
       REQUIRE(std::abs(least_power(d, center, x) - c.radius2) < 1e-12);
       for (int k = 0; k < 20; ++k) {
         const Vec2 anywhere(rng.uniform(0, 1.5), rng.uniform(0, 1));

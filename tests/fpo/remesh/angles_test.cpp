@@ -84,7 +84,7 @@ TEST_CASE("angles: what cannot be mended is put back") {
   hard.smallest = 50;
   hard.largest = 75;
   hard.max_moves = 0;  // twenty for every sample are left
-  const auto badness = [&] {
+  const auto penalty = [&] {
     const TriMesh remesh = extract(*domain.diagram(), 300);
     double sum = 0;
     for (std::size_t t = 0; t < remesh.num_facets(); ++t) {
@@ -101,12 +101,12 @@ TEST_CASE("angles: what cannot be mended is put back") {
     }
     return sum;
   };
-  const double before = badness();
+  const double before = penalty();
   const AngleResult result = optimize_angles(domain, hard);
   CHECK(result.tried > 30);
   CHECK(result.tried < 1000);
   CHECK(result.bad_after > 0);
-  CHECK(badness() <= before * (1 + 1e-9));
+  CHECK(penalty() <= before * (1 + 1e-9));
   domain.check();
 }
 

@@ -52,7 +52,7 @@ TEST_CASE("flaws: followed through removals, insertions and moves at once, they 
       if (rng.below(4) != 0) continue;
       Flaws fresh(domain, measure);
       REQUIRE(flaws.number() == fresh.number());
-      CHECK(flaws.badness() == doctest::Approx(fresh.badness()).epsilon(1e-9));
+      CHECK(flaws.penalty() == doctest::Approx(fresh.penalty()).epsilon(1e-9));
       flaws.try_all_again();
       const CircleId worst = flaws.take_worst(), expected = fresh.take_worst();
       REQUIRE(worst.valid() == expected.valid());

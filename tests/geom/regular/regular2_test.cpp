@@ -12,9 +12,9 @@
 #include "geom/hilbert.h"
 #include "geom/rng.h"
 
-using geom::CellId;
 using geom::Regular2;
 using geom::Rng;
+using geom::SimplexId;
 using geom::SiteId;
 using geom::Vec2;
 using geom::WeightedPoint2;
@@ -37,7 +37,7 @@ struct Kind {
   std::function<WeightedPoint2(Rng&)> draw;
 };
 
-/// One point in each cell of an m x m grid.
+/// One point in each simplex of an m x m grid.
 Points jittered(int m, const Vec2& period, Rng& rng, const std::function<double(Rng&)>& weight) {
   Points points;
   for (int i = 0; i < m; ++i)
@@ -149,14 +149,14 @@ struct Ledger {
   const Regular2& t;
   std::vector<Regular2::Triangle> by_cell;
   void sync() {
-    by_cell.assign(t.cell_capacity(), {});
+    by_cell.assign(t.simplex_capacity(), {});
     for (std::size_t k = 0; k < by_cell.size(); ++k)
-      if (t.is_live(CellId(k))) by_cell[k] = t.corners(CellId(k));
+      if (t.is_live(SimplexId(k))) by_cell[k] = t.corners(SimplexId(k));
   }
   bool explains(const Regular2::Change& change) {
-    by_cell.resize(t.cell_capacity(), {});
-    for (const CellId c : change.destroyed) by_cell[c.index()] = {};
-    for (const CellId c : change.created) by_cell[c.index()] = t.corners(c);
+    by_cell.resize(t.simplex_capacity(), {});
+    for (const SimplexId c : change.destroyed) by_cell[c.index()] = {};
+    for (const SimplexId c : change.created) by_cell[c.index()] = t.corners(c);
     const std::vector<Regular2::Triangle> recorded = by_cell;
     sync();
     return recorded == by_cell;
@@ -224,11 +224,11 @@ TEST_CASE("regular2: removal and insertion at the same place is the identity, ra
     Regular2 t(kind.period, kind.start);
     const auto state = [&] {
       std::vector<std::pair<Regular2::Triangle, double>> s;
-      for (std::size_t k = 0; k < t.cell_capacity(); ++k) {
-        if (!t.is_live(CellId(k))) continue;
-        Regular2::Triangle c = t.corners(CellId(k));
+      for (std::size_t k = 0; k < t.simplex_capacity(); ++k) {
+        if (!t.is_live(SimplexId(k))) continue;
+        Regular2::Triangle c = t.corners(SimplexId(k));
         std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
-        s.emplace_back(c, t.radius2(CellId(k)));
+        s.emplace_back(c, t.radius2(SimplexId(k)));
       }
       std::sort(s.begin(), s.end());
       return s;
@@ -329,16 +329,17 @@ TEST_CASE("regular2: what cannot be triangulated is refused, and nothing is chan
   t.check();
 }
 
-TEST_CASE("hilbert: a curve without jumps through all cells") {
+TEST_CASE("hilbert: a curve without jumps through all simplices") {
   constexpr std::uint32_t side = 16, step = (1u << 20) / side;
-  std::vector<std::pair<std::uint64_t, std::pair<int, int>>> cells;
+  std::vector<std::pair<std::uint64_t, std::pair<int, int>>> simplices;
   for (std::uint32_t i = 0; i < side; ++i)
     for (std::uint32_t j = 0; j < side; ++j)
-      cells.push_back({geom::hilbert_index(i * step, j * step), {static_cast<int>(i), static_cast<int>(j)}});
-  std::sort(cells.begin(), cells.end());
-  for (std::size_t k = 1; k < cells.size(); ++k) {
-    const auto [i, j] = cells[k].second;
-    const auto [i0, j0] = cells[k - 1].second;
+      simplices.push_back(
+          {geom::hilbert_index(i * step, j * step), {static_cast<int>(i), static_cast<int>(j)}});
+  std::sort(simplices.begin(), simplices.end());
+  for (std::size_t k = 1; k < simplices.size(); ++k) {
+    const auto [i, j] = simplices[k].second;
+    const auto [i0, j0] = simplices[k - 1].second;
     CHECK(std::abs(i - i0) + std::abs(j - j0) == 1);
   }
 }

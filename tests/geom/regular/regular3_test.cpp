@@ -14,49 +14,50 @@
 #include "geom/rng.h"
 
 using geom::Box3;
-using geom::CellId;
 using geom::Regular3;
 using geom::Rng;
+using geom::SimplexId;
 using geom::SiteId;
 using geom::Vec3;
 using geom::WeightedPoint3;
 
 namespace {
 
-using CellSet = std::vector<Regular3::Cell>;  ///< corners ascending, cells ascending: comparable
+using SimplexSet = std::vector<Regular3::Simplex>;  ///< corners ascending, simplices ascending: comparable
 using Points = std::vector<WeightedPoint3>;
 
-CellSet canonical(CellSet cells) {
-  for (Regular3::Cell& cell : cells) std::sort(cell.begin(), cell.end());
-  std::sort(cells.begin(), cells.end());
-  return cells;
+SimplexSet canonical(SimplexSet simplices) {
+  for (Regular3::Simplex& simplex : simplices) std::sort(simplex.begin(), simplex.end());
+  std::sort(simplices.begin(), simplices.end());
+  return simplices;
 }
 
-CellSet canonical(const Regular3& t) { return canonical(t.cells()); }
+SimplexSet canonical(const Regular3& t) { return canonical(t.simplices()); }
 
 /// By the definition: all positively oriented quadruples whose orthosphere excludes all other sites.
-CellSet brute_force(const Regular3& t, const std::vector<SiteId>& present) {
+SimplexSet brute_force(const Regular3& t, const std::vector<SiteId>& present) {
   std::vector<SiteId> all = present;
   for (int k = 0; k < Regular3::guard_count; ++k) all.push_back(Regular3::guard(k));
   const auto ranked = [&](SiteId id) { return geom::RankedPoint3{&t.point(id), Regular3::rank(id)}; };
-  CellSet cells;
-  const auto test = [&](Regular3::Cell cell) {
-    const int side = geom::orient3(t.point(cell[0]).position, t.point(cell[1]).position,
-                                   t.point(cell[2]).position, t.point(cell[3]).position);
+  SimplexSet simplices;
+  const auto test = [&](Regular3::Simplex simplex) {
+    const int side = geom::orient3(t.point(simplex[0]).position, t.point(simplex[1]).position,
+                                   t.point(simplex[2]).position, t.point(simplex[3]).position);
     if (side == 0) return;
-    if (side < 0) std::swap(cell[0], cell[1]);
+    if (side < 0) std::swap(simplex[0], simplex[1]);
     for (const SiteId e : all) {
-      if (std::find(cell.begin(), cell.end(), e) != cell.end()) continue;
-      if (geom::conflicts3(ranked(cell[0]), ranked(cell[1]), ranked(cell[2]), ranked(cell[3]), ranked(e)))
+      if (std::find(simplex.begin(), simplex.end(), e) != simplex.end()) continue;
+      if (geom::conflicts3(ranked(simplex[0]), ranked(simplex[1]), ranked(simplex[2]), ranked(simplex[3]),
+                           ranked(e)))
         return;
     }
-    cells.push_back(cell);
+    simplices.push_back(simplex);
   };
   for (std::size_t a = 0; a < all.size(); ++a)
     for (std::size_t b = a + 1; b < all.size(); ++b)
       for (std::size_t c = b + 1; c < all.size(); ++c)
         for (std::size_t d = c + 1; d < all.size(); ++d) test({all[a], all[b], all[c], all[d]});
-  return canonical(cells);
+  return canonical(simplices);
 }
 
 // --- inputs, all in [-1, 1]^3 --------------------------------------------------------------------
@@ -184,11 +185,11 @@ struct Scene {
   }
 };
 
-/// The hidden sites according to the cells.
+/// The hidden sites according to the simplices.
 std::set<SiteId> without_cell(const Scene& scene) {
   std::set<SiteId> out(scene.present.begin(), scene.present.end());
-  for (const Regular3::Cell& cell : scene.triangulation.cells()) {
-    for (const SiteId v : cell) out.erase(v);
+  for (const Regular3::Simplex& simplex : scene.triangulation.simplices()) {
+    for (const SiteId v : simplex) out.erase(v);
   }
   return out;
 }
@@ -256,7 +257,7 @@ TEST_CASE("regular3: removal and reinsertion are the identity") {
     Scene scene(150);
     scene.fill(input, rng);
     Regular3& t = scene.triangulation;
-    const CellSet before = canonical(t);
+    const SimplexSet before = canonical(t);
     for (const SiteId id : scene.present) {
       const WeightedPoint3 p = t.point(id);
       t.remove(id);
@@ -276,7 +277,7 @@ TEST_CASE("regular3: the order of insertion leaves no trace") {
     for (WeightedPoint3& p : points) p = input.draw(rng);
     std::vector<SiteId> order;
     for (int i = 0; i < 150; ++i) order.push_back(SiteId(i));
-    CellSet first;
+    SimplexSet first;
     for (int round = 0; round < 4; ++round) {
       Regular3 t(unit_box());
       for (const SiteId id : order) t.insert(id, points[id.index()]);
@@ -293,45 +294,45 @@ TEST_CASE("regular3: a change tells all that changed") {
     Rng rng(6);
     Scene scene(80);
     const Regular3& t = scene.triangulation;
-    std::map<CellId, Regular3::Cell> mirror;
+    std::map<SimplexId, Regular3::Simplex> mirror;
     {
-      // The guards' own cells: all ids but those that the first insertion made.
+      // The guards' own simplices: all ids but those that the first insertion made.
       const Regular3::Change first = scene.move(input, rng);
-      const std::set<CellId> dead(first.destroyed.begin(), first.destroyed.end());
-      const auto known = static_cast<int>(t.cells().size() + dead.size());
+      const std::set<SimplexId> dead(first.destroyed.begin(), first.destroyed.end());
+      const auto known = static_cast<int>(t.simplices().size() + dead.size());
       for (int i = 0; i < known; ++i) {
-        if (dead.count(CellId(i)) == 0) mirror[CellId(i)] = t.cell(CellId(i));
+        if (dead.count(SimplexId(i)) == 0) mirror[SimplexId(i)] = t.simplex(SimplexId(i));
       }
     }
     std::set<SiteId> hidden = without_cell(scene);
     for (int k = 0; k < 300; ++k) {
       const std::vector<SiteId> before = scene.present;
       const Regular3::Change change = scene.move(input, rng);
-      for (const CellId c : change.destroyed) REQUIRE(mirror.erase(c) == 1);
-      for (const CellId c : change.created) REQUIRE(mirror.emplace(c, t.cell(c)).second);
+      for (const SimplexId c : change.destroyed) REQUIRE(mirror.erase(c) == 1);
+      for (const SimplexId c : change.created) REQUIRE(mirror.emplace(c, t.simplex(c)).second);
       for (const SiteId id : change.hidden) REQUIRE(hidden.insert(id).second);
       for (const SiteId id : change.exposed) REQUIRE(hidden.erase(id) == 1);
       for (const SiteId id : before) {
         if (!t.contains(id)) hidden.erase(id);
       }
-      CellSet cells;
-      for (const auto& [id, cell] : mirror) cells.push_back(cell);
-      REQUIRE(canonical(cells) == canonical(t));
+      SimplexSet simplices;
+      for (const auto& [id, simplex] : mirror) simplices.push_back(simplex);
+      REQUIRE(canonical(simplices) == canonical(t));
       REQUIRE(hidden == without_cell(scene));
     }
   }
 }
 
-TEST_CASE("regular3: the link is what the cells say") {
+TEST_CASE("regular3: the link is what the simplices say") {
   for (const Input& input : inputs) {
     CAPTURE(std::string(input.name));
     Rng rng(7);
     Scene scene(60);
     scene.fill(input, rng);
     std::map<SiteId, std::set<SiteId>> joined;
-    for (const Regular3::Cell& cell : scene.triangulation.cells()) {
-      for (const SiteId v : cell)
-        for (const SiteId w : cell) {
+    for (const Regular3::Simplex& simplex : scene.triangulation.simplices()) {
+      for (const SiteId v : simplex)
+        for (const SiteId w : simplex) {
           if (v != w && w.valid()) joined[v].insert(w);
         }
     }
@@ -360,7 +361,7 @@ TEST_CASE("regular3: one heavy site hides many, and they come back") {
   Scene scene(300);
   Regular3& t = scene.triangulation;
   scene.fill(inputs[0], rng);
-  const CellSet before = canonical(t);
+  const SimplexSet before = canonical(t);
   const SiteId heavy(300);
   CHECK(t.insert(heavy, {{0, 0, 0}, 1e4}).hidden.size() == 300);
   t.check();

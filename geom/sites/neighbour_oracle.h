@@ -1,8 +1,11 @@
 #pragma once
 // Where the restricted power diagram learns which sites can matter to each other. Two answers, one interface:
-// the link in the dynamic regular triangulation (the paper's way, triangulation_source.h) and a certified
+// the link in the dynamic regular triangulation (the paper's way, triangulation_oracle.h) and a certified
 // spatial search (site_tree.h). Both name supersets of the sites that do matter; the clipper decides exactly,
 // so both lead to the same diagram.
+//
+// Heirs: the sites that own what a removed site owned, its natural neighbours. Rivals: the sites that lose
+// something to a new one, those in conflict with it.
 
 #include <vector>
 
@@ -19,9 +22,9 @@ struct Vacancy {
   double max_radius2;  ///< and has at most this power to the nearest remaining site
 };
 
-class NeighbourSource {
+class NeighbourOracle {
  public:
-  virtual ~NeighbourSource() = default;
+  virtual ~NeighbourOracle() = default;
 
   /// `hint`: a site nearby, or none.
   virtual void insert(SiteId id, const WeightedPoint3& point, SiteId hint) = 0;

@@ -1,4 +1,4 @@
-#include "geom/sites/neighbour_source.h"
+#include "geom/sites/neighbour_oracle.h"
 
 #include <algorithm>
 #include <limits>
@@ -8,14 +8,14 @@
 #include "doctest.h"
 #include "geom/rng.h"
 #include "geom/sites/site_tree.h"
-#include "geom/sites/triangulation_source.h"
+#include "geom/sites/triangulation_oracle.h"
 #include "tests/fixtures/weighted_points.h"
 
 using namespace geom;
 
 namespace {
 
-using Nearest = NeighbourSource::Nearest;
+using Nearest = NeighbourOracle::Nearest;
 
 /// Both sources and a list, with the same sites in.
 struct Sources {
@@ -45,8 +45,8 @@ struct Sources {
   }
   void check_nearest(const Vec3& x, SiteId without, SiteId hint) const {
     const Nearest best = nearest(x, without);
-    for (const NeighbourSource* source :
-         {static_cast<const NeighbourSource*>(&tree), static_cast<const NeighbourSource*>(&triangulation)}) {
+    for (const NeighbourOracle* source :
+         {static_cast<const NeighbourOracle*>(&tree), static_cast<const NeighbourOracle*>(&triangulation)}) {
       const Nearest found = source->nearest(x, without, hint);
       CHECK(found.site == best.site);
       CHECK(found.radius2 == best.radius2);
@@ -54,7 +54,7 @@ struct Sources {
   }
 
   SiteTree tree;
-  TriangulationSource triangulation;
+  TriangulationOracle triangulation;
   Table<SiteId, WeightedPoint3> points;
   std::set<SiteId> present;
 };

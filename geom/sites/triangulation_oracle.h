@@ -7,14 +7,14 @@
 // it had hidden.
 
 #include "geom/regular/regular3.h"
-#include "geom/sites/neighbour_source.h"
+#include "geom/sites/neighbour_oracle.h"
 
 namespace geom {
 
-class TriangulationSource final : public NeighbourSource {
+class TriangulationOracle final : public NeighbourOracle {
  public:
   /// All sites must lie in the box.
-  explicit TriangulationSource(const Box3& box) : triangulation_(box) {}
+  explicit TriangulationOracle(const Box3& box) : triangulation_(box) {}
 
   void insert(SiteId id, const WeightedPoint3& point, SiteId hint) override;
   void remove(SiteId id) override;

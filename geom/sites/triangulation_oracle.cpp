@@ -1,4 +1,4 @@
-#include "geom/sites/triangulation_source.h"
+#include "geom/sites/triangulation_oracle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 namespace geom {
 
-void TriangulationSource::insert(SiteId id, const WeightedPoint3& point, SiteId hint) {
+void TriangulationOracle::insert(SiteId id, const WeightedPoint3& point, SiteId hint) {
   const Regular3::Change change = triangulation_.insert(id, point, hint);
   last_hidden_.assign(change.hidden.begin(), change.hidden.end());
   std::erase(last_hidden_, id);
@@ -15,7 +15,7 @@ void TriangulationSource::insert(SiteId id, const WeightedPoint3& point, SiteId 
   present_.push_back(id);
 }
 
-void TriangulationSource::remove(SiteId id) {
+void TriangulationOracle::remove(SiteId id) {
   last_heirs_.clear();
   triangulation_.link(id, last_heirs_);
   const Regular3::Change change = triangulation_.remove(id);
@@ -27,22 +27,22 @@ void TriangulationSource::remove(SiteId id) {
   place_[id] = -1;
 }
 
-void TriangulationSource::rivals(SiteId p, std::vector<SiteId>& out) const {
+void TriangulationOracle::rivals(SiteId p, std::vector<SiteId>& out) const {
   triangulation_.link(p, out);
   out.insert(out.end(), last_hidden_.begin(), last_hidden_.end());
 }
 
-void TriangulationSource::heirs(const Vacancy&, std::vector<SiteId>& out) const {
+void TriangulationOracle::heirs(const Vacancy&, std::vector<SiteId>& out) const {
   out.insert(out.end(), last_heirs_.begin(), last_heirs_.end());
 }
 
-NeighbourSource::Nearest TriangulationSource::nearest_of_all(const Vec3& x, SiteId without) const {
+NeighbourOracle::Nearest TriangulationOracle::nearest_of_all(const Vec3& x, SiteId without) const {
   Nearest best{SiteId(), std::numeric_limits<double>::infinity()};
   for (const SiteId s : present_) offer(x, s, without, best);
   return best;
 }
 
-void TriangulationSource::offer(const Vec3& x, SiteId s, SiteId without, Nearest& best) const {
+void TriangulationOracle::offer(const Vec3& x, SiteId s, SiteId without, Nearest& best) const {
   const double radius2 = power(x, triangulation_.point(s));
   const bool better = radius2 < best.radius2 || (radius2 == best.radius2 && s < best.site);
   if (s != without && (better || !best.site.valid())) best = {s, radius2};
@@ -52,7 +52,7 @@ void TriangulationSource::offer(const Vec3& x, SiteId s, SiteId without, Nearest
 // power at most any bound are connected. Where rounding hides which one is nearest, all sites within its
 // reach are visited, and the answer is that of trying them all. What is nearest if `without` is left out owns
 // the place of x once that is gone: a neighbour of it, or a site that it hides.
-NeighbourSource::Nearest TriangulationSource::nearest(const Vec3& x, SiteId without, SiteId hint) const {
+NeighbourOracle::Nearest TriangulationOracle::nearest(const Vec3& x, SiteId without, SiteId hint) const {
   if (!hint.valid() || triangulation_.is_hidden(hint)) return nearest_of_all(x, without);
   constexpr double unsure = 0x1p-48;  // 32 roundings
   Nearest best{SiteId(), std::numeric_limits<double>::infinity()};
