@@ -5,9 +5,11 @@
 #include <numeric>
 
 #include "geom/check.h"
+#include "geom/disjoint_sets.h"
 
 namespace fpo {
 
+using geom::DisjointSets;
 using geom::FacetId;
 using geom::TriMesh;
 using geom::Vec3;
@@ -16,26 +18,6 @@ namespace {
 
 const double crease_cosine = std::sqrt(0.5);  // 45 degrees
 constexpr std::size_t most_pieces = 50'000'000;
-
-/// Corners of facets, joined to groups (union by smaller index, path halving).
-class CornerGroups {
- public:
-  explicit CornerGroups(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-  }
-  std::size_t root(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 std::size_t corner_index(FacetId t, int i) { return 3 * t.index() + static_cast<std::size_t>(i); }
 
@@ -46,8 +28,8 @@ int corner_at(const TriMesh& mesh, FacetId t, geom::VertexId v) {
 }
 
 /// Corners of one vertex on one side of all creases share a group.
-CornerGroups smooth_corners(const TriMesh& mesh) {
-  CornerGroups groups(3 * mesh.num_facets());
+DisjointSets smooth_corners(const TriMesh& mesh) {
+  DisjointSets groups(3 * mesh.num_facets());
   for (std::size_t f = 0; f < mesh.num_facets(); ++f) {
     const FacetId t(f);
     for (int e = 0; e < 3; ++e) {
@@ -57,7 +39,7 @@ CornerGroups smooth_corners(const TriMesh& mesh) {
       if (!(a.dot(b) > crease_cosine)) continue;
       for (const int i : {e, (e + 1) % 3}) {
         const geom::VertexId v = mesh.facet(t)[static_cast<std::size_t>(i)];
-        groups.join(corner_index(t, i), corner_index(s, corner_at(mesh, s, v)));
+        groups.merge_to_least(corner_index(t, i), corner_index(s, corner_at(mesh, s, v)));
       }
     }
   }
@@ -71,17 +53,17 @@ double angle_at(const TriMesh& mesh, FacetId t, int i) {
 }
 
 geom::Table<FacetId, std::array<Vec3, 3>> corner_normals(const TriMesh& mesh) {
-  CornerGroups groups = smooth_corners(mesh);
+  DisjointSets groups = smooth_corners(mesh);
   std::vector<Vec3> sum(3 * mesh.num_facets(), Vec3::Zero());
   for (std::size_t f = 0; f < mesh.num_facets(); ++f)
     for (int i = 0; i < 3; ++i)
-      sum[groups.root(corner_index(FacetId(f), i))] +=
+      sum[groups.find(corner_index(FacetId(f), i))] +=
           angle_at(mesh, FacetId(f), i) * mesh.normal(FacetId(f)).normalized();
   geom::Table<FacetId, std::array<Vec3, 3>> normals(mesh.num_facets());
   for (std::size_t f = 0; f < mesh.num_facets(); ++f)
     for (int i = 0; i < 3; ++i)
       normals[FacetId(f)][static_cast<std::size_t>(i)] =
-          sum[groups.root(corner_index(FacetId(f), i))].normalized();
+          sum[groups.find(corner_index(FacetId(f), i))].normalized();
   return normals;
 }
 
