@@ -202,6 +202,15 @@ void parse(CommandLine& cli, RemeshArguments& a) {
               .help = "mend triangles that are far from the surface",
               .standard = "on with fpo"},
              choices.improve_fidelity);
+  cli.custom({.name = "sheets",
+              .value = "apart|together",
+              .help = "sheets nearer than samples: apart, or as the paper's diagram has them",
+              .standard = "together"},
+             [&](const std::string& text) {
+               geom::require(text == "apart" || text == "together",
+                             "--sheets: apart or together, not '" + text + "'");
+               a.remesh.sheets_apart = text == "apart";
+             });
   cli.toggle({.name = "mend", .help = "bring samples to where the remesh is no surface"}, a.remesh.mend);
   cli.flag({.name = "local", .help = "look for farthest points nearby only"}, local);
   cli.flag({.name = "global", .help = "look for them everywhere"}, global);

@@ -139,7 +139,7 @@ class MedialAxis {
   }
 
   double distance(const Vec2& x) const {
-    const auto nearest = tree_.nearest({x.x(), x.y(), 0}, geom::SiteId());
+    const auto nearest = tree_.nearest(geom::Vec3(x.x(), x.y(), 0), geom::SiteId());
     return std::sqrt(std::max(nearest.radius2, 0.0));
   }
 

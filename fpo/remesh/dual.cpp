@@ -159,7 +159,8 @@ std::size_t refine_at(SurfaceDomain& domain, const std::vector<Defect>& defects)
     const SiteId donor = next->second;
     const SurfaceSample target = farthest_corner(domain, place);
     const double least = closest * domain.sizing().at(target);
-    const SiteId nearest = domain.dual().nearest(target.position, SiteId()).site;
+    const double level = domain.dual().level_at(target.facet, target.position);
+    const SiteId nearest = domain.dual().nearest({target.position, level}, SiteId()).site;
     if ((domain.sample(nearest).position - target.position).norm() < least) continue;
     domain.neighbours(donor, around);
     kept.merge(neighbourhood(domain, {donor}, 2));  // no second hole near this one

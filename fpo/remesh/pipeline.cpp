@@ -5,6 +5,7 @@
 
 #include "fpo/surface/curvature.h"
 #include "fpo/surface/local_feature_size.h"
+#include "fpo/surface/sheet_levels.h"
 #include "fpo/surface/surface_cover.h"
 #include "geom/check.h"
 #include "geom/mesh/centring.h"
@@ -156,7 +157,7 @@ SurfaceDomain optimized_samples(const geom::TriMesh& surface, const SharedSizing
   optimization.order = VisitOrder::in_turn;  // the initial samples are in random order already
   const SurfaceOptions diagram = surface_options(shared, options);
   std::vector<SurfaceSample> samples = initial_samples(surface, shared, options);
-  if (options.tile_samples == 0 || samples.size() <= options.tile_samples) {
+  if (options.tile_samples == 0 || samples.size() <= options.tile_samples || surface.has_levels()) {
     SurfaceDomain domain(surface, shared.sizing, samples, diagram);
     remove_short_edges(domain, options, result);
     result.optimization = optimize(domain, optimization);
@@ -198,10 +199,22 @@ SurfaceDomain distributed_samples(const geom::TriMesh& surface, const SharedSizi
   return optimized_samples(surface, shared, options, result);
 }
 
-RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {
+/// The samples become those of the old surface again.
+void return_to(const SplitSurface& apart, RemeshResult& result) {
+  result.has_levels = true;
+  for (SurfaceSample& x : result.samples) x.facet = apart.parents[x.facet];
+  for (CellPolygon& cell : result.cells) cell.facet = apart.parents[cell.facet];
+}
+
+RemeshResult remesh_in_unit_box(const geom::TriMesh& input, const RemeshOptions& options) {
   RemeshResult result;
-  const SharedSizing shared = sizing_and_features(surface, options);
+  SharedSizing shared = sizing_and_features(input, options);
   if (interrupted(options)) throw geom::Interrupted();
+  std::optional<SplitSurface> apart;
+  const bool can_be_apart = options.sheets_apart && !facts_of(options.method).distribute;
+  if (can_be_apart) apart = sheets_apart(input, shared.sizing, shared.features.samples);
+  if (apart && !apart->h.empty()) shared.sizing = Sizing(apart->mesh, apart->h);
+  const geom::TriMesh& surface = apart ? apart->mesh : input;
   const Sizing& sizing = shared.sizing;
   SurfaceDomain domain = distributed_samples(surface, shared, options, result);
   if (options.mend) result.protection = protect_chains(domain, shared.features);
@@ -227,10 +240,11 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
   result.feature_samples = shared.features.samples.size();
   result.feature_edges = num_edges(shared.features);
   result.broken_feature_edges = num_broken_edges(result.mesh, shared.features);
-  for (std::size_t v = 0; v < surface.num_vertices(); ++v)
+  for (std::size_t v = 0; v < input.num_vertices(); ++v)
     result.sizing.push_back(sizing.at(geom::VertexId(v)));
   for (const SurfaceSample& sample : result.samples) result.wanted.push_back(sizing.at(sample));
   result.fit = sizing_fit(result.mesh, result.wanted);
+  if (apart) return_to(*apart, result);
   return result;
 }
 

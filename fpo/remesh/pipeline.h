@@ -41,6 +41,7 @@ struct RemeshOptions {
   OptimizeOptions optimize;
   std::size_t tile_samples = 0;  ///< in a tile (tiled_optimize.h), if there are more; 0: no tiles
   int threads = 1;               ///< no matter to the result
+  bool sheets_apart = false;     ///< near sheets do not see each other (sheet_levels.h)
   bool mend = true;              ///< bring samples to where the remesh is no surface
   bool optimize_angles = true;   ///< afterwards (section 5)
   bool improve_fidelity = true;  ///< where the remesh is farthest from the input (fidelity.h)
@@ -53,6 +54,7 @@ struct RemeshResult {
   VertexField sizing;                    ///< the wanted edge length at each vertex of the input
   VertexField wanted;                    ///< and at each vertex of the mesh
   SizingFit fit;                         ///< of the mesh's edges to them
+  bool has_levels = false;               ///< sheets were near, and are set apart
   std::size_t feature_samples = 0;       ///< fixed points, corners and samples on curves
   std::size_t feature_edges = 0;         ///< between neighbours on curves
   Protection protection;                 ///< of those edges

@@ -39,7 +39,7 @@ bool raise_weight(SurfaceDomain& domain, SiteId x, double length2) {
   return true;
 }
 
-bool move_away_from(SurfaceDomain& domain, const Vec3& middle) {
+bool move_away_from(SurfaceDomain& domain, const geom::Location3& middle) {
   const SiteId x = domain.dual().nearest(middle, SiteId()).site;
   if (domain.is_fixed(x)) return false;
   domain.remove(x);
@@ -64,7 +64,9 @@ Protection protect_chains(SurfaceDomain& domain, const FeatureSamples& features)
           weighted.insert(x);
           raised = true;
         }
-      const bool moved = !raised && move_away_from(domain, (from + to) / 2);
+      const Vec3 middle = (from + to) / 2;
+      const double level = (domain.dual().site(a).level + domain.dual().site(b).level) / 2;
+      const bool moved = !raised && move_away_from(domain, {middle, level});
       result.moved += moved;
       changed |= raised || moved;
     }

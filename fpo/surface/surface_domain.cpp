@@ -50,7 +50,7 @@ SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,
       samples_(samples.begin(), samples.end()),
       weight_share_(std::move(weight_shares)),
       unweighted_(equal_weights() && std::ranges::count(weight_share_, 1.0) == std::ssize(weight_share_)),
-      paper_(make_source(options.engine, mesh.box())),
+      paper_(mesh.has_levels() ? nullptr : make_source(options.engine, mesh.box())),
       dual_(std::make_unique<geom::RestrictedDual>(mesh, options.corners, paper_.get())),
       circles_(CircleOrder{dual_.get()}) {
   geom::require(!samples.empty(), "there must be at least one sample");
@@ -59,8 +59,7 @@ SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,
   geom::Rng(options.seed).shuffle(std::span(order));
   std::vector<geom::WeightedPoint3> points;
   points.reserve(samples_.size());
-  for (std::size_t i = 0; i < samples_.size(); ++i)
-    points.push_back({samples_[SiteId(i)].position, weight_at(SiteId(i))});
+  for (std::size_t i = 0; i < samples_.size(); ++i) points.push_back(point_of(SiteId(i)));
   std::vector<geom::FacetId> homes;
   for (const SurfaceSample& x : samples_) homes.push_back(x.facet);
   apply(dual_->build(points, homes, order, options_.threads));
@@ -91,13 +90,23 @@ void SurfaceDomain::expect(SiteId x) {
   expected_ = {x, expected_[0], expected_[1]};
 }
 
-double SurfaceDomain::separation(SiteId x) { return dual_->nearest(samples_[x].position, x).radius2; }
+geom::WeightedPoint3 SurfaceDomain::point_of(SiteId x) const {
+  const auto& [position, facet] = samples_[x];
+  if (!mesh_.has_levels()) return {position, weight_at(x)};
+  return {position, weight_at(x), geom::snapped(dual_->level_at(facet, position), geom::coordinate_unit)};
+}
+
+geom::NeighbourOracle::Nearest SurfaceDomain::nearest_to(SiteId x) const {
+  return dual_->nearest({samples_[x].position, dual_->site(x).level}, x);
+}
+
+double SurfaceDomain::separation(SiteId x) { return nearest_to(x).radius2; }
 
 // One move, forward only: the neighbour source, then the diagram, then the heap.
 
 void SurfaceDomain::remove(SiteId x) {
   near_removed_ = SiteId();
-  if (!dual_->has_cell(x)) near_removed_ = dual_->nearest(samples_[x].position, x).site;
+  if (!dual_->has_cell(x)) near_removed_ = nearest_to(x).site;
   apply(dual_->remove(x));
 }
 
@@ -129,7 +138,7 @@ bool SurfaceDomain::is_farther(const Circle& c, SiteId x) {
 
 /// First against the heirs of the removed cell; one that is nearest of all but no heir is rare.
 bool SurfaceDomain::is_farther(double radius2, SiteId x, std::span<const SiteId> heirs) const {
-  const geom::Vec3& place = samples_[x].position;
+  const geom::Location3 place(samples_[x].position, dual_->site(x).level);
   for (const SiteId y : heirs)
     if (radius2 > geom::power(place, dual_->site(y))) return true;
   return radius2 > dual_->nearest(place, x).radius2;
@@ -170,8 +179,7 @@ SurfaceDomain::Planned SurfaceDomain::largest_planned(SiteId x, const geom::Rest
 
 void SurfaceDomain::move_planned(SiteId x, const Planned& place) {
   samples_[x] = {place.circle->center, place.circle->facet};
-  const geom::WeightedPoint3 point{samples_[x].position, weight_at(x)};
-  apply(dual_->move(x, point, samples_[x].facet, place.target));
+  apply(dual_->move(x, point_of(x), samples_[x].facet, place.target));
 }
 
 bool SurfaceDomain::is_offered(const geom::EmptyCircle& circle) const {
@@ -195,8 +203,7 @@ void SurfaceDomain::insert_at(SiteId x, const SurfaceSample& place, double weigh
 void SurfaceDomain::put_back(SiteId x) { insert(x); }
 
 void SurfaceDomain::insert(SiteId x, CircleId at) {
-  const geom::WeightedPoint3 point{samples_[x].position, weight_at(x)};
-  apply(dual_->insert(x, point, samples_[x].facet, at));
+  apply(dual_->insert(x, point_of(x), samples_[x].facet, at));
 }
 
 void SurfaceDomain::apply(const geom::RestrictedDual::Change& change) {
@@ -218,10 +225,10 @@ void SurfaceDomain::apply(const geom::RestrictedDual::Change& change) {
 
 double SurfaceDomain::normalized_spacing(SiteId x) {
   const double h = sizing_.at(samples_[x]);
-  const geom::NeighbourOracle::Nearest nearest = dual_->nearest(samples_[x].position, x);
+  const geom::NeighbourOracle::Nearest nearest = nearest_to(x);
   if (!nearest.site.valid()) return std::numeric_limits<double>::infinity();
   double least2 = (samples_[nearest.site].position - samples_[x].position).squaredNorm();
-  if (unweighted_) return std::sqrt(least2) / h;
+  if (unweighted_ && !mesh_.has_levels()) return std::sqrt(least2) / h;
   neighbours(x, link_);
   for (const SiteId y : link_)
     least2 = std::min(least2, (samples_[y].position - samples_[x].position).squaredNorm());
@@ -231,7 +238,7 @@ double SurfaceDomain::normalized_spacing(SiteId x) {
 void SurfaceDomain::neighbours(SiteId x, std::vector<SiteId>& out) {
   dual_->link(x, out);
   if (!out.empty() || num_samples() == 1) return;
-  const SiteId hider = dual_->nearest(samples_[x].position, x).site;
+  const SiteId hider = nearest_to(x).site;
   if (hider.valid()) out.push_back(hider);
 }
 

@@ -121,6 +121,8 @@ class SurfaceDomain final : public Domain {
                 geom::Table<SiteId, double> weight_shares, const SurfaceOptions& options);
   void insert(SiteId x, CircleId at = CircleId());
   double weight_at(SiteId x) const;
+  geom::WeightedPoint3 point_of(SiteId x) const;
+  geom::NeighbourOracle::Nearest nearest_to(SiteId x) const;
   bool equal_weights() const { return sizing_.is_uniform() || !options_.weighted; }
   Circle largest_in_two_ring();
   bool larger(CircleId a, CircleId b) const;

@@ -243,7 +243,8 @@ TileDomain::Outcome TileDomain::move_step_by_step(SiteId x, Scope scope) {
   const double cell = radius(x, domain_->reach(x));
   domain_->remove(x);
   std::vector<SiteId> heirs = domain_->last_change().cells;
-  if (heirs.empty()) heirs.push_back(domain_->dual().nearest(old.position, x).site);
+  if (heirs.empty())
+    heirs.push_back(domain_->dual().nearest({old.position, domain_->dual().site(x).level}, x).site);
   Vacancy vacancy{cell, 0, heirs, SiteId()};
   for (const SiteId heir : heirs) vacancy.power = std::max(vacancy.power, domain_->reach(heir));
   if (!holds_vacancy(x, vacancy) || (scope == Scope::two_ring && !holds_heirs(vacancy))) {

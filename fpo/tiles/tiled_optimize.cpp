@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "fpo/tiles/split_facets.h"
+#include "fpo/surface/split_facets.h"
 #include "fpo/tiles/tile_domain.h"
 #include "geom/check.h"
 #include "geom/parallel.h"

@@ -33,7 +33,9 @@ double CellClipper::clip(SiteId p, double power, std::span<const SiteId> around,
   near_.clear();
   state_.facets.near(state_.sites[p].position, radius, near_);
   for (const FacetId t : near_)
-    if (state_.clipper.comes_near(t, state_.sites[p].position, radius) && cut(t, p, {}, 0)) out.add(polygon_);
+    if (state_.clipper.comes_near(t, state_.sites[p].position, radius) &&
+        state_.clipper.levels().gap(t, state_.sites[p].level) <= radius && cut(t, p, {}, 0))
+      out.add(polygon_);
   for (double cap = power;;) {
     const double left = bound(out);
     if (out.pieces.empty()) return left;
@@ -69,7 +71,8 @@ double CellClipper::find_others(SiteId p, double power) {
   }
   for (const SiteId s : candidates_) {
     const Bisector b = state_.clipper.bisector_of(p, s);
-    if (b(center) > b.error + b.length * radius * (1 + 1e-9)) continue;  // p is nearer in all of the ball
+    if (b(Location3(center, state_.sites[p].level)) > b.error + b.steepness() * radius * (1 + 1e-9))
+      continue;  // p is nearer in all of the ball
     stamp_of_[s] = stamp_;
     others_.push_back({s, b});
   }

@@ -173,7 +173,7 @@ bool CellProof::trace(FacetId home) {
   around_.see_rim();
   facets_.clear();
   for (const Corner& corner : corners_) facets_.push_back(corner.facet);
-  if (!flood.trace(facets_, false) || !flood.meets(home)) return false;
+  if (!flood.trace(facets_, false) || !flood.meets(home) || !around_.is_flood_level()) return false;
   for (int j = 0; j < rim.size(); ++j) {
     const FacetId t = facets_[static_cast<std::size_t>(j)];
     if (!flood.add_end(t, j, Frame::none) || !flood.add_end(t, rim.next(j), Frame::none)) return false;

@@ -66,6 +66,7 @@ void FastWay::name_rim(DualChange& change) const {
 bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, DualChange& change) {
   const SiteId p = around_.p;
   const WeightedPoint3 old = state_.sites[p];
+  if (point.level != old.level) return false;
   Frame& frame = around_.frame;
   const Rim& rim = around_.rim;
   frame.add_late(point);
@@ -191,12 +192,13 @@ void FastWay::make_star(DualChange& change) {
 /// (chart.h).
 void FastWay::lower_reach(SiteId r) {
   const WeightedPoint3& site = state_.sites[r];
-  const Sheet* sheet = around_.sheets.known(r);
+  const Sheet* sheet = around_.sheets.known(r, site.level);
   if (state_.shape(r) != DualState::Shape::regular || !sheet) return;
   double far2 = 0;
   Vec3 twice_area(0, 0, 0);
   for (const CircleId c : state_.circles.of_site(r)) {
     const EmptyCircle& from = state_.circles[c];
+    if (!state_.is_level(from, site.level)) return;
     const std::size_t i = from.index_of(r);
     const EmptyCircle& to = state_.circles[from.beyond[from.after(i)]];
     const TracedEdge::Extent extent =

@@ -32,6 +32,9 @@
 //     two. That site has none on this border: irregular as well, and if it has no circle at all the general
 //     way is taken, which finds out whether it is hidden.)
 //
+// Where the surface has levels (levels.h) all facets and sites of this must have one; other sites are taken
+// as they are seen from there.
+//
 // False, from any of these, means: not certain, nothing is done.
 
 #include <span>

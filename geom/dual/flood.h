@@ -70,6 +70,7 @@ class Flood {
     return slot < facets_.size() && facets_[slot].id == t;
   }
   std::size_t num_facets() const { return facets_.size(); }
+  FacetId facet(std::size_t i) const { return facets_[i].id; }  ///< that was met
 
  private:
   using Node = std::int32_t;  ///< a B: its number; a circle's or corner's end: -1 - its number

@@ -48,9 +48,10 @@ void Hole::cancel() {
 bool Hole::chart_star() {
   const DualState& state = around_.state;
   const SiteId p = around_.p;
+  const WeightedPoint3& site = around_.site();
   double range = state.reach[p];  // that the new cell will do with, too
   for (const SiteId r : around_.rim.sites()) range = std::max(range, state.reach[r]);
-  const Sheet* sheet = around_.sheets.around(p, around_.site().position, state.distance_at(range, p));
+  const Sheet* sheet = around_.sheets.around(p, {site.position, site.level}, state.distance_at(range, p));
   if (!sheet) return false;
   around_.chart_sites(*sheet);
   const double known = state.distance_at(state.reach[p], p);
@@ -109,7 +110,7 @@ bool Hole::trace() {
   Flood& flood = around_.flood;
   facets_.clear();
   for (const CircleId c : rim.inside()) facets_.push_back(state.circles[c].facet);
-  if (!flood.trace(facets_, true)) return false;
+  if (!flood.trace(facets_, true) || !around_.is_flood_level()) return false;
   for (const Triangle& triangle : triangles()) {
     const auto& [a, b, c] = triangle.corners;
     if (!flood.add_end(triangle.facet, a, b) || !flood.add_end(triangle.facet, b, c) ||

@@ -30,4 +30,25 @@ inline Sure lead_of(const WeightedPoint3& owner, const WeightedPoint3& other, co
               off * (3 * std::sqrt(both2) + 4 * off)};
 }
 
+/// A site as it is seen from locations of one level, of which it need not be: its weight is less by the square
+/// of the difference, and rounded up.
+inline WeightedPoint3 seen_from(double level, const WeightedPoint3& site) {
+  if (site.level == level) return site;
+  const double gap2 = (level - site.level) * (level - site.level);
+  return {site.position, site.weight - gap2 + 0x1p-50 * (std::abs(site.weight) + gap2), level};
+}
+
+/// The same where the two have different levels. `level_off`: at most so far is the level of z off.
+inline Sure lead_of(const WeightedPoint3& owner, const WeightedPoint3& other, const Location3& z, double off,
+                    double level_off) {
+  const auto shifted = [&](const WeightedPoint3& p) {
+    return WeightedPoint3{p.position, p.weight - (z.level - p.level) * (z.level - p.level)};
+  };
+  Sure lead = lead_of(shifted(owner), shifted(other), z.position, off);
+  const double here = std::abs(z.level - owner.level), there = std::abs(z.level - other.level);
+  lead.bound += 0x1p-49 * (here * here + there * there + std::abs(owner.weight) + std::abs(other.weight)) +
+                2 * level_off * (here + there + level_off);
+  return lead;
+}
+
 }  // namespace geom

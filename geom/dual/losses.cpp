@@ -9,8 +9,9 @@ namespace geom {
 bool Losses::hang_together(SiteId s, const Newcomer& p, std::span<const CircleId> reached) {
   if (state_.shape(s) != DualState::Shape::regular) return false;
   const WeightedPoint3& site = state_.sites[s];
+  if (site.level != p.point.level) return false;
   const double radius = state_.distance_at(state_.reach[s], s);
-  const Sheet* sheet = sheets_.around(s, site.position, radius);
+  const Sheet* sheet = sheets_.around(s, {site.position, site.level}, radius);
   if (!sheet) return false;
   const auto add = [&](const WeightedPoint3& other) {
     chart_.add(Frame::offset(other, site), Frame::constant(other, site));
@@ -24,7 +25,9 @@ bool Losses::hang_together(SiteId s, const Newcomer& p, std::span<const CircleId
     if (std::ranges::find(reached, c) == reached.end() && !state_.lead_at(circle, p.point).positive())
       return false;
     const SiteId t = circle.sites[circle.after(circle.index_of(s))];
-    add(t == p.id ? p.old : state_.sites[t]);
+    const WeightedPoint3& neighbour = t == p.id ? p.old : state_.sites[t];
+    if (neighbour.level != site.level) return false;
+    add(neighbour);
     const bool is_once = chart_.meets_axis_once(0, 1, 2, radius);
     chart_.take_back();
     return is_once;

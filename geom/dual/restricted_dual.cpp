@@ -63,12 +63,14 @@ void RestrictedDual::insert_anyhow(SiteId p, const WeightedPoint3& point, FacetI
 
 /// One of the circles around the nearest site that the point beats, probably; none if there is none.
 CircleId RestrictedDual::beaten_circle(const WeightedPoint3& point) const {
-  const SiteId nearest = state_.tree.nearest(point.position, SiteId()).site;
+  const SiteId nearest = state_.tree.nearest({point.position, point.level}, SiteId()).site;
   CircleId best;
   double least = std::numeric_limits<double>::infinity();
   if (!nearest.valid()) return best;
   for (const CircleId c : circles_of(nearest)) {
-    const double lead = power(circle(c).center, point) - circle(c).radius2;
+    const double lead =
+        power(Location3(circle(c).center, level_at(circle(c).facet, circle(c).center)), point) -
+        circle(c).radius2;
     if (!(lead < least)) continue;
     least = lead;
     best = c;

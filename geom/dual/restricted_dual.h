@@ -77,7 +77,11 @@ class RestrictedDual {
   /// The polygons of p's cell, ascending by facet. Cost: the facets around p.
   std::vector<FacetPolygon> cell(SiteId p);
   /// The site nearest to x in power, as NeighbourOracle::nearest().
-  NeighbourOracle::Nearest nearest(const Vec3& x, SiteId without) const { return state_.nearest(x, without); }
+  NeighbourOracle::Nearest nearest(const Location3& x, SiteId without) const {
+    return state_.nearest(x, without);
+  }
+  /// Of a location of the facet; what a site there has, too.
+  double level_at(FacetId t, const Vec3& x) const { return state_.clipper.levels().at(t, x); }
   /// All sites that are in, by position.
   const SiteTree& tree() const { return state_.tree; }
 

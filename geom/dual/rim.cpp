@@ -25,6 +25,7 @@ bool Rim::open_star(const DualState& state, SiteId p) {
     if (j > 0 && site != first) return false;
     first = circle.sites[circle.before(i)];
     if (std::ranges::find(sites_, site) != sites_.end() || !circle.beyond[i].valid()) return false;
+    if (!state.is_level(circle, state.sites[p].level)) return false;
     sites_.push_back(site);
     inner_.push_back(c);
     outer_.push_back(circle.beyond[i]);
@@ -43,6 +44,7 @@ bool Rim::find_conflict(const DualState& state, const WeightedPoint3& point, Cir
   if (!state.lead_at(state.circles[first], point).negative()) return false;
   for (std::size_t n = 0; n < inside_.size(); ++n) {
     const EmptyCircle circle = state.circles[inside_[n]];
+    if (!state.is_level(circle, point.level)) return false;
     for (std::size_t i = 0; i < 3; ++i) {
       const CircleId other = circle.beyond[i];
       if (!other.valid()) return false;

@@ -40,16 +40,18 @@ double distance2(const Vec3& x, const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-const Sheet* Sheets::around(SiteId site, const Vec3& x, double distance) {
+const Sheet* Sheets::around(SiteId site, const Location3& at, double distance) {
+  const Vec3& x = at.position;
   if (site.index() >= of_site_.size()) of_site_.resize(site.index() + 1);
   OfSite& known = of_site_[site];
-  if (known.sheet.covers(x, distance)) return &known.sheet;
-  if (distance > nearly_so * known.failed && (x - known.failed_at).norm() < nearly_there * distance)
+  if (known.sheet.level == at.level && known.sheet.covers(x, distance)) return &known.sheet;
+  if (at.level == known.failed_level && distance > nearly_so * known.failed &&
+      (x - known.failed_at).norm() < nearly_there * distance)
     return nullptr;
   gathered_.clear();
   facets_.near(x, radii[0] * distance * more, gathered_);
   for (const double factor : radii) {
-    const Sheet found = sheet_among_gathered(x, factor * distance);
+    const Sheet found = sheet_among_gathered(at, factor * distance);
     if (!found.covers(x, distance)) continue;
     known.sheet = found;
     known.failed = std::numeric_limits<double>::infinity();
@@ -57,6 +59,7 @@ const Sheet* Sheets::around(SiteId site, const Vec3& x, double distance) {
   }
   known.failed = distance;
   known.failed_at = x;
+  known.failed_level = at.level;
   return nullptr;
 }
 
@@ -68,15 +71,16 @@ bool Sheets::has_one_component(const Sheet& sheet, double radius, std::span<cons
   });
 }
 
-Sheet Sheets::sheet_in(const Vec3& center, double radius) {
+Sheet Sheets::sheet_in(const Location3& center, double radius) {
   gathered_.clear();
-  facets_.near(center, radius * more, gathered_);
+  facets_.near(center.position, radius * more, gathered_);
   return sheet_among_gathered(center, radius);
 }
 
-Sheet Sheets::sheet_among_gathered(const Vec3& center, double radius) {
+Sheet Sheets::sheet_among_gathered(const Location3& center, double radius) {
   Sheet place;
-  place.center = center;
+  place.center = center.position;
+  place.level = center.level;
   near_.clear();
   normals_.clear();
   Vec3 axis(0, 0, 0);
@@ -84,7 +88,9 @@ Sheet Sheets::sheet_among_gathered(const Vec3& center, double radius) {
     const Vec3 a = mesh_.corner(t, 0) - place.center, b = mesh_.corner(t, 1) - place.center,
                c = mesh_.corner(t, 2) - place.center;
     const Vec3 ab = b - a, ac = c - a, n = ab.cross(ac);
-    if (!comes_within(radius * radius * more, a, b, c, n)) continue;
+    if (!comes_within(radius * radius * more, a, b, c, n) || levels_.gap(t, center.level) > radius * more)
+      continue;
+    if (!levels_.is_flat_at(t, center.level)) return place;
     const double length2 = n.squaredNorm();
     if (!(length2 > 1e-16 * ab.squaredNorm() * ac.squaredNorm()))
       return place;  // a needle: its normal is off by more than 1e-7

@@ -42,6 +42,7 @@
 #include <vector>
 
 #include "geom/mesh/facet_tree.h"
+#include "geom/mesh/levels.h"
 #include "geom/mesh/trimesh.h"
 
 namespace geom {
@@ -54,7 +55,8 @@ struct Sheet {
   double slope = 0;                 ///< s
   double slope_u = 0, slope_v = 0;  ///< the components of the gradient along u and m x u are at most that
   double height = 0;                ///< H
-  double width = -1;                ///< W; negative: the surface is no sheet there
+  double level = 0;   ///< of all facets of the ball; those whose levels are R away are not in it (levels.h)
+  double width = -1;  ///< W; negative: the surface is no sheet there
 
   /// Does what was said of D hold for p?
   bool covers(const Vec3& p, double distance) const {
@@ -68,15 +70,17 @@ struct Sheet {
 class Sheets {
  public:
   /// Keeps references.
-  Sheets(const TriMesh& mesh, const FacetTree& facets)
-      : mesh_(mesh), facets_(facets), stamp_of_(mesh.num_facets(), 0) {}
+  Sheets(const TriMesh& mesh, const FacetTree& facets, const FacetLevels& levels)
+      : mesh_(mesh), facets_(facets), levels_(levels), stamp_of_(mesh.num_facets(), 0) {}
 
   /// A sheet that covers that distance about x, the place of the site, on the surface; null if there is none,
   /// or was none when the site was nearly there. Valid until the next call.
-  const Sheet* around(SiteId site, const Vec3& x, double distance);
-  /// The one that is kept, or null.
-  const Sheet* known(SiteId site) const {
-    return site.index() < of_site_.size() && of_site_[site].sheet.width > 0 ? &of_site_[site].sheet : nullptr;
+  const Sheet* around(SiteId site, const Location3& x, double distance);
+  /// The one that is kept, of that level, or null.
+  const Sheet* known(SiteId site, double level) const {
+    if (site.index() >= of_site_.size()) return nullptr;
+    const Sheet& sheet = of_site_[site].sheet;
+    return sheet.width > 0 && sheet.level == level ? &sheet : nullptr;
   }
   /// Is there surely no second component of the cell of p within the distance that the sheet covers, given
   /// its link: the differences q - p and the numbers c? `radius`: r_K.
@@ -86,20 +90,22 @@ class Sheets {
   };
   static bool has_one_component(const Sheet& sheet, double radius, std::span<const Neighbour> link);
   /// What the ball of that radius about a location on the surface is, at that center.
-  Sheet sheet_in(const Vec3& center, double radius);
+  Sheet sheet_in(const Location3& center, double radius);
 
  private:
   struct OfSite {
     Sheet sheet;
     double failed = std::numeric_limits<double>::infinity();  ///< a distance for which there was none
     Vec3 failed_at{0, 0, 0};
+    double failed_level = 0;
   };
-  Sheet sheet_among_gathered(const Vec3& center, double radius);
+  Sheet sheet_among_gathered(const Location3& center, double radius);
   void find_slopes(Sheet& sheet, double radius);
   bool hangs_together(const Vec3& center, double radius);
 
   const TriMesh& mesh_;
   const FacetTree& facets_;
+  const FacetLevels& levels_;
   Table<SiteId, OfSite> of_site_;
   std::vector<FacetId> gathered_, near_, stack_;  // workspaces
   std::vector<Vec3> normals_;

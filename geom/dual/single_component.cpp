@@ -8,13 +8,13 @@ namespace geom {
 bool SingleComponent::is_all(double cell_reach, double distance) {
   const DualState& state = around_.state;
   const Frame& frame = around_.frame;
-  const Vec3& p = around_.site().position;
+  const auto& [p, weight, level] = around_.site();
   link_.clear();
   for (int j = 0; j < around_.rim.size(); ++j) link_.push_back({frame.offset(j), frame.constant(j)});
   const double own = state.distance_at(cell_reach, around_.p);
   Sheets& sheets = around_.sheets;
-  const Sheet* sheet =
-      distance > margin::widest * own ? sheets.known(around_.p) : sheets.around(around_.p, p, distance);
+  const Sheet* sheet = distance > margin::widest * own ? sheets.known(around_.p, level)
+                                                       : sheets.around(around_.p, {p, level}, distance);
   if (sheet && sheet->covers(p, distance) && Sheets::has_one_component(*sheet, own, link_)) return true;
   others_.clear();
   const auto is_lost = [&](const Vec3& center, double radius) {
@@ -24,6 +24,7 @@ bool SingleComponent::is_all(double cell_reach, double distance) {
   state.facets.near_but(p, distance, is_lost, facets_);
   return std::ranges::all_of(facets_, [&](FacetId t) {
     return around_.flood.meets(t) || !state.clipper.comes_near(t, p, distance) ||
+           state.clipper.levels().gap(t, level) > distance ||
            is_lost(state.clipper.middle(t), state.clipper.radius(t)) || owns_nothing_of(t, distance);
   });
 }
@@ -49,8 +50,8 @@ bool SingleComponent::owns_nothing_of(FacetId t, double distance) {
     state.near({around_.p, around_.site().position, radius, power}, others_);
   }
   return std::ranges::any_of(others_, [&](SiteId s) {
-    if (s == around_.p) return false;
     const WeightedPoint3 &site = state.sites[s], &origin = frame.origin();
+    if (s == around_.p || site.level != origin.level) return false;
     return keep_part(Frame::offset(site, origin), Frame::constant(site, origin), most);
   });
 }

@@ -20,11 +20,13 @@ constexpr std::size_t few = 40;       // sites are looked at one by one
 
 DualState::DualState(const TriMesh& surface, CornerTypes corners, NeighbourOracle* source)
     : mesh(surface),
+      has_levels(surface.has_levels()),
       types(corners),
       extent(extent_of(surface)),
       paper(source),
       clipper(surface, sites, extent),
       facets(surface, facets_along_curve(surface)) {
+  ensure(!paper || !has_levels, "restricted dual: the regular triangulation knows no levels");
   if (types == CornerTypes::c_only) return;
   first_facet.resize(mesh.num_vertices());
   for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
@@ -130,7 +132,7 @@ bool DualState::find_near(const Vec3& x, double distance, std::vector<SiteId>& o
 }
 
 /// A site beside one that is in bounds the distance.
-NeighbourOracle::Nearest DualState::nearest(const Vec3& x, SiteId without) const {
+NeighbourOracle::Nearest DualState::nearest(const Location3& x, SiteId without) const {
   double bound = std::numeric_limits<double>::infinity();
   if (grid.is_in_use() && without.valid())
     for (const CircleId c : circles.of_site(without))
@@ -141,7 +143,7 @@ NeighbourOracle::Nearest DualState::nearest(const Vec3& x, SiteId without) const
     return tree.nearest(x, without);
   std::vector<SiteId>& found = found_;
   found.clear();
-  grid.near(x, distance, found);
+  grid.near(x.position, distance, found);
   NeighbourOracle::Nearest best{SiteId(), std::numeric_limits<double>::infinity()};
   for (const SiteId s : found) {
     if (s == without) continue;
@@ -149,6 +151,12 @@ NeighbourOracle::Nearest DualState::nearest(const Vec3& x, SiteId without) const
     if (radius2 < best.radius2 || (radius2 == best.radius2 && s < best.site)) best = {s, radius2};
   }
   return best;
+}
+
+bool DualState::is_level(const EmptyCircle& circle, double level) const {
+  return !has_levels ||
+         (clipper.levels().is_flat_at(circle.facet, level) &&
+          std::ranges::all_of(circle.sites, [&](SiteId s) { return !s.valid() || sites[s].level == level; }));
 }
 
 double DualState::largest_reach() {
@@ -238,7 +246,8 @@ void DualState::center_circle(EmptyCircle& circle, const Vec3& corner) const {
              &q2 = mesh.corner(circle.facet, 2);
   circle.center =
       snapped(corner.cwiseMax(q0.cwiseMin(q1).cwiseMin(q2)).cwiseMin(q0.cwiseMax(q1).cwiseMax(q2)));
-  circle.radius2 = power(circle.center, sites[circle.sites[0]]);
+  const double level = clipper.levels().at(circle.facet, circle.center);
+  circle.radius2 = power(Location3(circle.center, level), sites[circle.sites[0]]);
 }
 
 }  // namespace geom

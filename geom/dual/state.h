@@ -29,7 +29,8 @@ struct DualChange {
 
 struct DualState {
   /// Without sites. Keeps a reference to the mesh. Throws InputError if it has no facet. `paper`: if given,
-  /// it holds the same sites and names those that can matter to each other; else the tree does.
+  /// it holds the same sites and names those that can matter to each other; else the tree does. If the mesh
+  /// has levels there must be none.
   DualState(const TriMesh& mesh, CornerTypes types, NeighbourOracle* paper);
   DualState(const DualState&) = delete;
 
@@ -47,7 +48,7 @@ struct DualState {
   /// Appends all sites that near a location if that is a quick search; else false.
   bool find_near(const Vec3& x, double distance, std::vector<SiteId>& out) const;
   /// NeighbourOracle::nearest().
-  NeighbourOracle::Nearest nearest(const Vec3& x, SiteId without) const;
+  NeighbourOracle::Nearest nearest(const Location3& x, SiteId without) const;
   /// A corner of a polygon of the diagram as a circle; none if another polygon registers it. Each C corner is
   /// seen from three cells: the one of smallest id registers it. A B corner is registered by the smaller id
   /// in the smaller facet, an A corner in the first facet of the vertex.
@@ -68,8 +69,15 @@ struct DualState {
   void center_circle(EmptyCircle& circle, const Vec3& corner) const;
   /// The power of its center to the point less that to its sites.
   Sure lead_at(const EmptyCircle& circle, const WeightedPoint3& point) const {
-    return lead_of(sites[circle.sites[0]], point, circle.center, 2 * clipper.most_tolerance());
+    const WeightedPoint3& owner = sites[circle.sites[0]];
+    const double off = 2 * clipper.most_tolerance();
+    if (owner.level == point.level) return lead_of(owner, point, circle.center, off);
+    const FacetLevels& levels = clipper.levels();
+    return lead_of(owner, point, Location3(circle.center, levels.at(circle.facet, circle.center)), off,
+                   levels.off(circle.facet, off));
   }
+  /// Do the facet and the sites of a circle have this level?
+  bool is_level(const EmptyCircle& circle, double level) const;
   /// An upper bound of the distance from the site, of that power.
   double distance_at(double power, SiteId p) const;
   /// The same from any site that has been in.
@@ -85,6 +93,7 @@ struct DualState {
   double largest_reach();
 
   const TriMesh& mesh;
+  const bool has_levels;  ///< of the mesh: else all are 0
   const CornerTypes types;
   const double extent;  ///< bounds all coordinates
   NeighbourOracle* const paper;

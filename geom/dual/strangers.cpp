@@ -44,7 +44,9 @@ void Strangers::find_rivals_beyond(double power, SiteId p, std::vector<SiteId>& 
   for (const SiteId s : found_) {
     if (!(state_.reach[s] > power) || s == p) continue;
     const double far = state_.distance_at(state_.reach[s], s) + state_.distance_at(state_.reach[s], p);
-    if ((state_.sites[s].position - point.position).squaredNorm() <= far * far * more) out.push_back(s);
+    const double rise = state_.sites[s].level - point.level;
+    if ((state_.sites[s].position - point.position).squaredNorm() + rise * rise <= far * far * more)
+      out.push_back(s);
   }
   const double half = 0.5 * (radius_ - (point.position - center_).norm()) / more;
   if (half > 0) power = std::max(power, half * half / more - state_.heaviest());
@@ -60,15 +62,16 @@ void Strangers::keep_near(const Frame& frame, SiteId p, std::span<const SiteId> 
   const WeightedPoint3& origin = frame.origin();
   for (const SiteId s : found_) {
     if (s == p || std::ranges::find(rim, s) != rim.end()) continue;
-    const Vec3 d = Frame::offset(state_.sites[s], origin);
-    const double c = Frame::constant(state_.sites[s], origin);
+    const WeightedPoint3 seen = seen_from(origin.level, state_.sites[s]);
+    const Vec3 d = Frame::offset(seen, origin);
+    const double c = Frame::constant(seen, origin);
     if (!frame.is_behind(d, c, ball.center, ball.radius, first)) kept_.push_back({s, d, c});
   }
 }
 
 bool Strangers::are_beyond(const Vec3& point, const WeightedPoint3& owner, double off) const {
   return std::ranges::all_of(kept_, [&](const Stranger& stranger) {
-    return lead_of(owner, state_.sites[stranger.site], point, off).positive();
+    return lead_of(owner, seen_from(owner.level, state_.sites[stranger.site]), point, off).positive();
   });
 }
 

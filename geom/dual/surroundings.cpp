@@ -12,7 +12,7 @@ constexpr std::size_t walk_limit = 256;  // facets
 Surroundings::Surroundings(DualState& whole)
     : state(whole),
       frame(whole.mesh),
-      sheets(whole.mesh, whole.facets),
+      sheets(whole.mesh, whole.facets, whole.clipper.levels()),
       strangers(whole),
       flood(whole.mesh, frame) {}
 
@@ -36,14 +36,24 @@ void Surroundings::chart_sites(const Sheet& found) {
 }
 
 bool Surroundings::chart_around(double distance) {
-  const Vec3& place = site().position;
+  const auto& [place, weight, level] = site();
   if (on_sheet && sheet.covers(place, distance)) {
     chart.replace(rim.size(), frame.offset(self), frame.constant(self));
     return true;
   }
-  const Sheet* found = sheets.around(p, place, distance);
+  const Sheet* found = sheets.around(p, {place, level}, distance);
   if (found) chart_sites(*found);
   return on_sheet = found;
+}
+
+bool Surroundings::is_level(FacetId t) const {
+  return state.clipper.levels().is_flat_at(t, frame.origin().level);
+}
+
+bool Surroundings::is_flood_level() const {
+  for (std::size_t i = 0; state.has_levels && i < flood.num_facets(); ++i)
+    if (!is_level(flood.facet(i))) return false;
+  return true;
 }
 
 double Surroundings::with_tolerance(double distance2) const {
@@ -81,7 +91,7 @@ FacetId Surroundings::facet_on_axis(const std::array<int, 3>& sites, FacetId sta
     int least = 0;
     const Frame::Meets meets =
         Frame::axis_meets({&frame.vertex(s0), &frame.vertex(s1), &frame.vertex(s2)}, sites, least);
-    if (meets == Frame::Meets::inside) return t;
+    if (meets == Frame::Meets::inside) return is_level(t) ? t : FacetId();
     if (meets == Frame::Meets::unsure) return FacetId();
     t = state.mesh.across(t, least == 2 ? 0 : least + 1);
     if (!t.valid()) return FacetId();

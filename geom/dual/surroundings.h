@@ -33,6 +33,10 @@ struct Surroundings {
   /// The same on a sheet that covers that distance around p, if there is one; sets on_sheet.
   bool chart_around(double distance);
 
+  /// Has all of the facet the level of the frame's origin? Have all facets that were traced?
+  bool is_level(FacetId t) const;
+  bool is_flood_level() const;
+
   const WeightedPoint3& site() const { return state.sites[p]; }
   /// That of the rim.
   const WeightedPoint3& site(int j) const { return state.sites[rim[j]]; }

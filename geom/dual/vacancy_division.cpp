@@ -31,7 +31,8 @@ void VacancyDivision::begin(SiteId p, const CellPieces& cell) {
     for (const PolygonCorner& corner : cell.corners_of(piece))
       if (corner.edge.is_site() && std::ranges::find(heirs_, corner.edge.site()) == heirs_.end())
         heirs_.push_back(corner.edge.site());
-  if (heirs_.empty()) heirs_.push_back(state_.nearest(state_.sites[p].position, p).site);
+  const WeightedPoint3& site = state_.sites[p];
+  if (heirs_.empty()) heirs_.push_back(state_.nearest({site.position, site.level}, p).site);
   before_p_.clear();
   for (const SiteId k : heirs_) before_p_.push_back(state_.clipper.bisector_of(p, k));
 }
@@ -39,7 +40,7 @@ void VacancyDivision::begin(SiteId p, const CellPieces& cell) {
 // --- one facet -----------------------------------------------------------------------------------
 
 void VacancyDivision::divide_piece(FacetId t, std::span<const PolygonCorner> corners) {
-  find_winners(corners);
+  find_winners(t, corners);
   const std::size_t first = shares_.pieces.size();
   if (winners_.size() == 1) {  // all of it, bordered by p alone
     const SiteId k = heirs_[winners_.front()];
@@ -58,7 +59,7 @@ void VacancyDivision::divide_piece(FacetId t, std::span<const PolygonCorner> cor
 
 /// Those that are not farther than another one at all corners; mostly that is seen from a ball about the
 /// piece.
-void VacancyDivision::find_winners(std::span<const PolygonCorner> corners) {
+void VacancyDivision::find_winners(FacetId t, std::span<const PolygonCorner> corners) {
   const std::size_t n = corners.size();
   Box3 box;
   double tolerance = 0;
@@ -71,7 +72,11 @@ void VacancyDivision::find_winners(std::span<const PolygonCorner> corners) {
   double bound = infinity;
   least_.clear();
   for (const Bisector& b : before_p_) {
-    const double lead = b(middle), off = b.error + b.length * radius;
+    double lead = b(middle), off = b.error + b.length * radius;
+    if (b.rise != 0) {
+      lead += b.rise * state_.clipper.levels().middle(t);
+      off += std::abs(b.rise) * state_.clipper.levels().half(t);
+    }
     least_.push_back(lead - off);
     bound = std::min(bound, lead + off);
   }
@@ -82,9 +87,7 @@ void VacancyDivision::find_winners(std::span<const PolygonCorner> corners) {
   leads_.resize(n * heirs_.size());
   for (const Heir k : winners_)
     for (std::size_t i = 0; i < n; ++i) {
-      const Bisector& b = before_p_[k];
-      const double lead = b(corners[i].point.position),
-                   error = b.error + b.length * corners[i].point.tolerance;
+      const auto [lead, error] = state_.clipper.value_at(t, corners[i].point, before_p_[k]);
       leads_[k * n + i] = {lead - error, lead + error};
     }
   std::erase_if(winners_, [&](Heir k) {
@@ -252,6 +255,7 @@ bool VacancyDivision::is_missing(SiteId j) {
 /// Is j farther than the owner in all of the ball?
 bool VacancyDivision::is_behind(const WeightedPoint3& j, const WeightedPoint3& owner,
                                 const Group& ball) const {
+  if (j.level != owner.level) return false;
   const double far = geom::power(ball.center, j), near = geom::power(ball.center, owner), lead = far - near;
   if (lead <= 1e-8 * (std::abs(far) + std::abs(near) + std::abs(j.weight) + std::abs(owner.weight)))
     return false;
@@ -266,7 +270,8 @@ bool VacancyDivision::beats_at(SiteId j, const NewCorner& at) const {
   const auto& [position, tolerance] = at.corner.point;
   const double distance2 = (position - site.position).squaredNorm();
   const double lead = distance2 - site.weight - at.power, scale = distance2 + at.distance2;
-  if (lead > 0x1p-46 * (scale + std::abs(site.weight) + std::abs(at.power)) +
+  if (site.level == state_.sites[at.corner.owner].level &&
+      lead > 0x1p-46 * (scale + std::abs(site.weight) + std::abs(at.power)) +
                  tolerance * (3 * std::sqrt(scale) + tolerance))
     return false;
   return state_.clipper.beats_at(at.corner, j, state_.clipper.bisector_of(at.corner.owner, j));

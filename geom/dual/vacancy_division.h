@@ -62,7 +62,7 @@ class VacancyDivision {
   void begin(SiteId p, const CellPieces& cell);
   void divide_piece(FacetId t, std::span<const PolygonCorner> corners);
   void order_winners(std::span<const PolygonCorner> corners);
-  void find_winners(std::span<const PolygonCorner> corners);
+  void find_winners(FacetId t, std::span<const PolygonCorner> corners);
   bool is_dominated(Heir k, Heir by, std::size_t num_corners) const;
   void add_share(FacetId t, std::span<const PolygonCorner> corners, std::size_t winner);
   const RoundedPoint* known_corner(FacetId t, std::span<const PolygonCorner> corners, EdgeLabel own,

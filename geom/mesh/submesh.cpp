@@ -37,6 +37,10 @@ Submesh submesh(const TriMesh& whole, std::vector<FacetId> facets) {
     }
   }
   part.mesh = TriMesh(std::move(positions), std::move(renamed), std::move(across), whole.box());
+  if (!whole.has_levels()) return part;
+  Table<VertexId, double> levels;
+  for (const VertexId v : part.vertices) levels.push_back(whole.level(v));
+  part.mesh = part.mesh.with_levels(std::move(levels));
   return part;
 }
 

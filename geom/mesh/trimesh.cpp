@@ -42,6 +42,13 @@ TriMesh::TriMesh(Table<VertexId, Vec3> vertices, Table<FacetId, Facet> facets)
   });
 }
 
+TriMesh TriMesh::with_levels(Table<VertexId, double> levels) const {
+  ensure(levels.empty() || levels.size() == num_vertices(), "levels: one a vertex");
+  TriMesh result = *this;
+  result.levels_ = std::move(levels);
+  return result;
+}
+
 Vec3 TriMesh::normal(FacetId t) const {
   return (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0));
 }

@@ -32,11 +32,17 @@ class TriMesh {
   const Vec3& position(VertexId v) const { return vertices_[v]; }
   const Facet& facet(FacetId t) const { return facets_[t]; }
   const Vec3& corner(FacetId t, int i) const { return vertices_[facets_[t][static_cast<std::size_t>(i)]]; }
+  /// A fourth coordinate (levels.h): 0 unless given.
+  double level(VertexId v) const { return levels_.empty() ? 0 : levels_[v]; }
+  bool has_levels() const { return !levels_.empty(); }
   const Table<VertexId, Vec3>& vertices() const { return vertices_; }
   const Table<FacetId, Facet>& facets() const { return facets_; }
 
   /// The facet across edge e of t, or none: border, or more than two facets at that edge.
   FacetId across(FacetId t, int e) const { return across_[t][static_cast<std::size_t>(e)]; }
+
+  /// The same mesh with these levels, finite, one a vertex; none: all 0.
+  TriMesh with_levels(Table<VertexId, double> levels) const;
 
   Vec3 normal(FacetId t) const;  ///< area-weighted: (q1 - q0) x (q2 - q0)
   double area(FacetId t) const { return 0.5 * normal(t).norm(); }
@@ -46,6 +52,7 @@ class TriMesh {
 
  private:
   Table<VertexId, Vec3> vertices_;
+  Table<VertexId, double> levels_;
   Table<FacetId, Facet> facets_;
   Across across_;
   Box3 box_;

@@ -38,7 +38,7 @@ void CellDivision::prepare() {
     for (Heir h = 0; h < k; ++h) {
       const Bisector b = clipper_.bisector_of(heirs_[k], heirs_[h]);
       bisectors_[k * n + h] = b;
-      bisectors_[h * n + k] = {-b.normal, -b.offset, b.length, b.error};  // to the bit
+      bisectors_[h * n + k] = {-b.normal, -b.offset, b.length, b.error, -b.rise};  // to the bit
     }
 }
 
@@ -123,7 +123,8 @@ void CellDivision::order_heirs(FragmentId vacated) {
       if (heirs_[order_[i]] == corner.edge.site()) std::swap(order_[i], order_[front++]);
   }
   if (front > 0) return;
-  const Vec3 middle = clipper_.middle(store_.facet(vacated));
+  const FacetId t = store_.facet(vacated);
+  const Location3 middle(clipper_.middle(t), clipper_.levels().middle(t));
   Heir best = 0;
   for (Heir i = 1; i < heirs_.size(); ++i)
     if (bisector(best, i)(middle) < 0) best = i;

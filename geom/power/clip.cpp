@@ -33,6 +33,7 @@ Clipper::Clipper(const TriMesh& mesh, const Sites& sites, double extent)
     balls.push_back({center, radius * (1 + 0x1p-40) + 0x1p-48 * extent});
   }
   balls_ = std::make_shared<const Table<FacetId, Ball>>(std::move(balls));
+  levels_ = std::make_shared<const FacetLevels>(mesh);
 }
 
 void Clipper::start(FacetPolygon& polygon, FacetId facet, SiteId owner) const {
@@ -44,18 +45,23 @@ void Clipper::start(FacetPolygon& polygon, FacetId facet, SiteId owner) const {
 }
 
 /// Power is convex, so its maximum is at a corner. With a the rounded distance of a corner and b = sqrt(3)
-/// tolerance, (a + b)^2 <= a^2 (1 + e) + b^2 (1 + 1/e).
+/// tolerance, (a + b)^2 <= a^2 (1 + e) + b^2 (1 + 1/e). A level counts as a coordinate.
 double Clipper::bound_power(FacetId facet, SiteId site, std::span<const PolygonCorner> corners) const {
   const WeightedPoint3& owner = sites_[site];
   constexpr double e = 1e-9;
   double a2 = 0, tolerance = 0;
+  const bool is_level = levels_->is_flat_at(facet, owner.level);
   for (const PolygonCorner& corner : corners) {
-    a2 = std::max(a2, (corner.point.position - owner.position).squaredNorm());
-    tolerance = std::max(tolerance, corner.point.tolerance);
+    const RoundedPoint& x = corner.point;
+    double rise = 0;
+    if (!is_level)
+      rise = std::abs(levels_->at(facet, x.position) - owner.level) + levels_->off(facet, x.tolerance);
+    a2 = std::max(a2, (x.position - owner.position).squaredNorm() + rise * rise);
+    tolerance = std::max(tolerance, x.tolerance);
   }
   if (tolerance < infinity) return a2 * (1 + e) + 3 * tolerance * tolerance * (1 + 1 / e) - owner.weight;
   double result = -infinity;
-  for (int i = 0; i < 3; ++i) result = std::max(result, power(mesh_.corner(facet, i), owner));
+  for (const VertexId v : mesh_.facet(facet)) result = std::max(result, power(at(v), owner));
   return result;
 }
 
@@ -65,11 +71,13 @@ bool Clipper::beats_exactly(const CellCorner& corner, SiteId j) const {
     return beats_in_facet(corners_of(facet), ranked(owner), ranked(before.site()), ranked(after.site()),
                           ranked(j));
   if (!before.is_site() && !after.is_site())  // edges e - 1 and e meet in corner e
-    return beats_at_vertex(mesh_.corner(facet, after.edge()), ranked(owner), ranked(j));
+    return beats_at_vertex(corners_of(facet).at(static_cast<std::size_t>(after.edge())), ranked(owner),
+                           ranked(j));
   const EdgeLabel edge = before.is_site() ? after : before, site = before.is_site() ? before : after;
   const auto [a, b] = edge_ends(mesh_.facet(facet), edge.edge());
-  return beats_on_edge(mesh_.corner(facet, a), mesh_.corner(facet, b), ranked(owner), ranked(site.site()),
-                       ranked(j));
+  const FacetCorners q = corners_of(facet);
+  return beats_on_edge(q.at(static_cast<std::size_t>(a)), q.at(static_cast<std::size_t>(b)), ranked(owner),
+                       ranked(site.site()), ranked(j));
 }
 
 Clip Clipper::classify_corners(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners, SiteId j,
@@ -77,8 +85,7 @@ Clip Clipper::classify_corners(FacetId facet, SiteId owner, std::span<const Poly
   beaten.resize(corners.size());
   std::size_t count = 0;
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    const RoundedPoint& point = corners[k].point;
-    const double f = b(point.position), bound = b.error + b.length * point.tolerance;
+    const auto [f, bound] = value_at(facet, corners[k].point, b);
     const bool certain = f > bound || f < -bound;
     const bool yes = certain ? f < 0 : beats_exactly(cell_corner(facet, owner, corners, k), j);
     beaten[k] = yes;
@@ -94,8 +101,9 @@ RoundedPoint Clipper::corner(FacetId facet, EdgeLabel label, SiteId owner, SiteI
   const double uncertain = most_tolerance();
   if (!label.is_site()) {
     const auto [s, e] = edge_ends(mesh_.facet(facet), label.edge());
-    const Vec3 &ps = mesh_.corner(facet, s), &pe = mesh_.corner(facet, e);
-    const RoundedPoint point = corner_on_edge(ps, pe, b(ps), b(pe), b.error, extent_);
+    const FacetCorners q = corners_of(facet);
+    const Location3 ps = q.at(static_cast<std::size_t>(s)), pe = q.at(static_cast<std::size_t>(e));
+    const RoundedPoint point = corner_on_edge(ps.position, pe.position, b(ps), b(pe), b.error, extent_);
     if (point.tolerance <= uncertain) return point;
     return exact_corner_on_edge(ps, pe, ranked(std::min(owner, j)), ranked(std::max(owner, j)), extent_);
   }
@@ -113,12 +121,11 @@ RoundedPoint Clipper::corner_between(FacetId facet, SiteId owner, EdgeLabel befo
 }
 
 RoundedPoint Clipper::meeting(FacetId facet, const std::array<SiteId, 3>& s) const {
-  const auto [q0, q1, q2] = corners_of(facet);
-  const RoundedPoint point =
-      corner_in_facet(*q0, *q1, *q2, linear_form(bisector_of(s[0], s[1]), *q0, *q1, *q2),
-                      linear_form(bisector_of(s[0], s[2]), *q0, *q1, *q2), extent_);
+  const FacetCorners q = corners_of(facet);
+  const RoundedPoint point = corner_in_facet(*q.q0, *q.q1, *q.q2, form_on(facet, bisector_of(s[0], s[1])),
+                                             form_on(facet, bisector_of(s[0], s[2])), extent_);
   if (point.tolerance <= most_tolerance()) return point;
-  return exact_corner_in_facet(*q0, *q1, *q2, ranked(s[0]), ranked(s[1]), ranked(s[2]), extent_);
+  return exact_corner_in_facet(q.at(0), q.at(1), q.at(2), ranked(s[0]), ranked(s[1]), ranked(s[2]), extent_);
 }
 
 //               beaten               The polygon is convex and the bisector a line: the beaten corners are

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "geom/ids.h"
+#include "geom/mesh/levels.h"
 #include "geom/mesh/trimesh.h"
 #include "geom/power/clip_predicates.h"
 #include "geom/power/construct.h"
@@ -96,11 +97,20 @@ class Clipper {
 
   /// Does j beat the owner at this corner of its polygon? Exact. `b` is bisector_of(owner, j).
   bool beats_at(const CellCorner& corner, SiteId j, const Bisector& b) const {
-    const double f = b(corner.point.position);
-    const double bound = b.error + b.length * corner.point.tolerance;
+    const auto [f, bound] = value_at(corner.facet, corner.point, b);
     if (f > bound) return false;
     if (f < -bound) return true;
     return beats_exactly(corner, j);
+  }
+  /// Of the bisector at a location of the facet; at most `off` from that at the exact location.
+  struct Value {
+    double f, off;
+  };
+  Value value_at(FacetId facet, const RoundedPoint& point, const Bisector& b) const {
+    const double off = b.error + b.length * point.tolerance;
+    if (b.rise == 0) return {b(point.position), off};
+    return {b(Location3(point.position, levels_->at(facet, point.position))),
+            off + std::abs(b.rise) * levels_->off(facet, point.tolerance)};
   }
   /// The same from the labels alone. Slow.
   bool beats_exactly(const CellCorner& corner, SiteId j) const;
@@ -121,7 +131,8 @@ class Clipper {
   /// (untouched), j does (swallowed), or it depends (cut).
   Clip compare_on_facet(FacetId facet, const Bisector& b) const {
     const Ball& ball = (*balls_)[facet];
-    const double f = b(ball.center), bound = b.error + b.length * ball.radius;
+    double f = b(ball.center), bound = b.error + b.length * ball.radius;
+    if (b.rise != 0) f += b.rise * levels_->middle(facet), bound += std::abs(b.rise) * levels_->half(facet);
     return f > bound ? Clip::untouched : f < -bound ? Clip::swallowed : Clip::cut;
   }
 
@@ -162,8 +173,10 @@ class Clipper {
 
   /// The values of a bisector at the corners of a facet.
   LinearForm form_on(FacetId facet, const Bisector& b) const {
-    return linear_form(b, mesh_.corner(facet, 0), mesh_.corner(facet, 1), mesh_.corner(facet, 2));
+    const auto [v0, v1, v2] = mesh_.facet(facet);
+    return linear_form(b, at(v0), at(v1), at(v2));
   }
+  const FacetLevels& levels() const { return *levels_; }
   /// The corner of the owner's polygon between edges with these labels: what clip() computes there.
   RoundedPoint corner_between(FacetId facet, SiteId owner, EdgeLabel before, EdgeLabel after) const;
 
@@ -174,8 +187,13 @@ class Clipper {
 
  private:
   RankedPoint3 ranked(SiteId s) const { return {&sites_[s], s.value}; }
+  Location3 at(VertexId v) const { return {mesh_.position(v), mesh_.level(v)}; }
   FacetCorners corners_of(FacetId t) const {
-    return {&mesh_.corner(t, 0), &mesh_.corner(t, 1), &mesh_.corner(t, 2)};
+    const auto [v0, v1, v2] = mesh_.facet(t);
+    return {&mesh_.position(v0),
+            &mesh_.position(v1),
+            &mesh_.position(v2),
+            {mesh_.level(v0), mesh_.level(v1), mesh_.level(v2)}};
   }
 
   struct Ball {
@@ -187,8 +205,9 @@ class Clipper {
   const Sites& sites_;
   double extent_;
   std::shared_ptr<const Table<FacetId, Ball>> balls_;  ///< around the facets
-  std::vector<char> beaten_;                           // workspace
-  std::vector<PolygonCorner> scratch_;                 // workspace
+  std::shared_ptr<const FacetLevels> levels_;
+  std::vector<char> beaten_;            // workspace
+  std::vector<PolygonCorner> scratch_;  // workspace
 };
 
 }  // namespace geom

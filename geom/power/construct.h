@@ -3,6 +3,7 @@
 // proven bound on its error, so that clip.h can use them as a filter and turn to exact predicates only where
 // the bound cannot tell.
 
+#include <cmath>
 #include <limits>
 
 #include "geom/exact/predicates.h"
@@ -14,10 +15,15 @@ namespace geom {
 struct Bisector {
   Vec3 normal;
   double offset;
-  double length;  ///< |normal|
-  double error;   ///< |computed f(x) - f(x)| <= error for every double x with |x|_inf <= extent
+  double length;    ///< |normal|
+  double error;     ///< |computed f(x) - f(x)| <= error for every double x with |x|_inf <= extent
+  double rise = 0;  ///< the fourth coordinate of the normal: 0 if the two have the same level
 
+  /// At a location of any level, if rise is 0.
   double operator()(const Vec3& x) const { return normal.dot(x) - offset; }
+  double operator()(const Location3& x) const { return (normal.dot(x.position) + rise * x.level) - offset; }
+  /// How fast f can change, a level being as good as a length.
+  double steepness() const { return rise == 0 ? length : std::hypot(length, rise) * (1 + 0x1p-50); }
 };
 
 /// `extent` bounds every coordinate of p0, pj and of the locations at which f will be evaluated.
@@ -27,11 +33,16 @@ struct Bisector {
 /// u |dw|, their sum by u (|n|_1 M + |dw|), the last subtraction by u (2 |n|_1 M + |dw|): together
 /// u (12 |n|_1 M + 3 |dw|) to first order. As |n|_1 <= sqrt(3) |n|, 32u (|n| M + |dw|) leaves a third for the
 /// higher orders and the rounding of the bound.
+/// With levels, which `extent` bounds, too, there is one more term of each sum, at most 5u |n|_1 M + ... of
+/// it: twice the bound is enough.
 inline Bisector bisector(const WeightedPoint3& p0, const WeightedPoint3& pj, double extent) {
   const Vec3 d = p0.position - pj.position, s = p0.position + pj.position;
   const double dw = pj.weight - p0.weight;
   const double length = 2 * d.norm();
-  return {2 * d, d.dot(s) + dw, length, 0x1p-48 * (length * extent + std::abs(dw))};
+  if (p0.level == pj.level) return {2 * d, d.dot(s) + dw, length, 0x1p-48 * (length * extent + std::abs(dw))};
+  const double rise = 2 * (p0.level - pj.level);
+  return {2 * d, (d.dot(s) + 0.5 * rise * (p0.level + pj.level)) + dw, length,
+          0x1p-47 * ((length + std::abs(rise)) * extent + std::abs(dw)), rise};
 }
 
 /// Values of a bisector's f at the three corners of a facet, each off by at most `error`.
@@ -40,7 +51,8 @@ struct LinearForm {
   double error;
 };
 
-inline LinearForm linear_form(const Bisector& b, const Vec3& q0, const Vec3& q1, const Vec3& q2) {
+inline LinearForm linear_form(const Bisector& b, const Location3& q0, const Location3& q1,
+                              const Location3& q2) {
   return {{b(q0), b(q1), b(q2)}, b.error};
 }
 
@@ -64,9 +76,10 @@ RoundedPoint corner_in_facet(const Vec3& q0, const Vec3& q1, const Vec3& q2, con
 
 /// The same two points where the forms above are too uncertain: from exact values, rounded at the end. The
 /// error is a few units in the last place of the facet's coordinates. Slow.
-RoundedPoint exact_corner_on_edge(const Vec3& a, const Vec3& b, const RankedPoint3& owner,
+RoundedPoint exact_corner_on_edge(const Location3& a, const Location3& b, const RankedPoint3& owner,
                                   const RankedPoint3& j, double extent);
-RoundedPoint exact_corner_in_facet(const Vec3& q0, const Vec3& q1, const Vec3& q2, const RankedPoint3& owner,
-                                   const RankedPoint3& first, const RankedPoint3& second, double extent);
+RoundedPoint exact_corner_in_facet(const Location3& q0, const Location3& q1, const Location3& q2,
+                                   const RankedPoint3& owner, const RankedPoint3& first,
+                                   const RankedPoint3& second, double extent);
 
 }  // namespace geom

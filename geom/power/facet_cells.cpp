@@ -30,6 +30,10 @@ double distance_at(double power, double weight) {
 Vec3 centroid(const TriMesh& mesh, FacetId t) {
   return (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3;
 }
+double middle_level(const TriMesh& mesh, FacetId t) {
+  const auto [a, b, c] = mesh.facet(t);
+  return (mesh.level(a) + mesh.level(b) + mesh.level(c)) / 3;
+}
 
 }  // namespace
 
@@ -45,7 +49,8 @@ FacetCells::FacetCells(const TriMesh& mesh, const Clipper::Sites& sites, const C
 std::span<const FacetPolygon> FacetCells::divide(FacetId t) {
   num_found_ = 0;
   ++stamp_;
-  const SiteId first = search_.nearest(centroid(mesh_, t), SiteId(), SiteId()).site;
+  const Vec3 middle = centroid(mesh_, t);
+  const SiteId first = search_.nearest({middle, middle_level(mesh_, t)}, SiteId(), SiteId()).site;
   follow(first, t);
   if (num_found_ == 0) {  // powers tie there, or rounding moved the centroid off a tiny facet
     find_owners(t, first);
@@ -156,8 +161,9 @@ void FacetCells::find_owners(FacetId t, SiteId first) {
   double radius2 = 0, power = -std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
     const Vec3& q = mesh_.corner(t, i);
+    const double rise = mesh_.level(mesh_.facet(t)[static_cast<std::size_t>(i)]) - site.level;
     radius2 = std::max(radius2, (q - middle).squaredNorm());
-    power = std::max(power, power_at((q - site.position).squaredNorm(), site.weight));
+    power = std::max(power, power_at((q - site.position).squaredNorm() + rise * rise, site.weight));
   }
   may_own_.clear();
   search_.heirs({SiteId(), middle, root(radius2) * more, power}, may_own_);

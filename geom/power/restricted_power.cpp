@@ -12,8 +12,12 @@ namespace geom {
 
 double extent_of(const TriMesh& mesh) {
   require(mesh.num_facets() > 0, "the surface has no facet");
-  return std::max(mesh.box().min().lpNorm<Eigen::Infinity>(), mesh.box().max().lpNorm<Eigen::Infinity>()) *
-         (1 + 1e-9);
+  double extent =
+      std::max(mesh.box().min().lpNorm<Eigen::Infinity>(), mesh.box().max().lpNorm<Eigen::Infinity>());
+  if (mesh.has_levels())
+    for (VertexId v(0); v.index() < mesh.num_vertices(); v = VertexId(v.value + 1))
+      extent = std::max(extent, std::abs(mesh.level(v)));
+  return extent * (1 + 1e-9);
 }
 
 RestrictedPower::RestrictedPower(const TriMesh& mesh, std::span<const WeightedPoint3> points,

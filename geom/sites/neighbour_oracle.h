@@ -46,7 +46,7 @@ class NeighbourOracle {
     double radius2;  ///< power(x, site); +infinity if none
   };
   /// `hint`: a site nearby (it may be `without` if that is present), or none.
-  virtual Nearest nearest(const Vec3& x, SiteId without, SiteId hint) const = 0;
+  virtual Nearest nearest(const Location3& x, SiteId without, SiteId hint) const = 0;
 };
 
 }  // namespace geom

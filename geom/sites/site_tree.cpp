@@ -221,7 +221,7 @@ void SiteTree::heirs(const Vacancy& vacancy, std::vector<SiteId>& out) const {
 
 /// What lies within slack of the best must be computed in doubles: (d - slack)^2 >= d^2 (1 - e) - slack^2 /
 /// e.
-NeighbourOracle::Nearest SiteTree::nearest(const Vec3& x, SiteId without, SiteId) const {
+NeighbourOracle::Nearest SiteTree::nearest(const Location3& x, SiteId without, SiteId) const {
   constexpr double e = 0x1p-10;
   const double allowance = slack_ * slack_ / e;
   Nearest best{SiteId(), infinity};
@@ -229,7 +229,7 @@ NeighbourOracle::Nearest SiteTree::nearest(const Vec3& x, SiteId without, SiteId
     return best.site.valid() ? (best.radius2 + weight + allowance) * (1 + 2 * e) : infinity;
   };
   visit(
-      x, [&](const Node& node) { return limit2_of(node.max_weight); },
+      x.position, [&](const Node& node) { return limit2_of(node.max_weight); },
       [&](const Entry& entry, double distance2) {
         if (entry.site == without || distance2 > limit2_of(entry.weight)) return;
         const double radius2 = power(x, points_[entry.site]);

@@ -40,7 +40,7 @@ class SiteTree final : public NeighbourOracle {
   void rivals_beyond(double reach, const WeightedPoint3& p, std::vector<SiteId>& out) const;
   void heirs(const Vacancy& vacancy, std::vector<SiteId>& out) const override;
   void set_reach(SiteId j, double max_radius2) override;
-  Nearest nearest(const Vec3& x, SiteId without, SiteId hint = SiteId()) const override;
+  Nearest nearest(const Location3& x, SiteId without, SiteId hint = SiteId()) const override;
 
   /// Verifies places, bounds of nodes and separation by the splitting planes. O(n log n). Throws Bug.
   void check() const;

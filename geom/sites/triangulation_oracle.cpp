@@ -52,7 +52,9 @@ void TriangulationOracle::offer(const Vec3& x, SiteId s, SiteId without, Nearest
 // power at most any bound are connected. Where rounding hides which one is nearest, all sites within its
 // reach are visited, and the answer is that of trying them all. What is nearest if `without` is left out owns
 // the place of x once that is gone: a neighbour of it, or a site that it hides.
-NeighbourOracle::Nearest TriangulationOracle::nearest(const Vec3& x, SiteId without, SiteId hint) const {
+NeighbourOracle::Nearest TriangulationOracle::nearest(const Location3& location, SiteId without,
+                                                      SiteId hint) const {
+  const Vec3& x = location.position;
   if (!hint.valid() || triangulation_.is_hidden(hint)) return nearest_of_all(x, without);
   constexpr double unsure = 0x1p-48;  // 32 roundings
   Nearest best{SiteId(), std::numeric_limits<double>::infinity()};

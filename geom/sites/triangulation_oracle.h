@@ -22,7 +22,7 @@ class TriangulationOracle final : public NeighbourOracle {
   void heirs(const Vacancy& vacancy, std::vector<SiteId>& out) const override;
   void set_reach(SiteId, double) override {}
   /// A walk over edges from the hint; O(1) expected if that is near, O(n) without one.
-  Nearest nearest(const Vec3& x, SiteId without, SiteId hint) const override;
+  Nearest nearest(const Location3& location, SiteId without, SiteId hint) const override;
 
   const Regular3& triangulation() const { return triangulation_; }
 

@@ -1,4 +1,4 @@
-#include "fpo/tiles/split_facets.h"
+#include "fpo/surface/split_facets.h"
 
 #include <algorithm>
 #include <array>

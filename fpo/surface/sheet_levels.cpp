@@ -1,0 +1,363 @@
+#include "fpo/surface/sheet_levels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <queue>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "geom/disjoint_sets.h"
+#include "geom/mesh/scaling.h"
+#include "geom/sites/site_tree.h"
+
+namespace fpo {
+namespace {
+
+using geom::SiteId;
+using geom::Table;
+using geom::TriMesh;
+using geom::Vec3;
+using geom::VertexId;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double probe_spacing = 0.35;  // in wanted lengths
+constexpr double patch_radius = 3;
+constexpr double step =
+    1.25;  // levels are powers of it, so that patches of about the same sizes have the same
+
+/// Places and how far those beside each other are.
+struct Graph {
+  struct Arc {
+    std::uint32_t to;
+    double length;
+  };
+  std::vector<std::vector<Arc>> arcs;
+
+  explicit Graph(std::size_t size) : arcs(size) {}
+  std::size_t size() const { return arcs.size(); }
+  void join(std::size_t a, std::size_t b, double length) {
+    arcs[a].push_back({static_cast<std::uint32_t>(b), length});
+    arcs[b].push_back({static_cast<std::uint32_t>(a), length});
+  }
+  void sort() {
+    for (std::vector<Arc>& list : arcs) {
+      std::ranges::sort(list, {}, &Arc::to);
+      list.erase(
+          std::unique(list.begin(), list.end(), [](const Arc& a, const Arc& b) { return a.to == b.to; }),
+          list.end());
+    }
+  }
+};
+
+/// Dijkstra's search from places with distances to begin with, over and over.
+class Search {
+ public:
+  explicit Search(const Graph& graph) : graph_(graph), distance_(graph.size(), infinity) {}
+
+  /// Calls visit(place, distance), nearest first, until it says false: then it goes no further from there.
+  /// `limit`: not beyond.
+  template <class Visit>
+  void run(std::span<const std::pair<std::uint32_t, double>> from, double limit, Visit visit) {
+    for (const std::uint32_t v : touched_) distance_[v] = infinity;
+    touched_.clear();
+    for (const auto& [v, d] : from) offer(v, d);
+    while (!queue_.empty()) {
+      const auto [d, v] = queue_.top();
+      queue_.pop();
+      if (d > distance_[v] || !visit(v, d)) continue;
+      for (const Graph::Arc& arc : graph_.arcs[v])
+        if (d + arc.length <= limit) offer(arc.to, d + arc.length);
+    }
+  }
+  /// Of the last search; infinite: not reached.
+  double distance(std::uint32_t v) const { return distance_[v]; }
+
+ private:
+  void offer(std::uint32_t v, double d) {
+    if (!(d < distance_[v])) return;
+    if (distance_[v] == infinity) touched_.push_back(v);
+    distance_[v] = d;
+    queue_.push({d, v});
+  }
+  using Entry = std::pair<double, std::uint32_t>;
+  const Graph& graph_;
+  std::vector<double> distance_;
+  std::vector<std::uint32_t> touched_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+};
+
+Graph edges_of(const TriMesh& mesh) {
+  Graph graph(mesh.num_vertices());
+  for (const TriMesh::Facet& facet : mesh.facets())
+    for (std::size_t e = 0; e < 3; ++e) {
+      const VertexId a = facet[e], b = facet[(e + 1) % 3];
+      graph.join(a.index(), b.index(), (mesh.position(a) - mesh.position(b)).norm());
+    }
+  graph.sort();
+  return graph;
+}
+
+/// One assignment of levels.
+class SheetLevels {
+ public:
+  SheetLevels(const TriMesh& mesh, std::vector<double> h, const SheetOptions& options)
+      : mesh_(mesh), h_(std::move(h)), options_(options), graph_(edges_of(mesh)), near_(0) {}
+
+  /// Empty: no places are in conflict.
+  Table<VertexId, double> find() {
+    place_probes();
+    find_conflicts();
+    if (conflicts_.empty()) return {};
+    part_components();
+    make_patches();
+    color_patches();
+    return levels();
+  }
+
+ private:
+  void place_probes();
+  void find_conflicts();
+  void part_components();
+  void make_patches();
+  void color_patches();
+  Table<VertexId, double> levels();
+  bool is_suspicious(std::size_t a, std::size_t b) const;
+  double h_of(std::size_t probe) const { return h_[probes_[probe].vertex]; }
+  /// A length no less, one of few.
+  static double rounded_up(double length) {
+    return std::pow(step, std::ceil(std::log(length) / std::log(step) - 1e-9));
+  }
+
+  struct Probe {
+    std::uint32_t vertex, component;
+    Vec3 position, normal;
+  };
+  const TriMesh& mesh_;
+  std::vector<double> h_;  ///< of vertices
+  SheetOptions options_;
+  Graph graph_;  ///< of vertices
+  std::vector<Probe> probes_;
+  std::vector<std::uint32_t> probe_of_;  ///< of each vertex
+  Graph near_;                           ///< of probes
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> conflicts_;
+  std::vector<double> base_;                             ///< level of each component
+  std::vector<std::vector<std::uint32_t>> in_conflict_;  ///< with each probe, of its component
+  std::vector<int> patch_of_;                            ///< of each probe, or -1
+  std::vector<double> patch_height_;
+  std::vector<int> color_;  ///< of each patch
+};
+
+/// Vertices about evenly spread along the surface, and which of them are beside each other.
+void SheetLevels::place_probes() {
+  geom::DisjointSets components(mesh_.num_vertices());
+  Table<VertexId, Vec3> normals(mesh_.num_vertices(), Vec3(0, 0, 0));
+  for (geom::FacetId t(0); t.index() < mesh_.num_facets(); t = geom::FacetId(t.value + 1))
+    for (const VertexId v : mesh_.facet(t)) {
+      normals[v] += mesh_.normal(t);
+      components.merge(mesh_.facet(t)[0].index(), v.index());
+    }
+  std::vector<double> known(graph_.size(), infinity);
+  probe_of_.assign(graph_.size(), 0);
+  Search search(graph_);
+  for (std::uint32_t v = 0; v < graph_.size(); ++v) {
+    if (known[v] <= probe_spacing * h_[v] || graph_.arcs[v].empty()) continue;
+    const auto probe = static_cast<std::uint32_t>(probes_.size());
+    probes_.push_back({v, static_cast<std::uint32_t>(components.find(v)),
+                       mesh_.position(VertexId(std::size_t{v})),
+                       normals[VertexId(std::size_t{v})].normalized()});
+    const std::pair<std::uint32_t, double> from{v, 0};
+    search.run(std::span(&from, 1), 2 * probe_spacing * h_[v], [&](std::uint32_t u, double d) {
+      if (!(d < known[u])) return false;
+      known[u] = d;
+      probe_of_[u] = probe;
+      return true;
+    });
+  }
+  near_ = Graph(probes_.size());
+  for (std::uint32_t v = 0; v < graph_.size(); ++v)
+    for (const Graph::Arc& arc : graph_.arcs[v]) {
+      const std::uint32_t a = probe_of_[v], b = probe_of_[arc.to];
+      if (a < b) near_.join(a, b, (probes_[a].position - probes_[b].position).norm());
+    }
+  near_.sort();
+}
+
+/// Not simply beside each other on one sheet?
+bool SheetLevels::is_suspicious(std::size_t a, std::size_t b) const {
+  const Vec3 d = probes_[b].position - probes_[a].position;
+  const double across = std::max(std::abs(d.dot(probes_[a].normal)), std::abs(d.dot(probes_[b].normal)));
+  return probes_[a].component != probes_[b].component || probes_[a].normal.dot(probes_[b].normal) < 0.5 ||
+         across > 0.5 * d.norm();
+}
+
+void SheetLevels::find_conflicts() {
+  geom::SiteTree tree;
+  for (std::size_t i = 0; i < probes_.size(); ++i) tree.insert(SiteId(i), {probes_[i].position});
+  Search search(near_);
+  std::vector<SiteId> around;
+  for (std::uint32_t a = 0; a < probes_.size(); ++a) {
+    around.clear();
+    const double radius = options_.near * h_of(a);
+    tree.heirs({SiteId(std::size_t{a}), probes_[a].position, radius, 0}, around);
+    std::erase_if(around, [&](SiteId b) {
+      return b.index() == a || (probes_[b.index()].position - probes_[a].position).norm() > radius ||
+             !is_suspicious(a, b.index());
+    });
+    if (around.empty()) continue;
+    std::ranges::sort(around);
+    const std::pair<std::uint32_t, double> from{a, 0};
+    search.run(std::span(&from, 1), options_.far * h_of(a), [](std::uint32_t, double) { return true; });
+    for (const SiteId b : around)
+      if (search.distance(static_cast<std::uint32_t>(b.index())) == infinity)
+        conflicts_.emplace_back(a, static_cast<std::uint32_t>(b.index()));
+  }
+}
+
+/// Components in conflict get different levels; what is left in conflict is so within components.
+void SheetLevels::part_components() {
+  std::map<std::uint32_t, std::set<std::uint32_t>> apart;
+  double largest = 0;
+  for (const auto& [a, b] : conflicts_) {
+    largest = std::max({largest, h_of(a), h_of(b)});
+    const std::uint32_t one = probes_[a].component, two = probes_[b].component;
+    if (one != two) apart[one].insert(two), apart[two].insert(one);
+  }
+  base_.assign(mesh_.num_vertices(), 0);
+  std::map<std::uint32_t, int> color;
+  // Inside a component there may be levels, too: room for three colors of those.
+  const double height = 3 * rounded_up(options_.height * largest);
+  for (const auto& [component, others] : apart) {
+    std::set<int> taken;
+    for (const std::uint32_t other : others)
+      if (color.contains(other)) taken.insert(color[other]);
+    int c = 0;
+    while (taken.contains(c)) ++c;
+    color[component] = c;
+    base_[component] = c * height;
+  }
+  in_conflict_.resize(probes_.size());
+  for (const auto& [a, b] : conflicts_)
+    if (probes_[a].component == probes_[b].component) {
+      in_conflict_[a].push_back(b);
+      in_conflict_[b].push_back(a);
+    }
+}
+
+/// Probes in conflict, in connected sets that are not too large.
+void SheetLevels::make_patches() {
+  patch_of_.assign(probes_.size(), -1);
+  Search search(near_);
+  for (std::uint32_t seed = 0; seed < probes_.size(); ++seed) {
+    if (in_conflict_[seed].empty() || patch_of_[seed] >= 0) continue;
+    const int patch = static_cast<int>(patch_height_.size());
+    double largest = 0;
+    const std::pair<std::uint32_t, double> from{seed, 0};
+    search.run(std::span(&from, 1), patch_radius * h_of(seed), [&](std::uint32_t v, double) {
+      if (in_conflict_[v].empty() || patch_of_[v] >= 0) return false;
+      patch_of_[v] = patch;
+      largest = std::max(largest, h_of(v));
+      return true;
+    });
+    patch_height_.push_back(rounded_up(options_.height * largest));
+  }
+}
+
+/// One after the other, from patch to patch beside it: the color nearest to that of those beside it that none
+/// in conflict with it has.
+void SheetLevels::color_patches() {
+  const std::size_t n = patch_height_.size();
+  std::vector<std::set<int>> beside(n), against(n);
+  for (std::uint32_t a = 0; a < probes_.size(); ++a) {
+    if (patch_of_[a] < 0) continue;
+    const auto p = static_cast<std::size_t>(patch_of_[a]);
+    for (const Graph::Arc& arc : near_.arcs[a])
+      if (patch_of_[arc.to] >= 0 && patch_of_[arc.to] != patch_of_[a]) beside[p].insert(patch_of_[arc.to]);
+    for (const std::uint32_t b : in_conflict_[a])
+      if (patch_of_[b] != patch_of_[a]) against[p].insert(patch_of_[b]);
+  }
+  constexpr int none = std::numeric_limits<int>::max();
+  color_.assign(n, none);
+  std::vector<int> waiting;
+  const auto give_color = [&](std::size_t p, int wanted) {
+    const auto is_free = [&](int c) {
+      return std::ranges::none_of(against[p],
+                                  [&](int q) { return color_[static_cast<std::size_t>(q)] == c; });
+    };
+    for (int off = 0; color_[p] == none; ++off)
+      for (const int c : std::abs(wanted - off) < std::abs(wanted + off)
+                             ? std::array{wanted - off, wanted + off}
+                             : std::array{wanted + off, wanted - off})
+        if (color_[p] == none && is_free(c)) color_[p] = c;
+    waiting.push_back(static_cast<int>(p));
+  };
+  for (std::size_t first = 0; first < n; ++first) {
+    if (color_[first] != none) continue;
+    give_color(first, 0);
+    for (std::size_t i = 0; i < waiting.size(); ++i) {
+      const auto p = static_cast<std::size_t>(waiting[i]);
+      for (const int q : beside[p])
+        if (color_[static_cast<std::size_t>(q)] == none) give_color(static_cast<std::size_t>(q), color_[p]);
+    }
+    waiting.clear();
+  }
+}
+
+Table<VertexId, double> SheetLevels::levels() {
+  using Source = std::pair<std::uint32_t, double>;
+  std::vector<Source> wishes;  // levels above that of the component
+  for (std::uint32_t v = 0; v < graph_.size(); ++v)
+    if (const std::uint32_t probe = probe_of_[v]; !graph_.arcs[v].empty() && patch_of_[probe] >= 0) {
+      const auto p = static_cast<std::size_t>(patch_of_[probe]);
+      wishes.emplace_back(v, color_[p] * patch_height_[p]);
+    }
+  std::vector<double> low(graph_.size()), high(graph_.size());
+  Search search(graph_);
+  // Searched in lengths: U / g = min (t / g + d), which may begin below 0, and L / g = -min (-t / g + d).
+  const auto extend = [&](double sign, std::vector<double>& out) {
+    std::vector<Source> from = wishes;
+    for (auto& [v, t] : from) t *= sign / options_.slope;
+    std::ranges::fill(out, infinity);
+    search.run(from, infinity, [&](std::uint32_t v, double d) { return out[v] = d, true; });
+  };
+  const auto find_bounds = [&] { extend(1, high), extend(-1, low); };
+  find_bounds();
+  const std::size_t num_wishes = wishes.size();
+  std::vector<char> has_wish(graph_.size(), 0);
+  for (std::size_t i = 0; i < num_wishes; ++i) has_wish[wishes[i].first] = 1;
+  for (std::uint32_t v = 0; v < graph_.size(); ++v)
+    if (!has_wish[v] && high[v] >= 0 && low[v] >= 0) wishes.emplace_back(v, 0);  // 0 is as good as any
+  find_bounds();
+  std::vector<double> wish(graph_.size(), std::numeric_limits<double>::quiet_NaN());
+  for (const auto& [v, t] : wishes) wish[v] = t;
+  Table<VertexId, double> result(graph_.size(), 0.0);
+  for (std::uint32_t v = 0; v < graph_.size(); ++v) {
+    if (graph_.arcs[v].empty()) continue;
+    const double g = options_.slope, t = wish[v];
+    const bool is_granted = high[v] == t / g && low[v] == -t / g;  // else it takes what the others leave
+    const double level = is_granted ? t : 0.5 * g * (high[v] - low[v]);
+    result[VertexId(std::size_t{v})] =
+        geom::snapped(base_[probes_[probe_of_[v]].component] + level, geom::coordinate_unit);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<SplitSurface> sheets_apart(const TriMesh& mesh, const Sizing& sizing,
+                                         std::span<SurfaceSample> samples, const SheetOptions& options) {
+  std::vector<SurfaceSample> moved(samples.begin(), samples.end());
+  SplitSurface result = split_long_edges(mesh, sizing, options.longest, moved);
+  std::vector<double> h(result.h.begin(), result.h.end());
+  if (h.empty()) h.assign(result.mesh.num_vertices(), sizing.at(VertexId(0)));
+  Table<VertexId, double> levels = SheetLevels(result.mesh, std::move(h), options).find();
+  if (levels.empty()) return {};
+  result.mesh = result.mesh.with_levels(std::move(levels));
+  std::ranges::copy(moved, samples.begin());
+  return result;
+}
+
+}  // namespace fpo
