@@ -1,9 +1,9 @@
 #pragma once
-// Sheets apart: levels (geom/mesh/levels.h) for the sheets of a surface that are nearer to each other in space
-// than samples are, but not along the surface. The paper's diagram is one of space, so that there samples of
-// one sheet push those of the other, and cells reach through. (Cf. Yan, Bao, Zhang, Wonka, Low-resolution
-// remeshing using the localized restricted Voronoi diagram, 2014, who part the cells of given samples; here
-// the sheets are apart while samples are distributed.)
+// Sheets apart: levels (geom/mesh/levels.h) for the sheets of a surface that are nearer to each other in
+// space than samples are, but not along the surface. The paper's diagram is one of space, so that there
+// samples of one sheet push those of the other, and cells reach through. (Cf. Yan, Bao, Zhang, Wonka,
+// Low-resolution remeshing using the localized restricted Voronoi diagram, 2014, who part the cells of given
+// samples; here the sheets are apart while samples are distributed.)
 //
 //       top     ______________       Two places are in conflict if they are nearer than `near` wanted lengths
 //              /              \      in space, and farther than `far` of them along the surface. Places in

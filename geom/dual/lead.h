@@ -30,8 +30,8 @@ inline Sure lead_of(const WeightedPoint3& owner, const WeightedPoint3& other, co
               off * (3 * std::sqrt(both2) + 4 * off)};
 }
 
-/// A site as it is seen from locations of one level, of which it need not be: its weight is less by the square
-/// of the difference, and rounded up.
+/// A site as it is seen from locations of one level, of which it need not be: its weight is less by the
+/// square of the difference, and rounded up.
 inline WeightedPoint3 seen_from(double level, const WeightedPoint3& site) {
   if (site.level == level) return site;
   const double gap2 = (level - site.level) * (level - site.level);

@@ -11,10 +11,10 @@
 //     B   s_1 F_2 - F_1 s_2   over   s_1           (edge q0 q1)
 //     C   det(F, s, t), rows 1, 2, 3   over   s_1 t_2 - t_1 s_2.
 //
-// All points have four coordinates, the last one their level. For error bounds see filters.h. Real is double, or DoubleDouble where that cannot tell; then u is a bound
-// of the error of one operation of those. Nothing underflows there either: rounding a multiple of a power of
-// two leaves one, so all heads and tails are multiples of the inputs' common unit, to the degree of the
-// value.
+// All points have four coordinates, the last one their level. For error bounds see filters.h. Real is double,
+// or DoubleDouble where that cannot tell; then u is a bound of the error of one operation of those. Nothing
+// underflows there either: rounding a multiple of a power of two leaves one, so all heads and tails are
+// multiples of the inputs' common unit, to the degree of the value.
 
 #include "geom/exact/double_double.h"
 #include "geom/exact/filters.h"
