@@ -10,6 +10,7 @@
 #include "geom/rng.h"
 #include "geom/shapes/mesh_parts.h"
 #include "geom/shapes/polygonise.h"
+#include "geom/shapes/thin_shapes.h"
 
 namespace geom {
 namespace {
@@ -206,6 +207,22 @@ constexpr std::array shapes = {
     Shape{{"wave-disk", "disk with waves and a border", 24, finest, 1, 1, 1}, wave_disk},
     Shape{{"tube", "cylinder without caps", 64, finest, 0, 1, 2}, tube_surface, 3},
     Shape{{"moebius", "one-sided strip", 96, finest, 0, 1, 1, false}, moebius, 3},
+    Shape{{"plate", "1 x 1 x 1/40", 20, finest, 2, 1, 0}, plate},
+    Shape{{"paper", "1 x 1 x 1/100, in waves", 40, finest, 2, 1, 0}, paper},
+    Shape{{"comb", "12 teeth, 1/50 thick", 10, finest, 2, 1, 0}, comb},
+    Shape{{"horn", "ball of radius 1 with a horn that ends in nothing", 48, finest, 2, 1, 0}, horn, 3},
+    Shape{{"ears", "ball with two thin lobes", 48, finest, 2, 1, 0}, ears},
+    Shape{{"dumbbell", "balls of radius 1, joined by a bar of radius .03", 48, finest, 2, 1, 0}, dumbbell, 3},
+    Shape{{"narrow-torus", "radii 1 and .97: a hole of radius .03", 96, finest, 0, 1, 0}, narrow_torus, 3},
+    Shape{{"thin-handle", "ring that is 1 thick on one side, .06 on the other", 96, finest, 0, 1, 0},
+          thin_handle,
+          3},
+    Shape{{"pinched-tube", "closed tube, pressed flat in the middle: .03 thick", 64, finest, 2, 1, 0},
+          pinched_tube,
+          3},
+    Shape{{"shell", "cavity in a ball: a wall of .02 to .14", 24, finest, 4, 2, 0}, shell},
+    Shape{{"pin-holes", "sphere with five holes of a facet each", 24, finest, -3, 1, 5}, pin_holes},
+    Shape{{"boxes", "two that touch", 8, finest, 4, 2, 0}, touching_boxes},
 };
 
 const Shape& find(std::string_view name) {

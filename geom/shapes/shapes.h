@@ -19,6 +19,20 @@
 //   wave-disk        1       1        1      0     disk with waves
 //   tube             0       1        2      0     cylinder without caps
 //   moebius          0       1        1      -     one-sided strip: cannot be oriented
+//
+// With parts thinner than a few samples, unless there are very many (thin_shapes.h):
+//   plate            2       1        0      0     1 x 1 x 1/40
+//   paper            2       1        0      0     1 x 1 x 1/100, in waves
+//   comb             2       1        0      0     12 teeth, 1/50 thick
+//   horn             2       1        0      0     ball of radius 1 with a horn that ends in nothing
+//   ears             2       1        0      0     ball with two thin lobes
+//   dumbbell         2       1        0      0     two balls of radius 1, joined by a bar of radius .03
+//   narrow-torus     0       1        0      1     radii 1 and .97: a hole of radius .03
+//   thin-handle      0       1        0      1     a ring that is 1 thick on one side and .06 on the other
+//   pinched-tube     2       1        0      0     closed tube, pressed flat in the middle: .03 thick
+//   shell            4       2        0      0     cavity in a ball: a wall of .02 to .14
+//   pin-holes       -3       1        5      0     sphere with five holes of a facet each
+//   boxes            4       2        0      0     two that touch in a part of a side
 
 #include <cstdint>
 #include <span>
