@@ -57,6 +57,8 @@ void HtmlReport::heading(std::string_view text) { body_ += element("h2", "", esc
 
 void HtmlReport::paragraph(std::string_view text) { body_ += element("p", "", escaped(text)); }
 
+void HtmlReport::banner(std::string_view text) { body_ += element("p", "class=\"banner\"", escaped(text)); }
+
 void HtmlReport::note(std::string_view text) { body_ += element("p", "class=\"note\"", escaped(text)); }
 
 void HtmlReport::command(std::string_view text) {

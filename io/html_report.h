@@ -36,6 +36,7 @@ class HtmlReport {
   void heading(std::string_view text);
   void paragraph(std::string_view text);
   void note(std::string_view text);     ///< in small print
+  void banner(std::string_view text);   ///< what nobody must overlook
   void command(std::string_view text);  ///< a command line
   void table(const HtmlTable& table);
   void plots(std::span<const HtmlPlot> plots);  ///< beside each other as far as they fit

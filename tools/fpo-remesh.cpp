@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <map>
 
+#include "fpo/remesh/at_least.h"
 #include "fpo/remesh/pipeline.h"
 #include "fpo/surface/barycentric.h"
 #include "geom/mesh/scaling.h"
@@ -25,6 +26,7 @@
 #include "tools/remesh_arguments.h"
 #include "tools/remesh_report.h"
 #include "tools/surface_input.h"
+#include "tools/type_warnings.h"
 
 namespace {
 
@@ -82,37 +84,7 @@ void print_sizing(const fpo::RemeshResult& result) {
   for (const auto& [exponent, samples] : decades) std::printf("samples_with_h_1e%d %zu\n", exponent, samples);
 }
 
-/// Compares what the remesh is with what it should be: whether it is a 2-manifold with the input's Euler
-/// number, components and boundary loops. Warnings say what differs.
-bool is_homeomorphic(const geom::TriMesh& input, const geom::TriMesh& output) {
-  const geom::Topology in = geom::topology(input), out = geom::topology(output);
-  if (!out.manifold())
-    std::fprintf(stderr,
-                 "warning: the remesh is not a manifold: %zu non-manifold edges, %zu non-manifold vertices\n",
-                 out.nonmanifold_edges, out.nonmanifold_vertices);
-  if (out.unreferenced_vertices > 0)
-    std::fprintf(stderr, "warning: %zu samples have no triangle\n", out.unreferenced_vertices);
-  const bool same_type =
-      in.euler == out.euler && in.components == out.components && in.boundary_loops == out.boundary_loops;
-  if (in.manifold() && !same_type)
-    std::fprintf(
-        stderr,
-        "warning: Euler number %ld, %zu components, %zu boundary loops; the input has %ld, %zu, %zu\n",
-        out.euler, out.components, out.boundary_loops, in.euler, in.components, in.boundary_loops);
-  if (!in.manifold() && !same_type)
-    std::fprintf(
-        stderr,
-        "warning: the input is not a manifold, so the remesh is of another type: Euler number %ld, %zu "
-        "components, %zu boundary loops; the input has %ld, %zu, %zu\n",
-        out.euler, out.components, out.boundary_loops, in.euler, in.components, in.boundary_loops);
-  return out.manifold() && out.unreferenced_vertices == 0 && same_type;
-}
-
-void warn_if_features_are_broken(const fpo::RemeshResult& result) {
-  if (result.broken_feature_edges > 0)
-    std::fprintf(stderr, "warning: %zu of %zu feature edges are no edges of the remesh\n",
-                 result.broken_feature_edges, result.feature_edges);
-}
+void warn(const std::string& line) { std::fprintf(stderr, "warning: %s\n", line.c_str()); }
 
 const char* name_of(fpo::StopReason reason) {
   switch (reason) {
@@ -129,8 +101,9 @@ const char* name_of(fpo::StopReason reason) {
 }
 
 /// Complaints name the input.
-fpo::RemeshResult remesh_named(const tools::SurfaceInput& input, const tools::RemeshArguments& a) try {
-  return fpo::remesh(input.mesh, a.remesh);
+fpo::AtLeastResult remesh_named(const tools::SurfaceInput& input, const tools::RemeshArguments& a) try {
+  if (a.at_least) return fpo::remesh_at_least(input.mesh, a.remesh);
+  return {fpo::remesh(input.mesh, a.remesh)};
 } catch (const geom::InputError& error) {
   throw geom::InputError(io::display_name(a.input) + ": " + error.what() +
                          (input.faults.empty() ? "" : "; the input has " + input.faults));
@@ -156,6 +129,10 @@ int remesh(tools::CommandLine& cli) {
   };
   a.remesh.optimize.on_iteration = [&](const fpo::IterationReport& r) {
     delta = r.delta;
+    if (r.iteration == 0) {  // with --at-least there may be several runs: the last one counts
+      run.iterations.clear();
+      log.resize(log.find('\n') + 1);
+    }
     run.iterations.push_back(r);
     char line[160];
     std::snprintf(line, sizeof line, "%d,%zu,%.6f,%.6f,%.6f\n", r.iteration, r.moved, r.delta, r.mean_delta,
@@ -163,25 +140,32 @@ int remesh(tools::CommandLine& cli) {
     log += line;
   };
   const auto start = std::chrono::steady_clock::now();
-  const fpo::RemeshResult result = remesh_named(read, a);
+  const fpo::AtLeastResult found = remesh_named(read, a);
+  const fpo::RemeshResult& result = found.remesh;
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   progress.erase();
   tools::print_notes(read);
 
   write_outputs(a, input, result, log);
   if (!a.report.empty()) tools::write_remesh_report(a.report, input, result, run);
-  const bool homeomorphic = is_homeomorphic(input, result.mesh);
-  warn_if_features_are_broken(result);
+  for (const std::string& line : tools::type_warnings(input, result, a.remesh)) warn(line);
+  for (const std::string& line : tools::shape_warnings(result)) warn(line);
   const fpo::OptimizeResult& o = result.optimization;
   const bool interrupted = tools::interrupt_flag();  // maybe after the optimization
   std::printf(
       "samples %zu\niterations %d\nmoves %zu\nstopped %s\ndelta %.6f\nmean_delta %.6f\nseconds %.3f\nwrote "
       "%s\n",
       result.samples.size(), o.last.iteration, o.moves,
-      name_of(interrupted ? fpo::StopReason::interrupted : o.reason), o.last.delta, o.last.mean_delta,
-      o.last.seconds, a.output.c_str());
+      name_of(interrupted ? fpo::StopReason::interrupted : o.reason), result.measures.delta,
+      result.measures.mean_delta, o.last.seconds, a.output.c_str());
+  if (found.runs > 1)
+    std::printf("at_least %zu samples, not enough %zu, runs %zu\n", result.samples.size(), found.not_enough,
+                found.runs);
   if (result.radius_factor > 0) std::printf("disk_radius_over_h %.6f\n", result.radius_factor);
   if (a.remesh.sizing != fpo::SizingKind::uniform) print_sizing(result);
+  if (result.thin_parts.places > 0)
+    std::printf("thin_places %zu\nedges_elsewhere_longer_by %.4f\n", result.thin_parts.places,
+                result.thin_parts.scale);
   if (result.brought > 0) std::printf("samples_moved_to_mend %zu\n", result.brought);
   if (result.feature_samples > 0)
     std::printf("feature_samples %zu\nfeature_edges %zu\nbroken_feature_edges %zu\nprotected_samples %zu\n",
@@ -195,7 +179,7 @@ int remesh(tools::CommandLine& cli) {
                 result.angles.bad_before, result.angles.bad_after, result.angles.mended, result.angles.tried,
                 result.angles.reweighted);
   if (interrupted) return tools::exit_interrupted;
-  return a.strict && !homeomorphic ? tools::exit_other_topology : tools::exit_done;
+  return a.strict && !result.type.ok() ? tools::exit_other_topology : tools::exit_done;
 }
 
 }  // namespace

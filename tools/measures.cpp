@@ -57,6 +57,8 @@ std::vector<std::pair<std::string, double>> named(const Measures& m) {
       {"V567_pct", q.v567_pct},
       {"delta", q.delta},
       {"delta_avg", q.delta_avg},
+      {"edge_min", q.delta},
+      {"edge_avg", q.edge_avg},
   };
   if (m.compared)
     values.insert(

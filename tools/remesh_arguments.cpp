@@ -194,6 +194,10 @@ void parse(CommandLine& cli, RemeshArguments& a) {
            a.fixed_file);
   cli.flag({.name = "strict", .help = "exit code 3 if the remesh is not of INPUT's topological type"},
            a.strict);
+  cli.flag({.name = "at-least",
+            .help = "use more than COUNT samples, about as many as it takes, if the remesh would not be of "
+                    "INPUT's topological type"},
+           a.at_least);
   bool local = false, global = false;
   cli.toggle({.name = "ser", .help = "shortest edge removal first"}, a.remesh.shortest_edge_removal);
   cli.toggle({.name = "optimize-angles", .help = "angle optimization afterwards", .standard = "on with fpo"},

@@ -14,6 +14,7 @@ struct RemeshArguments {
   std::filesystem::path fixed_file;
   std::filesystem::path sizing_file;  ///< if the sizing is given
   bool strict = false;                ///< another topology is a failure
+  bool at_least = false;              ///< more samples if they are needed
   RepairArguments repair;
   fpo::RemeshOptions remesh;
 };

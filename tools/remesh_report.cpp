@@ -12,6 +12,7 @@
 #include "tools/picture_of_spectrum.h"
 #include "tools/report_charts.h"
 #include "tools/report_scenes.h"
+#include "tools/type_warnings.h"
 
 namespace tools {
 namespace {
@@ -26,6 +27,7 @@ fpo::RemeshResult scaled(const fpo::RemeshResult& result, double factor) {
   fpo::RemeshResult r = result;
   r.mesh = geom::scaled(result.mesh, factor);
   for (fpo::SurfaceSample& x : r.samples) x.position *= factor;
+  for (geom::Vec3& place : r.advice.places) place *= factor;
   for (double& h : r.sizing) h *= factor;
   for (double& h : r.wanted) h *= factor;
   for (fpo::CellPolygon& cell : r.cells)
@@ -72,6 +74,8 @@ io::HtmlTable run_table(const fpo::RemeshResult& result, const RemeshRun& run) {
         std::to_string(result.feature_edges) + ", " + std::to_string(result.broken_feature_edges)}},
       {{"bad triangles before, after angle optimization",
         std::to_string(result.angles.bad_before) + ", " + std::to_string(result.angles.bad_after)}},
+      {{"delta, mean delta of the mesh",
+        number(result.measures.delta, "%.4f") + ", " + number(result.measures.mean_delta, "%.4f")}},
       {{"variation of length / wanted length", number(result.fit.cv, "%.4f")}},
       {{"seconds, threads", number(run.seconds, "%.3f") + " (optimization " + number(o.last.seconds, "%.3f") +
                                 "), " + std::to_string(run.threads)}}};
@@ -131,6 +135,8 @@ void write_remesh_report(const std::filesystem::path& path, const geom::TriMesh&
 
   io::HtmlReport page(run.input.stem().string() + ", " + std::to_string(result.samples.size()) + " samples");
   page.command(run.command);
+  for (const std::string& line : type_warnings(input, result, run.options)) page.banner(line + ".");
+  for (const std::string& line : shape_warnings(result)) page.banner(line + ".");
   page.note(
       "Turn the pictures by dragging or with the arrow keys; zoom with + and - or two fingers; 0 sets back.");
   const io::SceneView view;

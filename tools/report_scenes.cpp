@@ -24,7 +24,7 @@ using io::Scene;
 using io::SceneTriangle;
 
 constexpr Colour surface_colour{178, 203, 224}, pale_surface{214, 220, 226}, dot_colour{30, 60, 120},
-    feature_dot_colour{200, 40, 40};
+    feature_dot_colour{200, 40, 40}, fault_colour{230, 20, 60};
 
 /// The part of the surface that pictures show.
 struct Window {
@@ -297,8 +297,11 @@ Scene remesh_scene(const RemeshPictures& of, const Window& window) {
   scene.note = std::to_string(of.result.mesh.num_vertices()) + " vertices, " +
                std::to_string(of.result.mesh.num_facets()) + " triangles.";
   if (!window.whole) scene.note += " " + part_note(scene.triangles.size(), of.result.mesh.num_facets());
-  scene.palette = {surface_colour};
+  scene.palette = {surface_colour, fault_colour};
   scene.lines = sharp_edges(of, window);
+  for (const Vec3& place : of.result.advice.places)
+    if (window.holds(place)) scene.dots.push_back({place, 1});
+  if (!scene.dots.empty()) scene.note += " Dots: where it is of another topological type than the input.";
   return scene;
 }
 

@@ -49,13 +49,14 @@ struct VertexStar {
   double shortest = std::numeric_limits<double>::infinity();
 };
 
-std::vector<VertexStar> vertex_stars(const TriMesh& mesh) {
+std::vector<VertexStar> vertex_stars(const TriMesh& mesh, double& mean_edge) {
   std::vector<std::pair<VertexId, VertexId>> sides;  // ends ascending, once for each facet there
   sides.reserve(3 * mesh.num_facets());
   for (const TriMesh::Facet& f : mesh.facets())
     for (std::size_t e = 0; e < 3; ++e) sides.push_back(std::minmax(f[e], f[(e + 1) % 3]));
   std::ranges::sort(sides);
   std::vector<VertexStar> stars(mesh.num_vertices());
+  double sum = 0, edges = 0;
   for (auto first = sides.begin(); first != sides.end();) {
     const auto last = std::find_if(first, sides.end(), [&](const auto& side) { return side != *first; });
     const double length = (mesh.position(first->first) - mesh.position(first->second)).norm();
@@ -65,8 +66,10 @@ std::vector<VertexStar> vertex_stars(const TriMesh& mesh) {
       star.on_boundary |= last - first == 1;
       star.shortest = std::min(star.shortest, length);
     }
+    sum += length, ++edges;
     first = last;
   }
+  mean_edge = sum / edges;
   return stars;
 }
 
@@ -95,7 +98,8 @@ Quality quality(const TriMesh& mesh, double area) {
 
   std::size_t referenced = 0, interior = 0, regular = 0;
   double shortest = std::numeric_limits<double>::infinity(), sum = 0;
-  for (const VertexStar& star : vertex_stars(mesh)) {
+  double mean_edge = 0;
+  for (const VertexStar& star : vertex_stars(mesh, mean_edge)) {
     if (star.edges == 0) continue;
     ++referenced;
     shortest = std::min(shortest, star.shortest);
@@ -107,6 +111,7 @@ Quality quality(const TriMesh& mesh, double area) {
   result.v567_pct = interior == 0 ? 0 : 100 * static_cast<double>(regular) / static_cast<double>(interior);
   const double d_max = std::sqrt(2 * area / (std::numbers::sqrt3 * static_cast<double>(referenced)));
   result.delta = d_max > 0 ? shortest / d_max : 0;
+  result.edge_avg = d_max > 0 ? mean_edge / d_max : 0;
   result.delta_avg = d_max > 0 ? sum / static_cast<double>(referenced) / d_max : 0;
   return result;
 }

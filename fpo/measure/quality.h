@@ -15,6 +15,7 @@ struct Quality {
   double v567_pct = 0;        ///< interior vertices with 5, 6 or 7 edges among all interior ones; 0 if none
   double delta = 0;           ///< shortest edge / d_max
   double delta_avg = 0;       ///< mean over vertices of the shortest edge there / d_max
+  double edge_avg = 0;        ///< mean edge / d_max
 };
 
 /// d_max = sqrt(2 area / (sqrt(3) n)), n the number of vertices with a facet; `area`: of the surface that was

@@ -25,13 +25,21 @@ std::vector<SurfaceSample> samples_of(const SurfaceDomain& domain) {
 
 }  // namespace
 
-Dual dual_of(const SurfaceDomain& domain, bool keep_cells) {
+std::size_t Dual::num_faults() const {
+  return type.ok() ? 0 : std::max(defects.size() + cell_faults.size() + type.parts.size(), std::size_t{1});
+}
+
+Dual dual_of(const SurfaceDomain& domain, const geom::SurfaceType& type, bool keep_cells) {
   Dual dual;
   dual.samples = samples_of(domain);
   const std::unique_ptr<geom::RestrictedPower> diagram = domain.diagram();
   dual.localization = localize(*diagram, dual.samples);
   dual.mesh = extract(*diagram, dual.samples.size(), dual.localization.owners);
   dual.defects = find_defects(dual.mesh);
+  dual.type = check_type(type, dual.mesh, dual.samples);
+  if (!dual.type.ok() && type.manifold) dual.cell_faults = cell_faults(*diagram, dual.localization.owners);
+  if (dual.defects.empty() && type.manifold)
+    for (const CellFault& fault : dual.cell_faults) dual.defects.push_back({fault.cell, fault.other});
   if (keep_cells) dual.cells = cell_polygons(*diagram);
   return dual;
 }

@@ -4,8 +4,10 @@
 
 #include <vector>
 
+#include "fpo/remesh/cell_faults.h"
 #include "fpo/remesh/extract.h"
 #include "fpo/remesh/localize.h"
+#include "fpo/remesh/type_check.h"
 #include "fpo/surface/surface_domain.h"
 
 namespace fpo {
@@ -22,12 +24,19 @@ struct Dual {
   std::vector<SurfaceSample> samples;  ///< ascending by id
   std::vector<CellPolygon> cells;      ///< only if asked for
   Localization localization;
-  std::vector<Defect> defects;  ///< where the mesh is no surface
+  TypeCheck type;
+  /// Where the mesh is no surface; if it is one, but of another type than the input, where cells are at
+  /// fault.
+  std::vector<Defect> defects;
+  std::vector<CellFault> cell_faults;  ///< only if the type is wrong
+
+  /// 0 if the type is right.
+  std::size_t num_faults() const;
 };
 
-/// Leaves the domain as it is. O(n) if no cell has orphans, else the cost of another diagram. Throws
-/// InputError if there is no triangle.
-Dual dual_of(const SurfaceDomain& domain, bool keep_cells);
+/// Leaves the domain as it is. O(n) if no cell has orphans, else the cost of another diagram. `type`: of the
+/// input. Throws InputError if there is no triangle.
+Dual dual_of(const SurfaceDomain& domain, const geom::SurfaceType& type, bool keep_cells);
 
 /// All of them, ascending.
 std::vector<Defect> find_defects(const geom::TriMesh& mesh);

@@ -134,7 +134,7 @@ bool LocalResampling::better() const {
 }
 
 bool LocalResampling::wide_enough(SiteId x) {
-  return !domain_.sizing().is_uniform() || domain_.normalized_spacing(x) >= delta_;
+  return !domain_.sizing().is_even() || domain_.normalized_spacing(x) >= delta_;
 }
 
 std::vector<LocalResampling::Backup> LocalResampling::backups_of(std::span<const SiteId> samples) const {

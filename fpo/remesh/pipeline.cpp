@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "fpo/remesh/small_loops.h"
 #include "fpo/surface/curvature.h"
 #include "fpo/surface/local_feature_size.h"
 #include "fpo/surface/sheet_levels.h"
@@ -63,6 +64,8 @@ VertexField wanted_sizes(const geom::TriMesh& surface, const RemeshOptions& opti
   return {};
 }
 
+const ThinPartOptions thin;  // how far lengths may change from place to place, and others be stretched
+
 /// The sizing, and the samples that stay.
 SharedSizing sizing_and_features(const geom::TriMesh& surface, const RemeshOptions& options) {
   const double spacing = hexagonal_spacing(surface.area(), options.num_samples);
@@ -77,8 +80,13 @@ SharedSizing sizing_and_features(const geom::TriMesh& surface, const RemeshOptio
     if (options.sizing == SizingKind::uniform) return Sizing::uniform(hexagonal_spacing(surface.area(), n));
     return fit_sizing(surface, rho, n, options.limits);
   };
-  return share_sizing(surface, features, points_on_surface(surface, options.fixed), options.num_samples,
-                      sizing_for, options.seed);
+  SharedSizing shared = share_sizing(surface, features, points_on_surface(surface, options.fixed),
+                                     options.num_samples, sizing_for, options.seed);
+  if (options.mend && options.method == Method::fpo)
+    shared.sizing =
+        make_room_for_small_loops(surface, shared, options.num_samples, thin.gradation, thin.most_scale)
+            .sizing;
+  return shared;
 }
 
 /// Those that stay, then random ones; all in the exact range of the predicates, like the surface.
@@ -105,11 +113,11 @@ AngleOptions angle_options(const RemeshOptions& options) {
 }
 
 /// The remesh, after some rounds of refinement where it is no surface: the one with the fewest defects.
-Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const RemeshOptions& options,
-                 RemeshResult& counts) {
+Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const geom::SurfaceType& type,
+                 const RemeshOptions& options, RemeshResult& counts) {
   const auto next_dual = [&] {
     if (options.mend) counts.protection += protect_chains(domain, features);
-    return dual_of(domain, options.keep_cells);
+    return dual_of(domain, type, options.keep_cells);
   };
   Dual best = next_dual();
   std::vector<Defect> defects = best.defects;
@@ -121,7 +129,7 @@ Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const Re
     counts.brought += moved;
     Dual next = next_dual();
     defects = next.defects;
-    if (next.defects.size() >= best.defects.size()) continue;
+    if (next.num_faults() >= best.num_faults()) continue;
     best = std::move(next);
     futile = 0;
   }
@@ -206,6 +214,21 @@ void return_to(const SplitSurface& apart, RemeshResult& result) {
   for (CellPolygon& cell : result.cells) cell.facet = apart.parents[cell.facet];
 }
 
+/// The samples by the method wanted, more of them where the surface is thin.
+std::unique_ptr<SurfaceDomain> samples_with_room(const geom::TriMesh& surface, const SharedSizing& shared,
+                                                 const geom::SurfaceType& type, const RemeshOptions& options,
+                                                 RemeshResult& result) {
+  auto domain = std::make_unique<SurfaceDomain>(distributed_samples(surface, shared, options, result));
+  if (!options.mend) return domain;
+  result.protection = protect_chains(*domain, shared.features);
+  if (options.method != Method::fpo || !type.manifold) return domain;
+  ThinPartOptions room = thin;
+  room.diagram = surface_options(shared, options);
+  room.scope = options.optimize.scope;
+  room.interrupted = options.optimize.interrupted;
+  return make_room_for_thin_parts(std::move(domain), shared.features, type, room, result.thin_parts);
+}
+
 RemeshResult remesh_in_unit_box(const geom::TriMesh& input, const RemeshOptions& options) {
   RemeshResult result;
   SharedSizing shared = sizing_and_features(input, options);
@@ -215,9 +238,10 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& input, const RemeshOptions&
   if (can_be_apart) apart = sheets_apart(input, shared.sizing, shared.features.samples);
   if (apart && !apart->h.empty()) shared.sizing = Sizing(apart->mesh, apart->h);
   const geom::TriMesh& surface = apart ? apart->mesh : input;
-  const Sizing& sizing = shared.sizing;
-  SurfaceDomain domain = distributed_samples(surface, shared, options, result);
-  if (options.mend) result.protection = protect_chains(domain, shared.features);
+  const geom::SurfaceType type = geom::surface_type(input);
+  const std::unique_ptr<SurfaceDomain> samples = samples_with_room(surface, shared, type, options, result);
+  SurfaceDomain& domain = *samples;
+  const Sizing& sizing = domain.sizing();
   if (options.optimize_angles) result.angles = optimize_angles(domain, angle_options(options));
   if (options.improve_fidelity) {
     FidelityOptions fidelity;
@@ -232,7 +256,9 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& input, const RemeshOptions&
     result.fidelity = improve_fidelity(domain, angle_options(options), fidelity);
   }
   result.hidden = domain.num_hidden();
-  Dual dual = mended_dual(domain, shared.features, options, result);
+  Dual dual = mended_dual(domain, shared.features, type, options, result);
+  result.type = dual.type;
+  result.advice = type_advice(dual, surface, type, sizing);
   result.localization = dual.localization;
   result.mesh = std::move(dual.mesh);
   result.samples = std::move(dual.samples);
@@ -244,6 +270,9 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& input, const RemeshOptions&
     result.sizing.push_back(sizing.at(geom::VertexId(v)));
   for (const SurfaceSample& sample : result.samples) result.wanted.push_back(sizing.at(sample));
   result.fit = sizing_fit(result.mesh, result.wanted);
+  result.measures =
+      final_measures(result.mesh, result.wanted, result.feature_samples, angle_options(options));
+  result.angles.bad_after = result.measures.bad_triangles;
   if (apart) return_to(*apart, result);
   return result;
 }
@@ -258,6 +287,7 @@ RemeshResult remesh_there(const geom::TriMesh& input, const RemeshOptions& optio
   RemeshResult result = remesh_in_unit_box(surface, scaled_options);
   result.mesh = geom::scaled(result.mesh, 1 / factor);
   for (SurfaceSample& sample : result.samples) sample.position /= factor;
+  for (geom::Vec3& place : result.advice.places) place /= factor;
   for (double& h : result.sizing) h /= factor;
   for (double& h : result.wanted) h /= factor;
   for (CellPolygon& cell : result.cells)
@@ -276,6 +306,7 @@ RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options) tr
   RemeshResult result = remesh_there(geom::moved_by(input, -middle), moved_options);
   result.mesh = geom::moved_by(result.mesh, middle);
   for (SurfaceSample& sample : result.samples) sample.position += middle;
+  for (geom::Vec3& place : result.advice.places) place += middle;
   for (CellPolygon& cell : result.cells)
     for (geom::Vec3& corner : cell.corners) corner += middle;
   return result;

@@ -11,8 +11,10 @@
 #include "fpo/remesh/angles.h"
 #include "fpo/remesh/dual.h"
 #include "fpo/remesh/fidelity.h"
+#include "fpo/remesh/final_measures.h"
 #include "fpo/remesh/methods.h"
 #include "fpo/remesh/protect.h"
+#include "fpo/remesh/thin_parts.h"
 #include "fpo/shortest_edge.h"
 #include "fpo/surface/sizing.h"
 #include "fpo/surface/surface_domain.h"
@@ -42,7 +44,7 @@ struct RemeshOptions {
   std::size_t tile_samples = 0;  ///< in a tile (tiled_optimize.h), if there are more; 0: no tiles
   int threads = 1;               ///< no matter to the result
   bool sheets_apart = false;     ///< near sheets do not see each other (sheet_levels.h)
-  bool mend = true;              ///< bring samples to where the remesh is no surface
+  bool mend = true;              ///< bring samples to where the remesh is no surface, or of another type
   bool optimize_angles = true;   ///< afterwards (section 5)
   bool improve_fidelity = true;  ///< where the remesh is farthest from the input (fidelity.h)
   bool keep_cells = false;       ///< fill RemeshResult::cells
@@ -64,7 +66,11 @@ struct RemeshResult {
   double radius_factor = 0;  ///< mps and cps: a disk's radius in units of the wanted edge length
   AngleResult angles;
   FidelityResult fidelity;
+  ThinParts thin_parts;
   std::size_t brought = 0;  ///< samples that mending has moved
+  TypeCheck type;           ///< of the mesh; with `advice` where and how to mend it
+  TypeAdvice advice;
+  FinalMeasures measures;  ///< of the mesh
   Localization localization;
   std::size_t hidden = 0;          ///< samples without a cell, hence without a triangle
   std::vector<CellPolygon> cells;  ///< the restricted power diagram

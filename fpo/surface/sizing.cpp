@@ -43,8 +43,26 @@ Sizing::Sizing(const TriMesh& mesh, VertexField h) : mesh_(&mesh), at_vertices_(
                   at_vertex(v) + " is not positive and finite");
 }
 
+Sizing Sizing::lowered(double scale, std::shared_ptr<const Spots> spots, const TriMesh& mesh) const {
+  Sizing result = *this;
+  result.scale_ = scale;
+  result.spots_ = std::move(spots);
+  result.spotted_ = &mesh;
+  return result;
+}
+
+double Sizing::at(VertexId v) const {
+  const double h = is_even() ? uniform_ : at_vertices_[v];
+  return spots_ ? spots_->bound(spotted_->position(v), scale_ * h) : h;
+}
+
 double Sizing::at(const SurfaceSample& x) const {
-  if (is_uniform()) return uniform_;
+  const double h = unlowered_at(x);
+  return spots_ ? spots_->bound(x.position, scale_ * h) : h;
+}
+
+double Sizing::unlowered_at(const SurfaceSample& x) const {
+  if (is_even()) return uniform_;
   const TriMesh::Facet& corners = mesh_->facet(x.facet);
   const Vec3 &q0 = mesh_->position(corners[0]), &q1 = mesh_->position(corners[1]),
              &q2 = mesh_->position(corners[2]);

@@ -3,8 +3,10 @@
 // surfaces).
 
 #include <array>
+#include <memory>
 #include <vector>
 
+#include "fpo/remesh/spots.h"
 #include "fpo/surface/surface_sample.h"
 #include "geom/mesh/trimesh.h"
 
@@ -23,16 +25,25 @@ class Sizing {
   /// the mesh.
   Sizing(const geom::TriMesh& mesh, VertexField h);
 
-  bool is_uniform() const { return mesh_ == nullptr; }
-  double at(geom::VertexId v) const { return is_uniform() ? uniform_ : at_vertices_[v]; }
+  /// The same times `scale`, but nowhere more than the spots want: within a facet no more linear.
+  Sizing lowered(double scale, std::shared_ptr<const Spots> spots, const geom::TriMesh& mesh) const;
+
+  bool is_uniform() const { return mesh_ == nullptr && !spots_; }
+  /// Uniform but for spots.
+  bool is_even() const { return mesh_ == nullptr; }
+  double at(geom::VertexId v) const;
   double at(const SurfaceSample& x) const;
 
  private:
   explicit Sizing(double h) : uniform_(h) {}
+  double unlowered_at(const SurfaceSample& x) const;
 
   const geom::TriMesh* mesh_ = nullptr;  ///< null: uniform
   VertexField at_vertices_;
   double uniform_ = 0;
+  double scale_ = 1;                        ///< of all but the spots
+  std::shared_ptr<const Spots> spots_;      ///< null: none
+  const geom::TriMesh* spotted_ = nullptr;  ///< the mesh, if there are spots
 };
 
 /// A part of a facet on which h varies little.

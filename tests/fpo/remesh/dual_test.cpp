@@ -58,12 +58,14 @@ TEST_CASE("dual: the defects agree with the mesh's topology on rough and thin su
     CAPTURE(surface.name);
     const SurfaceDomain domain(surface.mesh, random_samples(surface.mesh, 120, 7));
     const auto before = domain.diagram()->canonical();
-    const Dual dual = dual_of(domain, true);
+    const geom::SurfaceType type = geom::surface_type(surface.mesh);
+    const Dual dual = dual_of(domain, type, true);
     CHECK(domain.diagram()->canonical() == before);
     CHECK(dual.samples.size() == 120);
     CHECK(!dual.cells.empty());
     const geom::Topology t = geom::topology(dual.mesh);
-    CHECK(dual.defects.empty() == (t.manifold() && t.unreferenced_vertices == 0));
+    CHECK(find_defects(dual.mesh).empty() == (t.manifold() && t.unreferenced_vertices == 0));
+    CHECK(dual.type.ok() == (dual.num_faults() == 0));
   }
 }
 
@@ -73,13 +75,14 @@ TEST_CASE("dual: refinement keeps the number of samples and the diagram sound") 
   OptimizeOptions options;
   options.max_iterations = 5;
   optimize(domain, options);
-  Dual dual = dual_of(domain, false);
+  const geom::SurfaceType type = geom::surface_type(mesh);
+  Dual dual = dual_of(domain, type, false);
   const std::size_t before = dual.defects.size();
   std::size_t least = before;
   for (int round = 0; round < 30 && !dual.defects.empty(); ++round) {
     if (refine_at(domain, dual.defects) == 0) break;
     domain.check();
-    dual = dual_of(domain, false);
+    dual = dual_of(domain, type, false);
     least = std::min(least, dual.defects.size());
   }
   MESSAGE("spike: ", before, " defects, at best ", least, " after refinement");

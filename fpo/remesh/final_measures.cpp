@@ -1,0 +1,126 @@
+#include "fpo/remesh/final_measures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace fpo {
+
+using geom::FacetId;
+using geom::TriMesh;
+using geom::Vec3;
+using geom::VertexId;
+
+namespace {
+
+constexpr double rounding = 1e-9;                        // degrees
+constexpr double around_a_ring = 3.5;                    // samples
+constexpr double least_factor = 1.5, most_factor = 100;  // of the number of samples
+
+void measure_edges(const TriMesh& mesh, const VertexField& wanted, std::size_t num_fixed,
+                   FinalMeasures& result) {
+  std::vector<std::pair<VertexId, VertexId>> edges;
+  for (const TriMesh::Facet& f : mesh.facets())
+    for (std::size_t e = 0; e < 3; ++e) edges.push_back(std::minmax(f[e], f[(e + 1) % 3]));
+  std::ranges::sort(edges);
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  std::vector<double> shortest(mesh.num_vertices(), std::numeric_limits<double>::infinity());
+  double sum = 0;
+  for (const auto& [a, b] : edges) {
+    const double length = (mesh.position(a) - mesh.position(b)).norm();
+    sum += length / std::sqrt(wanted[a] * wanted[b]);
+    for (const VertexId v : {a, b}) shortest[v.index()] = std::min(shortest[v.index()], length / wanted[v]);
+  }
+  result.mean_edge = sum / static_cast<double>(std::max<std::size_t>(edges.size(), 1));
+  if (num_fixed >= shortest.size()) num_fixed = 0;
+  result.delta = std::numeric_limits<double>::infinity();
+  double count = 0;
+  sum = 0;
+  for (std::size_t v = num_fixed; v < shortest.size(); ++v) {
+    if (!std::isfinite(shortest[v])) continue;
+    result.delta = std::min(result.delta, shortest[v]);
+    sum += shortest[v], ++count;
+  }
+  if (count == 0) result.delta = 0;
+  result.mean_delta = sum / std::max(count, 1.0);
+}
+
+void measure_angles(const TriMesh& mesh, const AngleOptions& bounds, FinalMeasures& result) {
+  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
+    double least = 180, most = 0;
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 u = mesh.corner(t, (i + 1) % 3) - mesh.corner(t, i),
+                 v = mesh.corner(t, (i + 2) % 3) - mesh.corner(t, i);
+      const double angle = 180 / std::numbers::pi * std::atan2(u.cross(v).norm(), u.dot(v));
+      least = std::min(least, angle);
+      most = std::max(most, angle);
+      result.angles_below_30 += angle < 30 - rounding;
+    }
+    result.theta_min = std::min(result.theta_min, least);
+    result.bad_triangles += least < bounds.smallest || most > bounds.largest;
+  }
+}
+
+}  // namespace
+
+FinalMeasures final_measures(const TriMesh& mesh, const VertexField& wanted, std::size_t num_fixed,
+                             const AngleOptions& angles) {
+  FinalMeasures result;
+  measure_edges(mesh, wanted, num_fixed, result);
+  measure_angles(mesh, angles, result);
+  return result;
+}
+
+namespace {
+
+/// A fault, and how many times the samples would mend it.
+struct Place {
+  SurfaceSample at;
+  double factor;
+};
+
+/// So many that a ring of them fits around.
+double factor_for(double girth, double h) {
+  const double ratio = girth > 0 ? h * around_a_ring / girth : 2;
+  return std::clamp(ratio * ratio, least_factor, most_factor);
+}
+
+std::vector<Place> places_of(const Dual& dual, const TriMesh& surface, const geom::SurfaceType& type,
+                             const Sizing& sizing) {
+  std::vector<Place> places;
+  for (const CellFault& fault : dual.cell_faults) {
+    const SurfaceSample& at = dual.samples[fault.cell.index()];
+    places.push_back({at, factor_for(fault.other.valid() ? 0 : fault.girth, sizing.at(at))});
+  }
+  for (const Defect& defect : dual.defects)
+    places.push_back({dual.samples[defect.at.index()], factor_for(0, 1)});
+  for (const std::size_t part : dual.type.parts) {
+    const auto first = std::ranges::find(type.part_of, part) - type.part_of.begin();
+    const FacetId facet(static_cast<std::size_t>(first));
+    if (places.empty() || dual.type.lost_parts > 0)
+      places.push_back({{surface.corner(facet, 0), facet}, factor_for(0, 1)});
+  }
+  return places;
+}
+
+}  // namespace
+
+TypeAdvice type_advice(const Dual& dual, const TriMesh& surface, const geom::SurfaceType& type,
+                       const Sizing& sizing) {
+  TypeAdvice advice;
+  if (dual.type.ok()) return advice;
+  double factor = least_factor;
+  for (const Place& place : places_of(dual, surface, type, sizing)) {
+    factor = std::max(factor, place.factor);
+    const double near = 2 * sizing.at(place.at);
+    const bool known = std::ranges::any_of(
+        advice.places, [&](const Vec3& x) { return (x - place.at.position).norm() < near; });
+    if (!known) advice.places.push_back(place.at.position);
+  }
+  advice.samples = static_cast<std::size_t>(factor * static_cast<double>(dual.samples.size()));
+  return advice;
+}
+
+}  // namespace fpo

@@ -1,0 +1,37 @@
+#pragma once
+// What is said of a remesh, measured on the mesh as it is written.
+
+#include <cstddef>
+#include <vector>
+
+#include "fpo/remesh/angles.h"
+#include "fpo/remesh/dual.h"
+
+namespace fpo {
+
+/// Lengths in units of the wanted edge length at a vertex, of an edge at its ends (geometric mean). Edges
+/// only: samples of two sheets may be near each other.
+struct FinalMeasures {
+  double delta = 0;       ///< the shortest edge at a vertex that is not fixed (at any if all are): the least
+  double mean_delta = 0;  ///< and the mean of them
+  double mean_edge = 0;
+  double theta_min = 180;           ///< the smallest angle, degrees
+  std::size_t angles_below_30 = 0;  ///< less 1e-9 for rounding
+  std::size_t bad_triangles = 0;    ///< beyond the bounds of angle optimization
+};
+
+/// Vertices with smaller ids than `num_fixed` are fixed. O(F log F).
+FinalMeasures final_measures(const geom::TriMesh& mesh, const VertexField& wanted, std::size_t num_fixed,
+                             const AngleOptions& angles);
+
+/// Where a remesh is of another type than its input, and how many samples would do.
+struct TypeAdvice {
+  std::vector<geom::Vec3> places;  ///< one of each group of faults within two wanted lengths
+  std::size_t samples = 0;         ///< about: so many that three fit around each place; 0 if none is needed
+};
+
+/// Of a dual with n samples. Empty if the type is right. O(faults^2).
+TypeAdvice type_advice(const Dual& dual, const geom::TriMesh& surface, const geom::SurfaceType& type,
+                       const Sizing& sizing);
+
+}  // namespace fpo

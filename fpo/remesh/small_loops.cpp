@@ -1,0 +1,71 @@
+#include "fpo/remesh/small_loops.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace fpo {
+
+using geom::SiteId;
+using geom::Vec3;
+
+namespace {
+
+constexpr double small = 0.6;
+
+struct Loop {
+  double extra;  ///< samples that it costs
+  std::vector<Spot> spots;
+};
+
+/// What a disk with h = low + gradation r takes beyond one with h = high, which it reaches in the end.
+double extra_samples(double low, double high, double gradation) {
+  const double g2 = gradation * gradation, ratio = high / low;
+  const double graded = 2 / g2 * (std::log(ratio) + 1 / ratio - 1),
+               even = (1 - 1 / ratio) * (1 - 1 / ratio) / g2;
+  return std::numbers::pi / std::sqrt(0.75) * std::max(graded - even, 0.0);
+}
+
+std::vector<Loop> small_loops(const SharedSizing& shared, double gradation) {
+  std::vector<Loop> loops;
+  const std::vector<SurfaceSample>& samples = shared.features.samples;
+  for (const std::vector<SiteId>& chain : shared.features.chains) {
+    if (chain.size() < 2 || chain.front() != chain.back()) continue;
+    double length = 0;
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+      length += (samples[chain[i].index()].position - samples[chain[i + 1].index()].position).norm();
+    const double edge = length / static_cast<double>(chain.size() - 1);
+    const double h = shared.sizing.at(samples[chain.front().index()]);
+    if (!(edge > 0 && edge < small * h)) continue;
+    Loop loop{extra_samples(edge, h, gradation), {}};
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+      loop.spots.push_back({samples[chain[i].index()].position, edge});
+    loops.push_back(std::move(loop));
+  }
+  std::ranges::stable_sort(loops, {}, &Loop::extra);
+  return loops;
+}
+
+}  // namespace
+
+SmallLoops make_room_for_small_loops(const geom::TriMesh& mesh, const SharedSizing& shared, std::size_t n,
+                                     double gradation, double most_scale) {
+  SmallLoops result{0, shared.sizing};
+  const std::vector<Loop> loops = small_loops(shared, gradation);
+  if (loops.empty()) return result;
+  result.loops = loops.size();
+  const double most = static_cast<double>(n) * (1 - 1 / (most_scale * most_scale));
+  auto spots = std::make_shared<Spots>(gradation);
+  double extra = 0;
+  for (const Loop& loop : loops) {
+    if (extra + loop.extra > most) break;
+    extra += loop.extra;
+    spots->add(loop.spots);
+  }
+  if (spots->empty()) return result;
+  const double scale = std::sqrt(static_cast<double>(n) / (static_cast<double>(n) - extra));
+  result.sizing = shared.sizing.lowered(scale, spots, mesh);
+  return result;
+}
+
+}  // namespace fpo

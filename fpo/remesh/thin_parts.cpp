@@ -1,0 +1,188 @@
+#include "fpo/remesh/thin_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "fpo/optimize.h"
+#include "fpo/remesh/protect.h"
+
+namespace fpo {
+
+using geom::FacetId;
+using geom::SiteId;
+using geom::TriMesh;
+using geom::Vec3;
+
+namespace {
+
+constexpr double around_a_ring = 3.5;   // samples that make a ring
+constexpr double lowered_to = 0.6;      // of the wanted length where the girth says nothing
+constexpr double least_lowering = 0.3;  // in one round
+constexpr double few = 8;               // samples that make a body
+
+/// What a fault wants: spots, and by how much they lower the length.
+struct Wish {
+  double share;
+  std::vector<Spot> spots;
+};
+
+double length_at(const SurfaceDomain& domain, SiteId x) { return domain.sizing().at(domain.sample(x)); }
+
+Wish wish_of(const SurfaceDomain& domain, const CellFault& fault) {
+  const double h = length_at(domain, fault.cell);
+  double wanted = lowered_to * h;
+  if (fault.girth > 0) wanted = std::min(wanted, std::max(fault.girth / around_a_ring, least_lowering * h));
+  Wish wish{wanted / h, {}};
+  for (const Vec3& x : fault.around) wish.spots.push_back({x, wanted});
+  wish.spots.push_back({domain.sample(fault.cell).position, wanted});
+  if (fault.other.valid()) wish.spots.push_back({domain.sample(fault.other).position, wanted});
+  return wish;
+}
+
+/// A part of the surface that has too few samples to be a body.
+Wish wish_of(const TriMesh& mesh, const std::vector<FacetId>& part, double h) {
+  double area = 0;
+  for (const FacetId t : part) area += mesh.area(t);
+  const double wanted = std::sqrt(area / (few * std::sqrt(0.75)));
+  Wish wish{wanted / h, {}};
+  if (!(wanted > 0)) return wish;
+  for (const FacetId t : part)
+    wish.spots.push_back({(mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3, wanted});
+  return wish;
+}
+
+/// The mildest first.
+std::vector<Wish> wishes(const SurfaceDomain& domain, const geom::SurfaceType& type, const Dual& dual) {
+  std::vector<Wish> all;
+  for (const CellFault& fault : dual.cell_faults) all.push_back(wish_of(domain, fault));
+  for (const Defect& defect : dual.defects) {
+    const double wanted = lowered_to * length_at(domain, defect.at);
+    all.push_back({lowered_to, {{domain.sample(defect.at).position, wanted}}});
+  }
+  for (const std::size_t part : dual.type.parts) {
+    std::vector<FacetId> facets;
+    for (std::size_t t = 0; t < type.part_of.size(); ++t)
+      if (type.part_of[FacetId(t)] == part) facets.emplace_back(t);
+    const double h = domain.sizing().at(SurfaceSample{domain.mesh().corner(facets[0], 0), facets[0]});
+    Wish wish = wish_of(domain.mesh(), facets, h);
+    if (wish.share < 1 && !wish.spots.empty()) all.push_back(std::move(wish));
+  }
+  std::ranges::stable_sort(all, std::greater<>(), &Wish::share);
+  return all;
+}
+
+/// How many samples a sizing calls for, each of those that are there standing for 1 of its present wanted
+/// length.
+double demand(const SurfaceDomain& domain, const Sizing& sizing) {
+  double sum = 0;
+  for (std::size_t i = 0; i < domain.num_samples(); ++i) {
+    if (domain.is_fixed(SiteId(i))) continue;
+    const double ratio = length_at(domain, SiteId(i)) / sizing.at(domain.sample(SiteId(i)));
+    sum += ratio * ratio;
+  }
+  return sum;
+}
+
+/// The scale with which the base, lowered at the spots, calls for as many samples as there are; most if that
+/// is not enough.
+double fitting_scale(const SurfaceDomain& domain, const Sizing& base,
+                     const std::shared_ptr<const Spots>& spots, double most) {
+  double low = 1, high = most, inner = 0;
+  for (std::size_t i = 0; i < domain.num_samples(); ++i) inner += !domain.is_fixed(SiteId(i));
+  for (int step = 0; step < 20; ++step) {
+    const double middle = (low + high) / 2;
+    (demand(domain, base.lowered(middle, spots, domain.mesh())) > inner ? low : high) = middle;
+  }
+  return high;
+}
+
+class RoomMaker {
+ public:
+  RoomMaker(const SurfaceDomain& domain, const FeatureSamples& features, const geom::SurfaceType& type,
+            const ThinPartOptions& options)
+      : features_(features),
+        type_(type),
+        options_(options),
+        base_(domain.sizing()),
+        spots_(std::make_shared<const Spots>(options.gradation)) {
+    options_.diagram.weight_factor = best_weight_factor(Scope::global);
+  }
+
+  /// Lowers the length where the dual is at fault: false if nothing is left that can be lowered.
+  bool lower(const SurfaceDomain& domain, const Dual& dual) {
+    std::vector<Wish> all = wishes(domain, type_, dual);
+    for (; !all.empty(); all.resize(all.size() / 2)) {
+      auto spots = std::make_shared<Spots>(*spots_);
+      for (const Wish& wish : all) spots->add(wish.spots);
+      if (spots->size() == spots_->size()) return false;
+      const double scale = fitting_scale(domain, base_, spots, 2 * options_.most_scale);
+      if (scale > options_.most_scale) continue;
+      spots_ = std::move(spots);
+      scale_ = scale;
+      return true;
+    }
+    return false;
+  }
+
+  /// The same samples under the lowered sizing, optimized so many times.
+  std::unique_ptr<SurfaceDomain> optimized(const SurfaceDomain& domain, int iterations, Scope scope) const {
+    std::vector<SurfaceSample> samples;
+    for (std::size_t i = 0; i < domain.num_samples(); ++i) samples.push_back(domain.sample(SiteId(i)));
+    const Sizing sizing = base_.lowered(scale_, spots_, domain.mesh());
+    auto result = std::make_unique<SurfaceDomain>(domain.mesh(), sizing, samples, options_.diagram);
+    OptimizeOptions optimization;
+    optimization.max_iterations = iterations;
+    optimization.scope = scope;
+    optimization.order = VisitOrder::in_turn;
+    optimization.interrupted = options_.interrupted;
+    optimize(*result, optimization);
+    protect_chains(*result, features_);
+    return result;
+  }
+
+  std::size_t num_spots() const { return spots_->size(); }
+  double scale() const { return scale_; }
+
+ private:
+  const FeatureSamples& features_;
+  const geom::SurfaceType& type_;
+  ThinPartOptions options_;
+  Sizing base_;
+  std::shared_ptr<const Spots> spots_;
+  double scale_ = 1;
+};
+
+}  // namespace
+
+std::unique_ptr<SurfaceDomain> make_room_for_thin_parts(std::unique_ptr<SurfaceDomain> domain,
+                                                        const FeatureSamples& features,
+                                                        const geom::SurfaceType& type,
+                                                        const ThinPartOptions& options, ThinParts& result) {
+  Dual dual = dual_of(*domain, type, false);
+  result.faults_before = result.faults_after = dual.num_faults();
+  if (dual.type.ok()) return domain;
+  const auto interrupted = [&] { return options.interrupted && *options.interrupted; };
+  RoomMaker room(*domain, features, type, options);
+  std::unique_ptr<SurfaceDomain> best = std::move(domain), next;
+  const SurfaceDomain* last = best.get();
+  const auto look_at = [&](std::unique_ptr<SurfaceDomain> found) {
+    dual = dual_of(*found, type, false);
+    next = std::move(found);
+    last = next.get();
+    if (dual.num_faults() >= result.faults_after) return false;
+    result = {room.num_spots(), room.scale(), result.faults_before, dual.num_faults()};
+    best = std::move(next);
+    return true;
+  };
+  for (int round = 0; round < options.rounds && !dual.type.ok() && !interrupted(); ++round) {
+    if (!room.lower(*last, dual)) break;
+    look_at(room.optimized(*last, options.iterations, Scope::global));
+  }
+  if (!dual.type.ok() || interrupted()) return best;
+  auto polished = room.optimized(*best, options.polishing, options.scope);
+  if (dual_of(*polished, type, false).type.ok()) return polished;
+  return best;
+}
+
+}  // namespace fpo

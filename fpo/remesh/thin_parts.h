@@ -1,0 +1,42 @@
+#pragma once
+// Horns, necks and handles thinner than a few samples around: there the wanted length is lowered by what the
+// topology needs, and the samples come from everywhere else. Not in the paper, whose section 5 asks for the
+// topological ball property and leaves open how to reach it.
+
+#include <atomic>
+#include <cstddef>
+#include <memory>
+
+#include "fpo/features/feature_samples.h"
+#include "fpo/remesh/dual.h"
+#include "fpo/surface/surface_domain.h"
+
+namespace fpo {
+
+struct ThinPartOptions {
+  double gradation = 0.3;   ///< of the wanted length about a thin place
+  double most_scale = 1.5;  ///< nothing is lowered that would stretch the edges elsewhere by more
+  int rounds = 6;
+  int iterations = 10;          ///< of farthest point optimization in each round
+  int polishing = 40;           ///< at the end
+  SurfaceOptions diagram;       ///< of the domains
+  Scope scope = Scope::global;  ///< of the polishing: samples are brought by global moves in any case
+  const std::atomic<bool>* interrupted = nullptr;  ///< looked at before each move
+};
+
+struct ThinParts {
+  std::size_t places = 0;  ///< spots where the length was lowered
+  double scale = 1;        ///< by which edges elsewhere are longer than wanted
+  std::size_t faults_before = 0, faults_after = 0;
+};
+
+/// If the dual is not of the input's type, looks for cells that are no disks, or meet in several arcs
+/// (cell_faults.h), and lowers the wanted length around these: to a third of the way around, or by half. Then
+/// optimizes anew, and looks again. Returns the domain with the fewest faults, its sizing lowered or the same;
+/// the one given if that has none. Exactly as many samples; fixed ones stay. Deterministic.
+std::unique_ptr<SurfaceDomain> make_room_for_thin_parts(std::unique_ptr<SurfaceDomain> domain,
+                                                        const FeatureSamples& features,
+                                                        const geom::SurfaceType& type,
+                                                        const ThinPartOptions& options, ThinParts& result);
+
+}  // namespace fpo

@@ -1,0 +1,37 @@
+#pragma once
+// Is a remesh of the topological type of its input? Part by part, each part of the input known by the samples
+// on it.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "fpo/surface/surface_sample.h"
+#include "geom/mesh/surface_type.h"
+
+namespace fpo {
+
+/// Numbers of what differs; all are 0 if the remesh is a 2-manifold of the input's type. Of an input that is
+/// no manifold the type is that of geom::SurfaceType.
+struct TypeCheck {
+  std::size_t nonmanifold_edges = 0, nonmanifold_vertices = 0;  ///< of the remesh
+  std::size_t bare_samples = 0;                                 ///< without a triangle
+  std::size_t lost_parts = 0;    ///< parts of the input of which nothing is left
+  std::size_t joined_parts = 0;  ///< parts of the remesh with samples of several parts of the input
+  std::size_t split_parts = 0;   ///< parts of the input that are several
+  /// Parts of the input with another Euler number, number of border loops, or orientability: a handle or a
+  /// hole was lost, or one was made.
+  std::size_t changed_parts = 0;
+  std::vector<std::size_t> parts;  ///< of the input, ascending: those that are lost, joined, split or changed
+
+  bool is_manifold() const { return nonmanifold_edges == 0 && nonmanifold_vertices == 0; }
+  /// Whether parts correspond, whatever the remesh is at single edges and vertices.
+  bool same_parts() const { return parts.empty(); }
+  bool ok() const { return is_manifold() && bare_samples == 0 && same_parts(); }
+};
+
+/// Vertex i of the remesh is sample i. O(F log F) of the remesh.
+TypeCheck check_type(const geom::SurfaceType& input, const geom::TriMesh& remesh,
+                     std::span<const SurfaceSample> samples);
+
+}  // namespace fpo

@@ -1,0 +1,112 @@
+#include "fpo/remesh/cell_faults.h"
+
+#include <algorithm>
+
+#include "doctest.h"
+#include "fpo/optimize.h"
+#include "fpo/remesh/dual.h"
+#include "geom/shapes/shapes.h"
+#include "tests/fixtures/surfaces.h"
+
+using namespace fpo;
+using geom::SiteId;
+using geom::TriMesh;
+using geom::Vec3;
+
+namespace {
+
+/// Samples where they are wanted.
+SurfaceDomain domain_of(const TriMesh& mesh, const std::vector<Vec3>& near) {
+  std::vector<SurfaceSample> samples;
+  for (const Vec3& x : near) {
+    SurfaceSample best{mesh.corner(geom::FacetId(0), 0), geom::FacetId(0)};
+    for (std::size_t t = 0; t < mesh.num_facets(); ++t) {
+      const SurfaceSample here = location_in_facet(mesh, geom::FacetId(t), 0.31, 0.34);
+      if ((here.position - x).norm() < (best.position - x).norm()) best = here;
+    }
+    samples.push_back(best);
+  }
+  return SurfaceDomain(mesh, samples);
+}
+
+std::vector<CellFault> faults_of(const SurfaceDomain& domain) { return cell_faults(*domain.diagram(), {}); }
+
+std::vector<Vec3> ring(int count, double height, double turn) {
+  std::vector<Vec3> places;
+  for (int i = 0; i < count; ++i) {
+    const double angle = turn + 2 * std::acos(-1.0) * i / count;
+    places.push_back({std::cos(angle), std::sin(angle), height});
+  }
+  return places;
+}
+
+std::vector<Vec3> operator+(std::vector<Vec3> a, const std::vector<Vec3>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+}  // namespace
+
+TEST_CASE("cell faults: a long tube with one sample, two or three around") {
+  const TriMesh tube =
+      fixtures::weld(geom::make_shape("tube", 24).vertices(), geom::make_shape("tube", 24).facets());
+  // Three rings of four at both ends, so that nothing is wrong there.
+  const std::vector<Vec3> ends = ring(4, 0.95, 0) + ring(4, -0.95, 0.2);
+  const std::vector<CellFault> one = faults_of(domain_of(tube, ends + ring(1, 0, 0.4)));
+  CHECK(std::ranges::all_of(one, [](const CellFault& f) { return f.cell.valid(); }));
+  CHECK(faults_of(domain_of(tube, ends + ring(4, 0.3, 0.4) + ring(4, -0.3, 0.9))).empty());
+
+  // Alone between two rings far away, one sample owns all around; two own half each and meet in two arcs.
+  const TriMesh handle = geom::make_shape("dumbbell", 12);  // its bar is .19 around, 1 long
+  const auto with_bar = [&](std::vector<Vec3> bar) {
+    std::vector<Vec3> places = std::move(bar);
+    for (const double z : {-1.5, 1.5}) {
+      for (const Vec3& x : ring(8, 0, 0) + ring(8, 0.6, 0.3) + ring(8, -0.6, 0.3))
+        places.push_back(x.normalized() + Vec3(0, 0, z));
+      places.push_back({0, 0, z + 1});
+      places.push_back({0, 0, z - 1});
+    }
+    return faults_of(domain_of(handle, places));
+  };
+  const std::vector<CellFault> annulus = with_bar({{0.03, 0, 0}});
+  const auto found = std::ranges::find(annulus, SiteId(0), &CellFault::cell);
+  REQUIRE(found != annulus.end());
+  CHECK(!found->other.valid());
+  CHECK(found->girth == doctest::Approx(2 * std::acos(-1.0) * 0.03).epsilon(0.1));
+  CHECK(!found->around.empty());
+  const std::vector<CellFault> pair = with_bar({{0.03, 0, 0}, {-0.03, 0, 0}});
+  const auto both = std::ranges::find_if(
+      pair, [](const CellFault& f) { return f.cell == SiteId(0) && f.other == SiteId(1); });
+  REQUIRE(both != pair.end());
+  CHECK(!both->around.empty());
+}
+
+TEST_CASE("cell faults: none where the samples are dense, and then the dual is of the surface's type") {
+  for (const char* name : {"torus", "sphere", "double-torus", "tube", "moebius"}) {
+    CAPTURE(name);
+    const TriMesh mesh = geom::make_shape(name, name == std::string("double-torus") ? 31 : 16);
+    SurfaceDomain domain(mesh, random_samples(mesh, 400, 3));
+    OptimizeOptions options;
+    options.max_iterations = 5;
+    optimize(domain, options);
+    CHECK(faults_of(domain).empty());
+    CHECK(dual_of(domain, geom::surface_type(mesh), false).type.ok());
+  }
+}
+
+TEST_CASE("cell faults: wherever the type is wrong there is one, and none lets it be right") {
+  for (const char* name : {"torus", "frame", "two-spheres", "dumbbell", "thin-handle", "horn"})
+    for (const std::size_t n : {6u, 12u, 25u, 50u, 100u}) {
+      CAPTURE(name);
+      CAPTURE(n);
+      const TriMesh mesh = geom::make_shape(name, 8);
+      const SurfaceDomain domain(mesh, random_samples(mesh, n, 5));
+      const Dual dual = dual_of(domain, geom::surface_type(mesh), false);
+      if (dual.localization.remaining > 0 || dual.localization.merged > 0) continue;
+      if (!dual.type.ok()) {
+        CHECK(!dual.cell_faults.empty() == true);
+      } else {
+        CHECK(dual.cell_faults.empty());
+      }
+    }
+}

@@ -1,0 +1,105 @@
+#include "fpo/remesh/thin_parts.h"
+
+#include "doctest.h"
+#include "fpo/optimize.h"
+#include "fpo/remesh/at_least.h"
+#include "fpo/remesh/remesh_defaults.h"
+#include "geom/shapes/shapes.h"
+
+using namespace fpo;
+using geom::SiteId;
+using geom::TriMesh;
+
+namespace {
+
+struct Outcome {
+  std::unique_ptr<SurfaceDomain> before, after;
+  ThinParts found;
+  TypeCheck type;
+};
+
+Outcome with_room(const TriMesh& mesh, std::size_t n) {
+  Outcome outcome;
+  const auto optimized = [&] {
+    auto domain = std::make_unique<SurfaceDomain>(mesh, random_samples(mesh, n, 1));
+    OptimizeOptions options;
+    options.max_iterations = 10;
+    options.order = VisitOrder::in_turn;
+    optimize(*domain, options);
+    return domain;
+  };
+  ThinPartOptions options;
+  options.polishing = 5;
+  const geom::SurfaceType type = geom::surface_type(mesh);
+  outcome.before = optimized();
+  outcome.after = make_room_for_thin_parts(optimized(), {}, type, options, outcome.found);
+  outcome.type = dual_of(*outcome.after, type, false).type;
+  return outcome;
+}
+
+}  // namespace
+
+TEST_CASE("thin parts: where nothing is wrong nothing is done") {
+  const TriMesh mesh = geom::make_shape("torus", 24);
+  const Outcome outcome = with_room(mesh, 150);
+  CHECK(outcome.found.places == 0);
+  CHECK(outcome.found.faults_before == 0);
+  CHECK(outcome.after->sizing().is_uniform());
+  for (std::size_t i = 0; i < 150; ++i)
+    CHECK(outcome.after->sample(SiteId(i)).position == outcome.before->sample(SiteId(i)).position);
+}
+
+TEST_CASE("thin parts: a bar, a handle and a hole much thinner than the spacing are kept") {
+  for (const char* name : {"dumbbell", "thin-handle", "narrow-torus"}) {
+    CAPTURE(name);
+    const TriMesh mesh = geom::make_shape(name, 24);
+    const Outcome outcome = with_room(mesh, 400);
+    CHECK(outcome.found.faults_before > 0);
+    CHECK(outcome.found.faults_after == 0);
+    CHECK(outcome.type.ok());
+    CHECK(outcome.found.places > 0);
+    CHECK(outcome.found.scale > 1);
+    CHECK(outcome.after->num_samples() == 400);
+    outcome.after->check();
+  }
+}
+
+TEST_CASE("thin parts: what there are too few samples for starves nothing else") {
+  const TriMesh mesh = geom::make_shape("dumbbell", 16);
+  const Outcome outcome = with_room(mesh, 30);
+  CHECK(outcome.found.scale <= ThinPartOptions().most_scale);
+  CHECK(outcome.found.faults_after <= outcome.found.faults_before);
+}
+
+TEST_CASE("thin parts: the pipeline keeps the type with exactly n samples, and says what it did") {
+  const TriMesh mesh = geom::make_shape("thin-handle", 24);
+  RemeshOptions options = default_options(300, SizingKind::uniform);
+  options.optimize.max_iterations = 10;
+  const RemeshResult result = remesh(mesh, options);
+  CHECK(result.mesh.num_vertices() == 300);
+  CHECK(result.type.ok());
+  CHECK(geom::topology(result.mesh).euler == 0);
+  CHECK(result.thin_parts.places > 0);
+  CHECK(result.measures.theta_min > 25);
+  options.mend = false;
+  CHECK(!remesh(mesh, options).type.ok());
+}
+
+TEST_CASE("at least: as many samples as it takes, and no more where n is enough") {
+  RemeshOptions options = default_options(12, SizingKind::uniform);
+  options.optimize.max_iterations = 3;
+  const TriMesh mesh = geom::make_shape("frame", 2);
+  options.features.reset();
+  const AtLeastResult found = remesh_at_least(mesh, options);
+  CHECK(found.remesh.type.ok());
+  if (found.runs > 1) {
+    CHECK(found.not_enough >= 12);
+    CHECK(found.remesh.mesh.num_vertices() > found.not_enough);
+    CHECK(static_cast<double>(found.remesh.mesh.num_vertices()) <=
+          1.2 * static_cast<double>(found.not_enough) + 2);
+  }
+  options.num_samples = 200;
+  const AtLeastResult enough = remesh_at_least(mesh, options);
+  CHECK(enough.runs == 1);
+  CHECK(enough.remesh.mesh.num_vertices() == 200);
+}

@@ -1,0 +1,98 @@
+#include "fpo/remesh/type_check.h"
+
+#include "doctest.h"
+#include "geom/shapes/mesh_parts.h"
+#include "geom/shapes/shapes.h"
+
+using namespace fpo;
+using geom::FacetId;
+using geom::TriMesh;
+using geom::VertexId;
+
+namespace {
+
+/// As if each vertex of the mesh were a sample in a facet of it.
+std::vector<SurfaceSample> samples_at_vertices(const TriMesh& mesh) {
+  std::vector<SurfaceSample> samples(mesh.num_vertices());
+  for (std::size_t t = 0; t < mesh.num_facets(); ++t)
+    for (const VertexId v : mesh.facet(FacetId(t))) samples[v.index()] = {mesh.position(v), FacetId(t)};
+  return samples;
+}
+
+TriMesh without_facets(const TriMesh& mesh, std::size_t from, std::size_t to) {
+  geom::Table<FacetId, TriMesh::Facet> facets;
+  for (std::size_t t = 0; t < mesh.num_facets(); ++t)
+    if (t < from || t >= to) facets.push_back(mesh.facet(FacetId(t)));
+  return {mesh.vertices(), facets};
+}
+
+/// What is wrong with `remesh`, whose vertices are those of `mesh`.
+TypeCheck check(const TriMesh& mesh, const TriMesh& remesh) {
+  return check_type(geom::surface_type(mesh), remesh, samples_at_vertices(mesh));
+}
+
+}  // namespace
+
+TEST_CASE("type check: a surface is of its own type") {
+  for (const char* name : {"torus", "two-spheres", "moebius", "tube", "cube"}) {
+    const TriMesh mesh = geom::make_shape(name, 4);
+    CHECK(check(mesh, mesh).ok());
+  }
+}
+
+TEST_CASE("type check: a part that is lost, a hole, a branching edge") {
+  const TriMesh mesh = geom::joined(geom::make_shape("sphere", 2), geom::make_shape("torus", 5));
+  const TypeCheck lost = check(mesh, without_facets(mesh, 0, 80));
+  CHECK(!lost.ok());
+  CHECK(lost.lost_parts == 1);
+  CHECK(lost.parts == std::vector<std::size_t>{0});
+  CHECK(lost.bare_samples == 42);
+  const TypeCheck hole = check(mesh, without_facets(mesh, 85, 86));
+  CHECK(hole.is_manifold());
+  CHECK(hole.changed_parts == 1);
+  CHECK(hole.parts == std::vector<std::size_t>{1});
+
+  auto facets = mesh.facets();
+  facets.push_back({facets[FacetId(0)][0], facets[FacetId(0)][1], facets[FacetId(40)][2]});
+  const TypeCheck branching = check(mesh, TriMesh(mesh.vertices(), facets));
+  CHECK(branching.nonmanifold_edges > 0);
+  CHECK(!branching.ok());
+}
+
+TEST_CASE("type check: parts that are joined, that are two") {
+  // A remesh of two spheres in which a facet of each is gone and a tube joins the holes.
+  const TriMesh spheres = geom::make_shape("two-spheres", 1);
+  auto facets = without_facets(spheres, 39, 40).facets();
+  const TriMesh::Facet a = spheres.facet(FacetId(0)), b = spheres.facet(FacetId(39));
+  geom::Table<FacetId, TriMesh::Facet> joined;
+  for (std::size_t t = 1; t < facets.size(); ++t) joined.push_back(facets[FacetId(t)]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    joined.push_back({a[i], a[j], b[2 - j]});
+    joined.push_back({a[i], b[2 - j], b[2 - i]});
+  }
+  const TypeCheck check_joined = check(spheres, TriMesh(spheres.vertices(), joined));
+  CHECK(check_joined.joined_parts == 1);
+  CHECK(check_joined.is_manifold());
+  CHECK(check_joined.parts == std::vector<std::size_t>{0, 1});
+
+  // And the other way round: the input is one part, the remesh two.
+  const TriMesh dumbbell(spheres.vertices(), joined);
+  const TypeCheck split = check(dumbbell, spheres);
+  CHECK(split.split_parts == 1);
+  CHECK(split.changed_parts == 0);
+  CHECK(!split.ok());
+}
+
+TEST_CASE("type check: Euler numbers that agree in all but not part by part") {
+  // One remesh lost the torus's handle, where it is a sphere, and gave the sphere one.
+  const TriMesh input = geom::joined(geom::make_shape("torus", 5), geom::make_shape("sphere", 1));
+  const TriMesh output = geom::joined(geom::make_shape("sphere", 1), geom::make_shape("torus", 5));
+  std::vector<SurfaceSample> samples = samples_at_vertices(output);
+  const std::size_t sphere_facet = input.num_facets() - 1;
+  for (std::size_t v = 0; v < samples.size(); ++v) samples[v].facet = FacetId(v < 12 ? 0 : sphere_facet);
+  const geom::Topology in = geom::topology(input), out = geom::topology(output);
+  REQUIRE(in.euler == out.euler);
+  REQUIRE(in.components == out.components);
+  CHECK(check_type(geom::surface_type(input), output, samples).changed_parts == 2);
+}

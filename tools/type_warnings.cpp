@@ -1,0 +1,82 @@
+#include "tools/type_warnings.h"
+
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+
+namespace tools {
+namespace {
+
+__attribute__((format(printf, 1, 2))) std::string line(const char* format, ...) {
+  char text[400];
+  std::va_list values;
+  va_start(values, format);
+  std::vsnprintf(text, sizeof text, format, values);
+  va_end(values);
+  return text;
+}
+
+/// Two digits: the number is an estimate.
+std::size_t rounded_up(std::size_t count) {
+  const double unit = std::pow(10, std::max(std::floor(std::log10(static_cast<double>(count))) - 1, 0.0));
+  return static_cast<std::size_t>(std::ceil(static_cast<double>(count) / unit) * unit);
+}
+
+std::string what_to_do(const fpo::RemeshResult& result, const fpo::RemeshOptions& options) {
+  const fpo::TypeAdvice& advice = result.advice;
+  if (advice.places.empty()) return {};
+  const geom::Vec3& first = advice.places.front();
+  std::string text = line("%zu place%s at fault, the first at (%.6g, %.6g, %.6g); try -n %zu or --at-least",
+                          advice.places.size(), advice.places.size() == 1 ? "" : "s", first.x(), first.y(),
+                          first.z(), rounded_up(advice.samples));
+  if (options.sizing == fpo::SizingKind::uniform) text += ", or --sizing lfs";
+  return text;
+}
+
+void add_parts(const fpo::TypeCheck& type, std::vector<std::string>& lines) {
+  const auto add = [&](std::size_t count, const char* one, const char* more) {
+    if (count > 0) lines.push_back(line("%zu %s", count, count == 1 ? one : more));
+  };
+  add(type.lost_parts, "component of the input is lost", "components of the input are lost");
+  add(type.joined_parts, "component of the remesh joins several of the input",
+      "components of the remesh join several of the input each");
+  add(type.split_parts, "component of the input is several of the remesh",
+      "components of the input are several of the remesh each");
+}
+
+}  // namespace
+
+std::vector<std::string> type_warnings(const geom::TriMesh& input, const fpo::RemeshResult& result,
+                                       const fpo::RemeshOptions& options) {
+  const fpo::TypeCheck& type = result.type;
+  std::vector<std::string> lines;
+  if (type.ok()) return lines;
+  if (!type.is_manifold())
+    lines.push_back(line("the remesh is not a manifold: %zu non-manifold edges, %zu non-manifold vertices",
+                         type.nonmanifold_edges, type.nonmanifold_vertices));
+  if (type.bare_samples > 0) lines.push_back(line("%zu samples have no triangle", type.bare_samples));
+  add_parts(type, lines);
+  const geom::Topology in = geom::topology(input), out = geom::topology(result.mesh);
+  if (in.euler != out.euler || in.components != out.components || in.boundary_loops != out.boundary_loops ||
+      type.changed_parts > 0)
+    lines.push_back(line(
+        "%sEuler number %ld, %zu components, %zu boundary loops; the input has %ld, %zu, %zu",
+        in.manifold() ? "" : "the input is not a manifold, so the remesh is of another type: ", out.euler,
+        out.components, out.boundary_loops, in.euler, in.components, in.boundary_loops));
+  const std::string advice = what_to_do(result, options);
+  if (!advice.empty()) lines.push_back(advice);
+  return lines;
+}
+
+std::vector<std::string> shape_warnings(const fpo::RemeshResult& result) {
+  std::vector<std::string> lines;
+  if (result.measures.angles_below_30 > 0)
+    lines.push_back(line("%zu angles are below 30 degrees, the smallest is %.1f",
+                         result.measures.angles_below_30, result.measures.theta_min));
+  if (result.broken_feature_edges > 0)
+    lines.push_back(line("%zu of %zu feature edges are no edges of the remesh", result.broken_feature_edges,
+                         result.feature_edges));
+  return lines;
+}
+
+}  // namespace tools
