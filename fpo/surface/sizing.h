@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "fpo/remesh/spots.h"
+#include "fpo/surface/spots.h"
 #include "fpo/surface/surface_sample.h"
 #include "geom/mesh/trimesh.h"
 

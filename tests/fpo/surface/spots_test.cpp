@@ -1,4 +1,4 @@
-#include "fpo/remesh/spots.h"
+#include "fpo/surface/spots.h"
 
 #include <limits>
 
