@@ -8,6 +8,7 @@
 
 #include "geom/check.h"
 #include "geom/rng.h"
+#include "geom/shapes/machined_shapes.h"
 #include "geom/shapes/mesh_parts.h"
 #include "geom/shapes/polygonise.h"
 #include "geom/shapes/thin_shapes.h"
@@ -201,6 +202,15 @@ constexpr std::array shapes = {
     Shape{{"cylinder", "with flat caps", 64, finest, 2, 1, 0}, cylinder, 3},
     Shape{{"cone", "sharp tip, flat base", 48, finest, 2, 1, 0}, cone, 3},
     Shape{{"joint", "turned part: flange, collar and bore", 96, finest, 0, 1, 0}, joint, 3},
+    Shape{{"wedge", "prism with an angle of 15 degrees", 1, finest, 2, 1, 0}, wedge},
+    Shape{{"star", "prism over a star with five tips", 1, finest, 2, 1, 0}, star},
+    Shape{{"gear", "16 teeth and a bore", 1, finest, 0, 1, 0}, gear},
+    Shape{{"hole-plate", "two rows of six holes near the border", 1, finest, -22, 1, 0}, hole_plate},
+    Shape{{"shaft", "stepped, with small fillets", 64, finest, 2, 1, 0}, shaft, 3},
+    Shape{{"rib", "L-block with a thin triangular rib", 1, finest, 2, 1, 0}, rib},
+    Shape{{"cone-plate", "cone on a round plate", 64, finest, 2, 1, 0}, cone_plate, 3},
+    Shape{{"two-cylinders", "one grows out of the other's side", 6, 300, 2, 1, 0}, two_cylinders},
+    Shape{{"screw", "a thread that fades out at both ends", 64, finest, 2, 1, 0}, screw, 3},
     Shape{{"square", "flat, with a border", 1, finest, 1, 1, 1}, square},
     Shape{{"triangle", "flat, equilateral, with a border; one facet by default", 1, finest, 1, 1, 1},
           triangle},

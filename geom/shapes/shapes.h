@@ -14,6 +14,7 @@
 //   cylinder         2       1        0      0     with flat caps; two circular creases
 //   cone             2       1        0      0     sharp tip, flat base
 //   joint            0       1        0      1     turned part: flange, collar and bore; circular creases
+//   wedge, star, gear, hole-plate, shaft, rib, cone-plate, two-cylinders, screw: see machined_shapes.h
 //   square           1       1        1      0     flat, side 1
 //   triangle         1       1        1      0     flat, equilateral
 //   wave-disk        1       1        1      0     disk with waves
