@@ -86,6 +86,15 @@ void print_sizing(const fpo::RemeshResult& result) {
 
 void warn(const std::string& line) { std::fprintf(stderr, "warning: %s\n", line.c_str()); }
 
+/// What was decided by default.
+void print_features(const fpo::RemeshResult& result, const fpo::RemeshOptions& options) {
+  if (!options.features || !options.features->yielding) return;
+  if (!result.given_up.empty()) std::printf("%s\n", result.given_up.c_str());
+  if (result.crease_curves > 0)
+    std::printf("creases kept: %zu curves, %zu edges; --features none to round them off\n",
+                result.crease_curves, result.crease_edges);
+}
+
 const char* name_of(fpo::StopReason reason) {
   switch (reason) {
     case fpo::StopReason::target_reached:
@@ -167,6 +176,7 @@ int remesh(tools::CommandLine& cli) {
     std::printf("thin_places %zu\nedges_elsewhere_longer_by %.4f\n", result.thin_parts.places,
                 result.thin_parts.scale);
   if (result.brought > 0) std::printf("samples_moved_to_mend %zu\n", result.brought);
+  print_features(result, a.remesh);
   if (result.feature_samples > 0)
     std::printf("feature_samples %zu\nfeature_edges %zu\nbroken_feature_edges %zu\nprotected_samples %zu\n",
                 result.feature_samples, result.feature_edges, result.broken_feature_edges,

@@ -35,6 +35,8 @@ struct Stretch {
   double start, length;  ///< in the curve's metric
   SiteId from, to;       ///< none: a loop
   std::size_t least_edges = 1;
+  /// At each end: how much longer than the others its gap shall be, at a corner with a small angle.
+  std::array<double, 2> stretch_at_end{0, 0};  ///< 0: no such corner, as all others
 };
 
 /// So many edges that their length is nearest to 1, and not so long that an inner sample could come between
@@ -42,6 +44,15 @@ struct Stretch {
 std::size_t wanted_edges(double length) {
   const double edges = std::max(1.0, std::round(length));
   return static_cast<std::size_t>(length > longest_edge * edges ? edges + 1 : edges);
+}
+
+/// Two curves leave a corner at an angle a; both have samples at distance 1 and 1 + e from it. The triangle of
+/// the nearer samples and a farther one has, there, the angle b with tan b = sin a / (e + 1 - cos a). The
+/// distance, in units of e, at which b is the least of a and 30 degrees; never below 1.
+double first_gap(double angle) {
+  const double wanted = std::tan(std::min(angle, std::numbers::pi / 6));
+  const double e = wanted > 0 ? std::sin(angle) / wanted - (1 - std::cos(angle)) : 1;
+  return std::clamp(1 / e, 1.0, 1.4);
 }
 
 /// Features as samples that are given and stretches between them.
@@ -57,6 +68,7 @@ class Layout {
     for (const VertexId v : features.corners) corner_[v] = add({mesh.position(v), facet_[v]}, shares_[v]);
     for (std::size_t c = 0; c < features.curves.size(); ++c) divide(c);
     require_simplicial();
+    find_acute_corners();
   }
 
   const std::vector<SurfaceSample>& samples() const { return samples_; }
@@ -136,6 +148,39 @@ class Layout {
         s.least_edges = 2;
   }
 
+  /// Marks the ends of stretches that leave a corner at less than 60 degrees to another one.
+  void find_acute_corners() {
+    struct Leaving {
+      std::size_t stretch, end;
+      Vec3 direction;
+    };
+    std::map<SiteId, std::vector<Leaving>> at_corner;
+    for (std::size_t i = 0; i < stretches_.size(); ++i) {
+      const Stretch& s = stretches_[i];
+      if (!s.from.valid()) continue;
+      const CurveMetric& metric = metrics_[s.curve];
+      const double reach = std::min(1.0, s.length / 2);
+      const auto leave = [&](SiteId corner, std::size_t end, double t) {
+        if (t >= metric.length()) t -= metric.length();
+        if (corner.index() >= num_fixed_)
+          at_corner[corner].push_back({i, end, metric.at(t).position - samples_[corner.index()].position});
+      };
+      leave(s.from, 0, s.start + reach);
+      leave(s.to, 1, s.start + s.length - reach);
+    }
+    for (const auto& [corner, leaving] : at_corner)
+      for (std::size_t i = 0; i < leaving.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+          const Vec3 &u = leaving[i].direction, &v = leaving[j].direction;
+          const double angle = std::atan2(u.cross(v).norm(), u.dot(v));
+          if (!(angle < std::numbers::pi / 3)) continue;
+          for (const Leaving& l : {leaving[i], leaving[j]}) {
+            double& stretch = stretches_[l.stretch].stretch_at_end[l.end];
+            stretch = std::max(stretch, first_gap(angle));
+          }
+        }
+  }
+
   const TriMesh& mesh_;
   const Features& features_;
   std::vector<CurveMetric> metrics_;
@@ -170,6 +215,42 @@ std::vector<double> spread(double length, bool loop, std::size_t count, std::uin
     if (t >= length) t -= length;
   std::ranges::sort(positions);
   return positions;
+}
+
+/// The distance of the first samples from each corner with a small angle, on all curves that make one: as many
+/// wanted lengths as the densest of these affords.
+std::map<SiteId, double> acute_shells(std::span<const Stretch> stretches,
+                                      std::span<const std::size_t> edges) {
+  std::map<SiteId, double> shells;
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    const Stretch& s = stretches[i];
+    double parts = static_cast<double>(edges[i]);
+    for (const double stretch : s.stretch_at_end) parts += stretch > 0 ? stretch - 1 : 0;
+    for (const std::size_t end : {0, 1}) {
+      if (!(s.stretch_at_end[end] > 0) || edges[i] < 2) continue;
+      const double distance = s.length / parts * s.stretch_at_end[end];
+      const auto [at, is_new] = shells.try_emplace(end == 0 ? s.from : s.to, distance);
+      at->second = std::min(at->second, distance);
+    }
+  }
+  return shells;
+}
+
+/// Moves the first and last place of a stretch to the shells of its ends and spaces the others evenly between.
+void keep_shells(const Stretch& s, const std::map<SiteId, double>& shells, std::vector<double>& places) {
+  const bool at_start = s.stretch_at_end[0] > 0 && shells.contains(s.from),
+             at_end = s.stretch_at_end[1] > 0 && shells.contains(s.to);
+  if (places.empty() || (!at_start && !at_end)) return;
+  const double first = at_start ? shells.at(s.from) : 0, last = s.length - (at_end ? shells.at(s.to) : 0);
+  if (places.size() == 1) {
+    places[0] = at_start && at_end ? (first + last) / 2 : at_start ? first : last;
+    return;
+  }
+  // Between the shells, or from an end without one.
+  const std::size_t gaps = places.size() - 1 + (at_start ? 0 : 1) + (at_end ? 0 : 1);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    places[i] =
+        first + (last - first) * static_cast<double>(i + (at_start ? 0 : 1)) / static_cast<double>(gaps);
 }
 
 /// The least stretching, in steps, with which the features take no more than `most` samples.
@@ -210,14 +291,18 @@ FeatureSamples sample_features(const TriMesh& mesh, const Features& features,
                                std::uint64_t seed) {
   const Layout layout(mesh, features, fixed, sizing);
   const std::vector<std::size_t> edges = affordable_edges(layout, most);
-  FeatureSamples result{layout.samples(), {}, layout.missing_shares()};
+  const std::map<SiteId, double> shells = acute_shells(layout.stretches(), edges);
+  FeatureSamples result{layout.samples(), {}, layout.missing_shares(), layout.samples().size()};
   result.chains.resize(features.curves.size());
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const Stretch& s = layout.stretches()[i];
     const CurveMetric& metric = layout.metric(s.curve);
     std::vector<SiteId>& chain = result.chains[s.curve];
     if (s.from.valid() && chain.empty()) chain.push_back(s.from);
-    for (const double t : spread(s.length, !s.from.valid(), edges[i] - (s.from.valid() ? 1 : 0), seed + i)) {
+    std::vector<double> places =
+        spread(s.length, !s.from.valid(), edges[i] - (s.from.valid() ? 1 : 0), seed + i);
+    keep_shells(s, shells, places);
+    for (const double t : places) {
       chain.emplace_back(result.samples.size());
       result.samples.push_back(
           metric.at(s.start + t < metric.length() ? s.start + t : s.start + t - metric.length()));

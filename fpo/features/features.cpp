@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -26,10 +27,63 @@ struct Edge {
   double fold;                   ///< between the normals of two facets, in degrees
 };
 
+using Normals = geom::Table<FacetId, Vec3>;
+
 /// In [0, 180]. Normals are turned so that both facets are seen from the same side.
-double fold_angle(const TriMesh& mesh, FacetId a, FacetId b, bool same_direction) {
-  const Vec3 u = mesh.normal(a), v = same_direction ? Vec3(-mesh.normal(b)) : mesh.normal(b);
-  return degrees * std::atan2(u.cross(v).norm(), u.dot(v));  // 0 if one vanishes
+double fold_angle(const Vec3& u, const Vec3& v, bool same_direction) {
+  return degrees * std::atan2(u.cross(v).norm(), same_direction ? -u.dot(v) : u.dot(v));  // 0 if one vanishes
+}
+
+constexpr double sliver_height = 1e-6;  // of the diagonal: what coordinates in a file are good for
+
+/// The edge of a facet across which a facet lies that is `sound`, the longest of these; -1: none.
+int longest_sound_edge(const TriMesh& mesh, FacetId t, const geom::Table<FacetId, char>& sound) {
+  int best = -1;
+  double longest = -1;
+  for (int e = 0; e < 3; ++e) {
+    const FacetId other = mesh.across(t, e);
+    const double length = (mesh.corner(t, e) - mesh.corner(t, (e + 1) % 3)).norm();
+    if (other.valid() && sound[other] && length > longest) best = e, longest = length;
+  }
+  return best;
+}
+
+/// Do both facets at edge e of t run through it the same way?
+bool runs_alike(const TriMesh& mesh, FacetId t, int e) {
+  const VertexId a = mesh.facet(t)[static_cast<std::size_t>(e)],
+                 b = mesh.facet(t)[static_cast<std::size_t>((e + 1) % 3)];
+  const TriMesh::Facet& f = mesh.facet(mesh.across(t, e));
+  for (std::size_t k = 0; k < 3; ++k)
+    if (f[k] == a && f[(k + 1) % 3] == b) return true;
+  return false;
+}
+
+/// Of slivers: those of sound facets beside them.
+Normals sound_normals(const TriMesh& mesh) {
+  Normals normals;
+  geom::Table<FacetId, char> sound;
+  std::vector<FacetId> slivers;
+  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
+    normals.push_back(mesh.normal(t));
+    double longest = 0;
+    for (int e = 0; e < 3; ++e)
+      longest = std::max(longest, (mesh.corner(t, e) - mesh.corner(t, (e + 1) % 3)).norm());
+    sound.push_back(normals[t].norm() > sliver_height * mesh.diagonal() * longest);
+    if (!sound[t]) slivers.push_back(t);
+  }
+  for (std::size_t before = slivers.size() + 1; slivers.size() < before;) {
+    before = slivers.size();
+    std::vector<FacetId> healed;
+    for (const FacetId t : slivers) {
+      const int e = longest_sound_edge(mesh, t, sound);
+      if (e < 0) continue;
+      normals[t] = runs_alike(mesh, t, e) ? Vec3(-normals[mesh.across(t, e)]) : normals[mesh.across(t, e)];
+      healed.push_back(t);
+    }
+    for (const FacetId t : healed) sound[t] = 1;
+    std::erase_if(slivers, [&](FacetId t) { return sound[t] != 0; });
+  }
+  return normals;
 }
 
 std::vector<Edge> all_edges(const TriMesh& mesh) {
@@ -46,31 +100,44 @@ std::vector<Edge> all_edges(const TriMesh& mesh) {
       sides.push_back({{std::min(a, b), std::max(a, b)}, t, a < b});
     }
   std::ranges::stable_sort(sides, {}, &Side::ends);
+  const Normals normals = sound_normals(mesh);
   std::vector<Edge> edges;
   for (std::size_t i = 0, j = 0; i < sides.size(); i = j) {
     while (j < sides.size() && sides[j].ends == sides[i].ends) ++j;
     Edge& edge = edges.emplace_back(Edge{sides[i].ends, sides[i].facet, j - i, 0});
     if (edge.sheets == 2)
-      edge.fold =
-          fold_angle(mesh, sides[i].facet, sides[i + 1].facet, sides[i].ascending == sides[i + 1].ascending);
+      edge.fold = fold_angle(normals[sides[i].facet], normals[sides[i + 1].facet],
+                             sides[i].ascending == sides[i + 1].ascending);
   }
   return edges;
 }
 
+/// Vertices joined by creases.
+class JoinedByCreases {
+ public:
+  JoinedByCreases(const std::vector<Edge>& edges, std::size_t num_vertices) : parent_(num_vertices) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    for (const Edge& e : edges)
+      if (e.sheets == 2) parent_[root(e)] = root(e.ends[1]);
+  }
+  /// The same for all edges that are joined.
+  std::size_t root(const Edge& e) { return root(e.ends[0]); }
+
+ private:
+  std::size_t root(VertexId v) {
+    std::size_t i = v.index();
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  std::vector<std::size_t> parent_;
+};
+
 /// Keeps the creases that are strong or joined to strong ones.
 void drop_weak(std::vector<Edge>& edges, std::size_t num_vertices, double strong_angle) {
-  std::vector<std::size_t> parent(num_vertices);
-  std::iota(parent.begin(), parent.end(), std::size_t{0});
-  const auto root = [&](VertexId v) {
-    std::size_t i = v.index();
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
-  for (const Edge& e : edges)
-    if (e.sheets == 2) parent[root(e.ends[0])] = root(e.ends[1]);
+  JoinedByCreases joined(edges, num_vertices);
   std::vector<char> strong(num_vertices, 0);
-  for (const Edge& e : edges) strong[root(e.ends[0])] |= e.sheets == 2 && e.fold > strong_angle;
-  std::erase_if(edges, [&](const Edge& e) { return e.sheets == 2 && !strong[root(e.ends[0])]; });
+  for (const Edge& e : edges) strong[joined.root(e)] |= e.sheets == 2 && e.fold > strong_angle;
+  std::erase_if(edges, [&](const Edge& e) { return e.sheets == 2 && !strong[joined.root(e)]; });
 }
 
 /// Without creases that end in nothing, edge by edge.
@@ -89,23 +156,48 @@ std::vector<Edge> closed_ones(std::vector<Edge> edges, std::size_t num_vertices)
   return edges;
 }
 
+double length_of(const TriMesh& mesh, const Edge& e) {
+  return (mesh.position(e.ends[0]) - mesh.position(e.ends[1])).norm();
+}
+
 double crease_length(const TriMesh& mesh, const std::vector<Edge>& edges) {
   double sum = 0;
   for (const Edge& e : edges)
-    if (e.sheets == 2) sum += (mesh.position(e.ends[0]) - mesh.position(e.ends[1])).norm();
+    if (e.sheets == 2) sum += length_of(mesh, e);
   return sum;
 }
 
-/// Creases by angle, borders and non-manifold edges.
+/// Drops pieces that fade out and are short, then all creases if too little of their length is closed.
+void drop_fading(const TriMesh& mesh, std::vector<Edge>& edges, const FeatureOptions& options) {
+  const double all = crease_length(mesh, edges);
+  const auto is_before = [](const Edge& a, const Edge& b) { return a.ends < b.ends; };
+  const std::vector<Edge> closed = closed_ones(edges, mesh.num_vertices());
+  std::vector<Edge> fading;
+  std::ranges::set_difference(edges, closed, std::back_inserter(fading), is_before);
+  JoinedByCreases joined(fading, mesh.num_vertices());
+  std::vector<double> length(mesh.num_vertices(), 0.0);
+  for (const Edge& e : fading) length[joined.root(e)] += length_of(mesh, e);
+  double solid = crease_length(mesh, closed);
+  for (const Edge& e : fading)
+    if (length[joined.root(e)] >= options.long_as_closed) solid += length_of(mesh, e);
+  if (solid < options.least_closed_share * all) {
+    std::erase_if(edges, [](const Edge& e) { return e.sheets == 2; });
+    return;
+  }
+  std::erase_if(fading, [&](const Edge& e) { return length[joined.root(e)] >= options.shortest_fading; });
+  std::vector<Edge> kept;
+  std::ranges::set_difference(edges, fading, std::back_inserter(kept), is_before);
+  edges = std::move(kept);
+}
+
+/// Creases by angle, borders and non-manifold edges; ascending by their ends.
 std::vector<Edge> feature_edges(const TriMesh& mesh, const FeatureOptions& options) {
   std::vector<Edge> edges = all_edges(mesh);
   std::erase_if(edges, [&](const Edge& e) {
     return e.sheets == 2 && !(e.fold > std::min(options.crease_angle, options.weak_crease_angle));
   });
   drop_weak(edges, mesh.num_vertices(), options.crease_angle);
-  const double closed = crease_length(mesh, closed_ones(edges, mesh.num_vertices()));
-  if (closed < options.least_closed_share * crease_length(mesh, edges))
-    std::erase_if(edges, [](const Edge& e) { return e.sheets == 2; });
+  drop_fading(mesh, edges, options);
   return edges;
 }
 
@@ -255,6 +347,7 @@ std::vector<VertexId> apexes(const TriMesh& mesh, const Skeleton& skeleton, doub
 FeatureOptions automatic_features() {
   FeatureOptions options;
   options.least_closed_share = 2.0 / 3;
+  options.yielding = true;
   return options;
 }
 

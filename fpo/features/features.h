@@ -3,6 +3,7 @@
 // "organized in the form of 1D curved skeletons".
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,12 @@ struct FeatureOptions {
   /// If a smaller share of the creases' length is closed, that is, does not fade out into the surface, there
   /// are neither creases nor apexes: the creases of a machined part end at others, those of noise in nothing.
   double least_closed_share = 0;
+  /// A crease that fades out counts as closed if it is at least so long: a thread that runs out.
+  double long_as_closed = std::numeric_limits<double>::infinity();
+  /// Pieces of creases that fade out, as far as they are shorter, are left out.
+  double shortest_fading = 0;
+  /// Creases give way where they would do harm (feature_choice.h): they are asked for by nobody.
+  bool yielding = false;
   /// A curve that turns by more has a corner there, and so has a curve that comes back to where it began.
   double corner_turn = 60;
   /// Turns are those between chords of this length along the curve on both sides, so that a jagged curve has
@@ -50,7 +57,9 @@ struct Features {
 /// animals up to 47; bunny and eight have none.
 FeatureOptions automatic_features();
 
-/// Every feature edge is in one curve, once. Deterministic. O(F log F).
+/// Every feature edge is in one curve, once. Facets lower than 1e-6 of the diagonal are slivers whose normals
+/// mean nothing: they are taken to lie in the plane of the facet across their longest edge. Deterministic.
+/// O(F log F).
 Features find_features(const geom::TriMesh& mesh, const FeatureOptions& options = {});
 
 }  // namespace fpo

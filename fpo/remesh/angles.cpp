@@ -35,11 +35,16 @@ bool mend(const SurfaceDomain& domain, LocalResampling& resampling, CircleId tri
   const auto worst = static_cast<std::size_t>(std::ranges::min_element(angles) - angles.begin());
   const std::array<SiteId, 3> corners{circle.sites[worst], circle.sites[(worst + 1) % 3],
                                       circle.sites[(worst + 2) % 3]};
-  return in_growing_sets(domain, corners, [&](std::span<const SiteId> samples) {
-    return resampling.attempt(samples, 1) || std::ranges::any_of(options.weight_shares, [&](double c) {
-             return resampling.attempt(samples, c);
-           });
-  });
+  if (in_growing_sets(domain, corners, [&](std::span<const SiteId> samples) {
+        return resampling.attempt(samples, 1) || std::ranges::any_of(options.weight_shares, [&](double c) {
+                 return resampling.attempt(samples, c);
+               });
+      }))
+    return true;
+  for (std::size_t i = 0; i < 3 && options.slides; ++i)
+    if (resampling.attempt_to_slide(std::array{corners[i], corners[(i + 1) % 3], corners[(i + 2) % 3]}))
+      return true;
+  return false;
 }
 
 }  // namespace
@@ -55,6 +60,7 @@ FlawMeasure bad_angles(const SurfaceDomain& domain, const AngleOptions& options)
 AngleResult optimize_angles(SurfaceDomain& domain, const AngleOptions& options) {
   Flaws bad(domain, bad_angles(domain, options));
   LocalResampling resampling(domain, {&bad}, options.enough_delta);
+  resampling.let_slide(options.slides);
   AngleResult result;
   result.bad_before = bad.number();
   const auto interrupted = [&] {

@@ -17,8 +17,9 @@ struct AngleOptions {
   double largest = 112;
   /// The c of the paper, tried in turn: the weight of a corner becomes c times what the sizing gives.
   std::vector<double> weight_shares = {0.8, 0.6, 0.4};
-  double enough_delta = 0.915;    ///< with uniform sizing delta is not made smaller than this
-  std::size_t max_moves = 4'000;  ///< to begin something after; and twenty a sample
+  double enough_delta = 0.915;          ///< with uniform sizing delta is not made smaller than this
+  std::size_t max_moves = 4'000;        ///< to begin something after; and twenty a sample
+  const CurveSlides* slides = nullptr;  ///< samples on curves slide along them; null: they stay
   const std::atomic<bool>* interrupted = nullptr;  ///< looked at before each triangle
 };
 

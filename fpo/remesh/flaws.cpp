@@ -145,7 +145,7 @@ std::vector<LocalResampling::Backup> LocalResampling::backups_of(std::span<const
 
 /// Resamples those that may move until all is better; else puts all back.
 bool LocalResampling::settle(std::span<const Backup> samples, std::span<const Backup> moving) {
-  const auto wide = [&](const Backup& x) { return wide_enough(x.id); };
+  const auto wide = [&](const Backup& x) { return wide_enough(x.id) && is_joined(x.id); };
   for (int pass = 0; pass < passes; ++pass)
     for (const Backup& x : moving) {
       resample(x);
@@ -178,11 +178,11 @@ bool LocalResampling::nudge(const std::array<SiteId, 3>& corners) {
   double least = (1 - least_nudge_gain) * flaws_[0]->penalty();
   std::optional<Backup> best;
   for (const SiteId x : corners) {
-    if (domain_.is_fixed(x)) continue;
+    if (!can_move(x)) continue;
     const Backup home = backup(x);
-    for (const SurfaceSample& place : places_around(home.place)) {
+    for (const SurfaceSample& place : places_around(x)) {
       move({x, place, home.weight_share});
-      if (flaws_[0]->penalty() >= least || !wide_enough(x)) continue;
+      if (flaws_[0]->penalty() >= least || !wide_enough(x) || !is_joined(x)) continue;
       least = flaws_[0]->penalty();
       best = backup(x);
     }
@@ -192,8 +192,21 @@ bool LocalResampling::nudge(const std::array<SiteId, 3>& corners) {
   return best.has_value();
 }
 
-/// Points of the surface on small circles about x.
-std::vector<SurfaceSample> LocalResampling::places_around(const SurfaceSample& x) {
+bool LocalResampling::attempt_to_slide(std::span<const SiteId> samples) {
+  if (!can_slide(samples[0])) return false;
+  for (const SurfaceSample& place : slides_->places(domain_, samples[0])) {
+    for (std::size_t i = 0; i < flaws_.size(); ++i) before_[i] = flaws_[i]->penalty();
+    const std::vector<Backup> backups = backups_of(samples);
+    move({samples[0], place, backups[0].weight_share});
+    if (settle(backups, std::span(backups).subspan(1))) return true;
+  }
+  return false;
+}
+
+/// Points of the surface on small circles about a sample, or of the curve that it is on.
+std::vector<SurfaceSample> LocalResampling::places_around(SiteId site) {
+  if (can_slide(site)) return slides_->places(domain_, site);
+  const SurfaceSample& x = domain_.sample(site);
   const Vec3 normal = domain_.mesh().normal(x.facet).normalized();
   if (normal.isZero()) return {};
   if (!tree_) tree_.emplace(domain_.mesh());

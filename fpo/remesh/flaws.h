@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "fpo/features/curve_slides.h"
 #include "fpo/surface/surface_domain.h"
 #include "geom/indexed_heap.h"
 #include "geom/mesh/aabb_tree.h"
@@ -66,12 +67,18 @@ class LocalResampling {
   /// Things are better if the first penalty is smaller by more than this: 0 at first.
   void require_gain(double gain) { gain_ = gain; }
 
+  /// Fixed samples on curves may be put elsewhere on these, by attempts to slide and nudges. Null: none.
+  void let_slide(const CurveSlides* slides) { slides_ = slides; }
+
   /// Multiplies the weights of samples[1] and [2] by `weight_share`, then resamples all in turn (Algorithm 1
   /// in the 2-ring), some times over, until things are better and, with uniform sizing, no sample is too
   /// close to another: true. Else puts everything back. Fixed samples stay.
   bool attempt(std::span<const SiteId> samples, double weight_share);
   /// The same with samples[0] put at a place first, where it stays.
   bool attempt_at(std::span<const SiteId> samples, const SurfaceSample& place);
+  /// The same, with samples[0], which is on a curve, put at one place after the other of that curve until
+  /// things are better. False if it cannot slide.
+  bool attempt_to_slide(std::span<const SiteId> samples);
   /// Moves a corner of a triangle by a small step to where the first penalty is least, if that is less than
   /// now: what no empty circle mends this often does, for farthest points do not have the best angles.
   bool nudge(const std::array<SiteId, 3>& corners);
@@ -97,7 +104,11 @@ class LocalResampling {
   bool settle(std::span<const Backup> samples, std::span<const Backup> moving);
   bool better() const;
   bool wide_enough(SiteId x);
-  std::vector<SurfaceSample> places_around(const SurfaceSample& x);
+  bool can_slide(SiteId x) const { return slides_ && slides_->can_slide(x); }
+  bool can_move(SiteId x) const { return !domain_.is_fixed(x) || can_slide(x); }
+  /// Is a sample that has slid still joined to those before and after it?
+  bool is_joined(SiteId x) const { return !can_slide(x) || slides_->has_its_edges(domain_, x); }
+  std::vector<SurfaceSample> places_around(SiteId x);
 
   SurfaceDomain& domain_;
   std::vector<Flaws*> flaws_;
@@ -105,7 +116,8 @@ class LocalResampling {
   double gain_ = 0;
   std::size_t moves_ = 0;
   std::optional<geom::AabbTree> tree_;  ///< made when first needed
-  double delta_;                        ///< no normalized spacing becomes smaller
+  const CurveSlides* slides_ = nullptr;
+  double delta_;  ///< no normalized spacing becomes smaller
 };
 
 /// The corners of a triangle and, ring by ring, those around them: larger and larger sets to resample, until

@@ -3,6 +3,9 @@
 #include <cmath>
 #include <string>
 
+#include "fpo/features/curve_slides.h"
+#include "fpo/features/curve_spacing.h"
+#include "fpo/features/feature_choice.h"
 #include "fpo/remesh/small_loops.h"
 #include "fpo/surface/curvature.h"
 #include "fpo/surface/local_feature_size.h"
@@ -66,26 +69,54 @@ VertexField wanted_sizes(const geom::TriMesh& surface, const RemeshOptions& opti
 
 const ThinPartOptions thin;  // how far lengths may change from place to place, and others be stretched
 
-/// The sizing, and the samples that stay.
-SharedSizing sizing_and_features(const geom::TriMesh& surface, const RemeshOptions& options) {
-  const double spacing = hexagonal_spacing(surface.area(), options.num_samples);
-  Features features;
-  if (options.features) {
-    FeatureOptions feature_options = *options.features;
-    feature_options.turn_scale = spacing / 2;
-    features = find_features(surface, feature_options);
-  }
-  const VertexField rho = wanted_sizes(surface, options, spacing);
-  const auto sizing_for = [&](std::size_t n) {
-    if (options.sizing == SizingKind::uniform) return Sizing::uniform(hexagonal_spacing(surface.area(), n));
-    return fit_sizing(surface, rho, n, options.limits);
+double even_spacing(const geom::TriMesh& surface, const RemeshOptions& options) {
+  return hexagonal_spacing(surface.area(), options.num_samples);
+}
+
+FeatureChoice chosen_features(const geom::TriMesh& surface, const RemeshOptions& options) {
+  if (!options.features) return {};
+  const std::vector<SurfaceSample> fixed = points_on_surface(surface, options.fixed);
+  return choose_features(surface, *options.features,
+                         {options.num_samples, even_spacing(surface, options), fixed});
+}
+
+/// Beside narrow places: steeper than elsewhere, for what is refined there is taken from all others.
+double curve_gradation(const RemeshOptions& options) { return std::max(0.25, options.limits.gradation); }
+
+using SizingFor = std::function<Sizing(std::size_t)>;
+
+/// The wanted lengths for any number of samples, were there no features.
+SizingFor plain_sizing(const geom::TriMesh& surface, const RemeshOptions& options) {
+  if (options.sizing == SizingKind::uniform)
+    return [&surface](std::size_t n) { return Sizing::uniform(hexagonal_spacing(surface.area(), n)); };
+  return [&surface, limits = options.limits,
+          rho = wanted_sizes(surface, options, even_spacing(surface, options))](std::size_t n) {
+    return fit_sizing(surface, rho, n, limits);
   };
-  SharedSizing shared = share_sizing(surface, features, points_on_surface(surface, options.fixed),
-                                     options.num_samples, sizing_for, options.seed);
+}
+
+/// What is remeshed: the input, or the same with smaller facets.
+struct Task {
+  const geom::TriMesh& input;
+  const SizingFor& plain;
+  const NarrowSurface* narrow;  ///< null: where curves are nowhere close to each other
+  Features features;
+  const geom::TriMesh& surface() const { return narrow ? narrow->split.mesh : input; }
+};
+
+/// The sizing, and the samples that stay.
+SharedSizing sizing_and_features(const Task& task, const RemeshOptions& options) {
+  const auto sizing_for = [&](std::size_t n) {
+    if (!task.narrow) return task.plain(n);
+    return fit_sizing_to_curves(task.input, task.plain(n), *task.narrow, n, curve_gradation(options)).sizing;
+  };
+  SharedSizing shared =
+      share_sizing(task.surface(), task.features, points_on_surface(task.surface(), options.fixed),
+                   options.num_samples, sizing_for, options.seed);
   if (options.mend && options.method == Method::fpo)
-    shared.sizing =
-        make_room_for_small_loops(surface, shared, options.num_samples, thin.gradation, thin.most_scale)
-            .sizing;
+    shared.sizing = make_room_for_small_loops(task.surface(), shared, options.num_samples, thin.gradation,
+                                              thin.most_scale)
+                        .sizing;
   return shared;
 }
 
@@ -207,9 +238,17 @@ SurfaceDomain distributed_samples(const geom::TriMesh& surface, const SharedSizi
   return optimized_samples(surface, shared, options, result);
 }
 
+/// The surface with its sheets apart, if it has some that are near each other and that is wanted.
+std::optional<SplitSurface> surface_apart(const Task& task, SharedSizing& shared,
+                                          const RemeshOptions& options) {
+  if (!options.sheets_apart || facts_of(options.method).distribute) return {};
+  std::optional<SplitSurface> apart = sheets_apart(task.surface(), shared.sizing, shared.features.samples);
+  if (apart && !apart->h.empty()) shared.sizing = Sizing(apart->mesh, apart->h);
+  return apart;
+}
+
 /// The samples become those of the old surface again.
 void return_to(const SplitSurface& apart, RemeshResult& result) {
-  result.has_levels = true;
   for (SurfaceSample& x : result.samples) x.facet = apart.parents[x.facet];
   for (CellPolygon& cell : result.cells) cell.facet = apart.parents[cell.facet];
 }
@@ -229,20 +268,33 @@ std::unique_ptr<SurfaceDomain> samples_with_room(const geom::TriMesh& surface, c
   return make_room_for_thin_parts(std::move(domain), shared.features, type, room, result.thin_parts);
 }
 
-RemeshResult remesh_in_unit_box(const geom::TriMesh& input, const RemeshOptions& options) {
+void count_creases(const Features& features, const FeatureSamples& samples, RemeshResult& result) {
+  for (std::size_t c = 0; c < features.curves.size(); ++c)
+    if (features.curves[c].sheets == 2) {
+      ++result.crease_curves;
+      result.crease_edges += samples.chains[c].size() - 1;
+    }
+}
+
+RemeshResult remesh_task(const Task& task, RemeshOptions options) {
   RemeshResult result;
-  SharedSizing shared = sizing_and_features(input, options);
+  SharedSizing shared = sizing_and_features(task, options);
   if (interrupted(options)) throw geom::Interrupted();
-  std::optional<SplitSurface> apart;
-  const bool can_be_apart = options.sheets_apart && !facts_of(options.method).distribute;
-  if (can_be_apart) apart = sheets_apart(input, shared.sizing, shared.features.samples);
-  if (apart && !apart->h.empty()) shared.sizing = Sizing(apart->mesh, apart->h);
-  const geom::TriMesh& surface = apart ? apart->mesh : input;
-  const geom::SurfaceType type = geom::surface_type(input);
+  if (task.narrow && options.sizing == SizingKind::uniform) {
+    options.optimize.scope = Scope::two_ring;
+    options.surface.weight_factor = best_weight_factor(options.optimize.scope);
+  }
+  const std::optional<SplitSurface> apart = surface_apart(task, shared, options);
+  const geom::TriMesh& surface = apart ? apart->mesh : task.surface();
+  const geom::SurfaceType type = geom::surface_type(task.input);
   const std::unique_ptr<SurfaceDomain> samples = samples_with_room(surface, shared, type, options, result);
   SurfaceDomain& domain = *samples;
   const Sizing& sizing = domain.sizing();
-  if (options.optimize_angles) result.angles = optimize_angles(domain, angle_options(options));
+  AngleOptions angles = angle_options(options);
+  std::optional<CurveSlides> slides;
+  if (!shared.features.chains.empty() && !apart)
+    angles.slides = &slides.emplace(surface, task.features, shared.features, sizing);
+  if (options.optimize_angles) result.angles = optimize_angles(domain, angles);
   if (options.improve_fidelity) {
     FidelityOptions fidelity;
     fidelity.interrupted = options.optimize.interrupted;
@@ -253,7 +305,7 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& input, const RemeshOptions&
       fidelity.share_of_largest = 0.5;
       fidelity.enough_delta = 0.9;
     }
-    result.fidelity = improve_fidelity(domain, angle_options(options), fidelity);
+    result.fidelity = improve_fidelity(domain, angles, fidelity);
   }
   result.hidden = domain.num_hidden();
   Dual dual = mended_dual(domain, shared.features, type, options, result);
@@ -265,16 +317,70 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& input, const RemeshOptions&
   result.cells = std::move(dual.cells);
   result.feature_samples = shared.features.samples.size();
   result.feature_edges = num_edges(shared.features);
+  count_creases(task.features, shared.features, result);
   result.broken_feature_edges = num_broken_edges(result.mesh, shared.features);
-  for (std::size_t v = 0; v < input.num_vertices(); ++v)
+  for (std::size_t v = 0; v < task.input.num_vertices(); ++v)
     result.sizing.push_back(sizing.at(geom::VertexId(v)));
   for (const SurfaceSample& sample : result.samples) result.wanted.push_back(sizing.at(sample));
   result.fit = sizing_fit(result.mesh, result.wanted);
   result.measures =
       final_measures(result.mesh, result.wanted, result.feature_samples, angle_options(options));
   result.angles.bad_after = result.measures.bad_triangles;
+  result.has_levels = apart.has_value();
   if (apart) return_to(*apart, result);
   return result;
+}
+
+/// The surface with small facets if there are narrow places that smaller lengths help.
+std::optional<NarrowSurface> helpful_narrow_surface(const geom::TriMesh& surface, const Features& features,
+                                                    const SizingFor& plain, const RemeshOptions& options) {
+  if (options.method != Method::fpo) return {};
+  std::optional<NarrowSurface> narrow = narrow_surface(surface, features, even_spacing(surface, options));
+  const std::size_t n = options.num_samples;
+  if (narrow && !fit_sizing_to_curves(surface, plain(n), *narrow, n, curve_gradation(options)).helped)
+    narrow.reset();
+  return narrow;
+}
+
+RemeshResult remesh_with(const geom::TriMesh& surface, const FeatureChoice& choice,
+                         const RemeshOptions& options) {
+  const SizingFor plain = plain_sizing(surface, options);
+  const std::optional<NarrowSurface> narrow =
+      helpful_narrow_surface(surface, choice.features, plain, options);
+  RemeshResult result;
+  if (narrow) {
+    const Features features = chosen_features(narrow->split.mesh, options).features;
+    result = remesh_task({surface, plain, &*narrow, features}, options);
+    return_to(narrow->split, result);
+  } else {
+    result = remesh_task({surface, plain, nullptr, choice.features}, options);
+  }
+  result.given_up = choice.given_up;
+  return result;
+}
+
+/// Of the input's type, with a triangle at each sample and no angle that is next to nothing.
+bool is_sound(const geom::TriMesh& input, const RemeshResult& result) {
+  constexpr double least_angle = 5;
+  const geom::Topology in = geom::topology(input), out = geom::topology(result.mesh);
+  return out.manifold() && out.unreferenced_vertices == 0 && in.euler == out.euler &&
+         in.components == out.components && in.boundary_loops == out.boundary_loops &&
+         quality(result.mesh, input.area()).theta_min >= least_angle;
+}
+
+/// Creases that nobody asked for are kept unless that alone does harm.
+RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {
+  RemeshResult result = remesh_with(surface, chosen_features(surface, options), options);
+  if (result.crease_curves == 0 || !options.features->yielding || options.method != Method::fpo ||
+      interrupted(options) || !geom::topology(surface).manifold() || is_sound(surface, result))
+    return result;
+  RemeshOptions without = options;
+  without.features->crease_angle = without.features->weak_crease_angle = 180;
+  RemeshResult plain = remesh_with(surface, chosen_features(surface, without), without);
+  if (interrupted(options) || !is_sound(surface, plain)) return result;
+  plain.given_up = "creases dropped: with these " + std::to_string(result.crease_curves) +
+                   " curves kept the remesh would be flawed; --features 45 keeps them";
+  return plain;
 }
 
 /// Around the origin.

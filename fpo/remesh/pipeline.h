@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "fpo/features/feature_samples.h"
@@ -33,7 +34,9 @@ struct RemeshOptions {
   SizingKind sizing = SizingKind::uniform;
   VertexField rho;      ///< if given: wanted edge lengths up to a factor, per vertex of the input
   SizingLimits limits;  ///< unless uniform
-  /// If given: features are found, sampled and kept. The scale of turns is overruled: half the even spacing.
+  /// If given: features are found, chosen (feature_choice.h, which overrules lengths), sampled and kept. If
+  /// they are yielding and the remesh is none of the input's type or has angles below 5 degrees with creases,
+  /// but not without, creases are not kept.
   std::optional<FeatureOptions> features;
   std::vector<geom::Vec3> fixed;       ///< points of the surface, which become vertices exactly
   SurfaceOptions surface;              ///< its seed, threads and number of fixed samples are overruled
@@ -59,6 +62,9 @@ struct RemeshResult {
   bool has_levels = false;               ///< sheets were near, and are set apart
   std::size_t feature_samples = 0;       ///< fixed points, corners and samples on curves
   std::size_t feature_edges = 0;         ///< between neighbours on curves
+  std::size_t crease_curves = 0;         ///< curves kept that are creases
+  std::size_t crease_edges = 0;          ///< between neighbours on these
+  std::string given_up;                  ///< features that are not kept, and why, for users; empty: none
   Protection protection;                 ///< of those edges
   std::size_t broken_feature_edges = 0;  ///< those that are no edges of the mesh
   ShortestEdgeResult shortest_edges;

@@ -38,7 +38,8 @@ TEST_CASE("fpo-remesh: too few samples for the features and bad values are refus
   const Place place;
   place.folder.write("bad.xyz", "0 0 zero\n");
   place.folder.write("off.xyz", "0 0 0\n.5 .5 .5\n");
-  place.refused({"cube.obj", "-n", "7"}, "7 samples are too few: the features need at least 8");
+  place.refused({"cube.obj", "-n", "7", "--features", "45"},
+                "7 samples are too few: the features need at least 8");
   place.refused({"cube.obj", "-n", "50", "--features", "some"}, "--features: 'some'");
   place.refused({"cube.obj", "-n", "50", "--features", "181"}, "--features: 181");
   place.refused({"cube.obj", "-n", "50", "--fixed", "none.xyz"}, "none.xyz: no such file");

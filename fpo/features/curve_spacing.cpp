@@ -1,0 +1,256 @@
+#include "fpo/features/curve_spacing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+
+#include "geom/mesh/aabb_tree.h"
+
+namespace fpo {
+
+using geom::FacetId;
+using geom::TriMesh;
+using geom::Vec3;
+using geom::VertexId;
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double narrow = 0.6;        // in spacings: wider strips have good triangles as they are
+constexpr double piece_length = 0.2;  // in spacings
+constexpr double widths = 1.5;        // the wanted length in a strip: right triangles have 34 degrees then
+constexpr double beside = 0.5;        // of the way along one curve: not across
+constexpr double at_corner = 0.18;    // of the distance from the corner: the sine of 10 degrees
+constexpr double off_surface = 0.1;   // of the width: the middle of a strip
+constexpr double most_growth = 1.25;  // of the lengths elsewhere
+constexpr double least_help = 0.5;    // of the least length: narrower places are not helped by it
+constexpr double split_slope = 0.3, split_length = 1.5;
+
+/// Items by cells of a cubic lattice.
+class Grid {
+ public:
+  explicit Grid(double cell) : cell_(cell) {}
+  void add(const Vec3& at, std::size_t item) { items_[key(at)].push_back(item); }
+  /// Visits what is in the cells around: all within a cell's length, and more.
+  template <class Visit>
+  void around(const Vec3& at, Visit visit) const {
+    const Key middle = key(at);
+    for (int i = -1; i <= 1; ++i)
+      for (int j = -1; j <= 1; ++j)
+        for (int k = -1; k <= 1; ++k) {
+          const auto found = items_.find({middle[0] + i, middle[1] + j, middle[2] + k});
+          if (found == items_.end()) continue;
+          for (const std::size_t item : found->second) visit(item);
+        }
+  }
+
+ private:
+  using Key = std::array<std::int64_t, 3>;
+  Key key(const Vec3& at) const {
+    return {static_cast<std::int64_t>(std::floor(at.x() / cell_)),
+            static_cast<std::int64_t>(std::floor(at.y() / cell_)),
+            static_cast<std::int64_t>(std::floor(at.z() / cell_))};
+  }
+  double cell_;
+  std::map<Key, std::vector<std::size_t>> items_;
+};
+
+/// A short straight part of a curve.
+struct Piece {
+  Vec3 from, to;
+  std::size_t curve;
+  double t;  ///< of its middle, along the curve
+  FacetId facet;
+  Vec3 middle() const { return (from + to) / 2; }
+};
+
+class Facing {
+ public:
+  Facing(const TriMesh& mesh, const Features& features, double spacing)
+      : features_(features), reach_(narrow * spacing), tree_(mesh), grid_((narrow + piece_length) * spacing) {
+    for (std::size_t c = 0; c < features.curves.size(); ++c) cut(mesh, c, piece_length * spacing);
+    for (std::size_t i = 0; i < pieces_.size(); ++i) grid_.add(pieces_[i].middle(), i);
+  }
+
+  std::vector<NarrowPlace> narrow_places() const {
+    std::vector<NarrowPlace> places;
+    for (const Piece& p : pieces_) {
+      const double w = width(p);
+      if (w < reach_) places.push_back({p.middle(), w});
+    }
+    return places;
+  }
+
+ private:
+  void cut(const TriMesh& mesh, std::size_t c, double longest) {
+    const FeatureCurve& curve = features_.curves[c];
+    double t = 0;
+    for (std::size_t i = 0; i < curve.facets.size(); ++i) {
+      const Vec3 &a = mesh.position(curve.vertices[i]),
+                 &b = mesh.position(curve.vertices[(i + 1) % curve.vertices.size()]);
+      const double length = (b - a).norm();
+      const int parts = std::max(1, static_cast<int>(std::ceil(length / longest)));
+      for (int k = 0; k < parts; ++k)
+        pieces_.push_back({a + (b - a) * k / parts, a + (b - a) * (k + 1) / parts, c,
+                           t + length * (k + 0.5) / parts, curve.facets[i]});
+      t += length;
+    }
+    lengths_.push_back(t);
+  }
+
+  /// From the middle of p to the nearest piece that faces it; infinity if none is near.
+  double width(const Piece& p) const {
+    const Vec3 x = p.middle();
+    std::vector<std::pair<double, std::size_t>> near;
+    grid_.around(x, [&](std::size_t i) {
+      const Piece& q = pieces_[i];
+      if (&q == &p) return;
+      const double d = (geom::closest_point(x, {q.from, q.to, q.to}).point - x).norm();
+      if (d < reach_ && d > 0 && !are_beside(p, q, d)) near.emplace_back(d, i);
+    });
+    std::ranges::sort(near);
+    std::vector<std::size_t> seen;  // curves: what of them is not nearest is beyond, or beside
+    for (const auto& [d, i] : near) {
+      if (std::ranges::find(seen, pieces_[i].curve) != seen.end()) continue;
+      seen.push_back(pieces_[i].curve);
+      const Vec3 y = geom::closest_point(x, {pieces_[i].from, pieces_[i].to, pieces_[i].to}).point;
+      if (tree_.closest((x + y) / 2, p.facet).distance2 < std::pow(off_surface * d, 2)) return d;
+    }
+    return infinity;
+  }
+
+  /// Along one curve, or at a corner of two.
+  bool are_beside(const Piece& p, const Piece& q, double distance) const {
+    const FeatureCurve &a = features_.curves[p.curve], &b = features_.curves[q.curve];
+    if (p.curve == q.curve) {
+      const double between = std::abs(p.t - q.t), length = lengths_[p.curve];
+      const bool closes = a.loop || a.vertices.front() == a.vertices.back();
+      const double way = closes ? std::min(between, length - between) : between;
+      if (distance > beside * (way - (q.to - q.from).norm() / 2)) return true;
+    }
+    if (a.loop || b.loop) return false;
+    for (const bool at_end : {false, true})
+      for (const bool at_other_end : {false, true}) {
+        if ((at_end ? a.vertices.back() : a.vertices.front()) !=
+            (at_other_end ? b.vertices.back() : b.vertices.front()))
+          continue;
+        const double s = at_end ? lengths_[p.curve] - p.t : p.t,
+                     t = at_other_end ? lengths_[q.curve] - q.t : q.t;
+        if (distance > at_corner * std::max(s, t)) return true;
+      }
+    return false;
+  }
+
+  const Features& features_;
+  double reach_;
+  geom::AabbTree tree_;
+  std::vector<Piece> pieces_;
+  std::vector<double> lengths_;
+  Grid grid_;
+};
+
+/// What the places allow elsewhere.
+class LengthLimits {
+ public:
+  /// Of the places whose width the least length suits, up to a length of `most`.
+  LengthLimits(const std::vector<NarrowPlace>& places, double least, double slope, double most)
+      : places_(places), least_(least), slope_(slope), grid_(std::max(most, least) / slope) {
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (widths * places[i].width >= least_help * least) grid_.add(places[i].at, i);
+  }
+  double at(const Vec3& x) const {
+    double limit = infinity;
+    grid_.around(x, [&](std::size_t i) {
+      limit =
+          std::min(limit, std::max(widths * places_[i].width, least_) + slope_ * (places_[i].at - x).norm());
+    });
+    return limit;
+  }
+  VertexField at_vertices(const TriMesh& mesh) const {
+    VertexField result;
+    for (const Vec3& x : mesh.vertices()) result.push_back(at(x));
+    return result;
+  }
+
+ private:
+  const std::vector<NarrowPlace>& places_;
+  double least_, slope_;
+  Grid grid_;
+};
+
+/// The lengths of `base` at the vertices of a surface split from its mesh.
+VertexField at_split_vertices(const TriMesh& mesh, const Sizing& base, const SplitSurface& split) {
+  VertexField h(split.mesh.num_vertices(), 0.0);
+  for (FacetId t(0); t.index() < split.mesh.num_facets(); t = FacetId(t.value + 1))
+    for (const VertexId v : split.mesh.facet(t))
+      h[v] =
+          v.index() < mesh.num_vertices() ? base.at(v) : base.at({split.mesh.position(v), split.parents[t]});
+  for (VertexId v(0); v.index() < h.size(); v = VertexId(v.value + 1))
+    if (!(h[v] > 0)) h[v] = base.at(v);  // of no facet
+  return h;
+}
+
+}  // namespace
+
+std::vector<NarrowPlace> narrow_places(const TriMesh& mesh, const Features& features, double spacing) {
+  if (features.curves.empty()) return {};
+  return Facing(mesh, features, spacing).narrow_places();
+}
+
+std::optional<NarrowSurface> narrow_surface(const TriMesh& mesh, const Features& features, double spacing) {
+  NarrowSurface result;
+  result.places = narrow_places(mesh, features, spacing);
+  if (result.places.empty()) return {};
+  const LengthLimits limits(result.places, 0.1 * spacing, split_slope, spacing);
+  const auto lengths = [&](const TriMesh& surface) {
+    VertexField h = limits.at_vertices(surface);
+    for (double& value : h) value = std::min(value, 1e6 * mesh.diagonal());
+    return h;
+  };
+  result.split = {mesh, lengths(mesh), {}};
+  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
+    result.split.parents.push_back(t);
+  // Middles are given the mean of their ends; then what the places allow there, which may be less.
+  while (has_long_edges(result.split.mesh, Sizing(result.split.mesh, result.split.h), split_length)) {
+    SplitSurface next =
+        split_long_edges(result.split.mesh, Sizing(result.split.mesh, result.split.h), split_length, {});
+    for (FacetId& parent : next.parents) parent = result.split.parents[parent];
+    next.h = lengths(next.mesh);
+    result.split = std::move(next);
+  }
+  return result;
+}
+
+CurveFit fit_sizing_to_curves(const TriMesh& mesh, const Sizing& base, const NarrowSurface& narrow,
+                              std::size_t n, double gradation) {
+  const TriMesh& surface = narrow.split.mesh;
+  const VertexField h = at_split_vertices(mesh, base, narrow.split);
+  const double most = *std::ranges::max_element(h);
+  const auto limited = [&](const VertexField& limits, double growth) {
+    VertexField result = h;
+    for (VertexId v(0); v.index() < h.size(); v = VertexId(v.value + 1))
+      result[v] = std::min(growth * h[v], limits[v]);
+    return Sizing(surface, std::move(result));
+  };
+  const auto excess = [&](const Sizing& sizing) {
+    return num_samples(surface, sizing) - static_cast<double>(n);
+  };
+  for (double least = 0.1 * most; least < 0.8 * most; least *= 1.2) {
+    const VertexField limits =
+        LengthLimits(narrow.places, least, gradation, most_growth * most).at_vertices(surface);
+    if (std::ranges::all_of(limits, [](double x) { return x == infinity; })) break;
+    if (excess(limited(limits, most_growth)) > 0) continue;
+    double low = 1, high = most_growth;
+    for (int step = 0; step < 40; ++step) {
+      const double growth = (low + high) / 2;
+      (excess(limited(limits, growth)) > 0 ? low : high) = growth;
+    }
+    return {limited(limits, high), true};
+  }
+  return {Sizing(surface, h), false};
+}
+
+}  // namespace fpo

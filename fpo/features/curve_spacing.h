@@ -1,0 +1,49 @@
+#pragma once
+// Wanted lengths that know the curves: where two feature curves, or parts of one, come closer to each other
+// than the samples, the strip between them can only be meshed well if samples there are as close (cf. the
+// protection of creases by Cheng, Dey, Levine 2007, and the local feature size of curves that it rests on).
+
+#include <optional>
+#include <vector>
+
+#include "fpo/features/features.h"
+#include "fpo/surface/sizing.h"
+#include "fpo/surface/split_facets.h"
+
+namespace fpo {
+
+/// A place on a curve that faces another one across the surface.
+struct NarrowPlace {
+  geom::Vec3 at;
+  double width;  ///< of the strip between
+};
+
+/// Those with a width below .6 times the spacing, some five a spacing or, if less, a width. Two places face
+/// each other if the middle between them is near the surface, and if they are not beside each other on one
+/// curve or at a corner where both curves begin. Ascending along the curves. O(places), by a grid.
+std::vector<NarrowPlace> narrow_places(const geom::TriMesh& mesh, const Features& features, double spacing);
+
+/// A surface with narrow places, and the same one with facets that are small beside the lengths wanted there.
+struct NarrowSurface {
+  SplitSurface split;
+  std::vector<NarrowPlace> places;
+};
+
+/// None if there is no narrow place.
+std::optional<NarrowSurface> narrow_surface(const geom::TriMesh& mesh, const Features& features,
+                                            double spacing);
+
+struct CurveFit {
+  Sizing sizing;
+  bool helped;  ///< any narrow place: else the sizing is that of before
+};
+
+/// The wanted lengths on `narrow`, which was made of `mesh`, that call for n samples: those of `base`, times
+/// the same number everywhere, but at most 1.5 widths plus `gradation` times the distance from each place. If
+/// others had to be longer than 1.25 of what they are, the narrowest places get less than that: none is below
+/// a least length, and those that it would not help are left alone. `base` is of `mesh`. Some hundred
+/// evaluations of the number of samples, at most.
+CurveFit fit_sizing_to_curves(const geom::TriMesh& mesh, const Sizing& base, const NarrowSurface& narrow,
+                              std::size_t n, double gradation);
+
+}  // namespace fpo

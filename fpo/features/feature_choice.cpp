@@ -1,0 +1,172 @@
+#include "fpo/features/feature_choice.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "fpo/features/feature_samples.h"
+
+namespace fpo {
+
+using geom::TriMesh;
+using geom::VertexId;
+
+namespace {
+
+constexpr double turn_scale = 0.5, collapsed = 0.5, fading = 2, long_as_closed = 20;  // in spacings
+
+double length_of(const TriMesh& mesh, const FeatureCurve& curve) {
+  double sum = 0;
+  for (std::size_t i = 0; i < curve.facets.size(); ++i)
+    sum += (mesh.position(curve.vertices[(i + 1) % curve.vertices.size()]) - mesh.position(curve.vertices[i]))
+               .norm();
+  return sum;
+}
+
+void reverse(FeatureCurve& curve) {
+  std::ranges::reverse(curve.vertices);
+  std::ranges::reverse(curve.facets);
+}
+
+/// Joins corners, curve by curve.
+class Collapse {
+ public:
+  Collapse(const TriMesh& mesh, Features& features, double reach)
+      : mesh_(mesh), features_(features), reach_(reach) {
+    for (const FeatureCurve& curve : features.curves) lengths_.push_back(length_of(mesh, curve));
+  }
+
+  void run() {
+    while (const std::optional<std::size_t> shortest = shortest_curve()) collapse(*shortest);
+    for (std::size_t c = 0; c < features_.curves.size(); ++c)
+      if (is_crease(c) && closes(c) && lengths_[c] < 3 * reach_) remove(c--);
+    std::erase_if(features_.corners, [&](VertexId v) { return std::ranges::binary_search(lost_, v); });
+  }
+
+ private:
+  bool is_crease(std::size_t c) const { return features_.curves[c].sheets == 2; }
+  bool closes(std::size_t c) const {
+    const FeatureCurve& curve = features_.curves[c];
+    return curve.loop || curve.vertices.front() == curve.vertices.back();
+  }
+
+  std::optional<std::size_t> shortest_curve() const {
+    std::optional<std::size_t> best;
+    for (std::size_t c = 0; c < lengths_.size(); ++c)
+      if (is_crease(c) && !closes(c) && lengths_[c] < reach_ && (!best || lengths_[c] < lengths_[*best]))
+        best = c;
+    return best;
+  }
+
+  std::size_t degree(VertexId v) const {
+    std::size_t sum = 0;
+    for (const FeatureCurve& curve : features_.curves)
+      sum += !curve.loop * ((curve.vertices.front() == v) + (curve.vertices.back() == v));
+    return sum;
+  }
+  /// Where a border ends cannot be moved.
+  bool is_movable(VertexId v) const {
+    return std::ranges::all_of(features_.curves, [v](const FeatureCurve& curve) {
+      return curve.sheets == 2 || curve.loop || (curve.vertices.front() != v && curve.vertices.back() != v);
+    });
+  }
+
+  void remove(std::size_t c) {
+    features_.curves.erase(features_.curves.begin() + static_cast<std::ptrdiff_t>(c));
+    lengths_.erase(lengths_.begin() + static_cast<std::ptrdiff_t>(c));
+  }
+
+  /// The end where more curves meet stays; the others are led there along the curve.
+  void collapse(std::size_t c) {
+    FeatureCurve bridge = features_.curves[c];
+    const VertexId first = bridge.vertices.front(), last = bridge.vertices.back();
+    const double length = lengths_[c];
+    if (!is_movable(first) && !is_movable(last)) {
+      lengths_[c] = reach_;  // it stays
+      return;
+    }
+    const bool to_last = is_movable(first) && (!is_movable(last) || degree(last) > degree(first));
+    if (!to_last) reverse(bridge);  // from the corner that goes to the one that stays
+    remove(c);
+    const VertexId gone = bridge.vertices.front();
+    for (std::size_t i = 0; i < features_.curves.size(); ++i) {
+      FeatureCurve& curve = features_.curves[i];
+      for (int end = 0; end < 2 && !curve.loop; ++end) {
+        reverse(curve);
+        if (curve.vertices.back() != gone) continue;
+        curve.vertices.insert(curve.vertices.end(), bridge.vertices.begin() + 1, bridge.vertices.end());
+        curve.facets.insert(curve.facets.end(), bridge.facets.begin(), bridge.facets.end());
+        lengths_[i] += length;
+      }
+    }
+    lost_.insert(std::ranges::lower_bound(lost_, gone), gone);
+  }
+
+  const TriMesh& mesh_;
+  Features& features_;
+  double reach_;
+  std::vector<double> lengths_;
+  std::vector<VertexId> lost_;
+};
+
+bool has_creases(const Features& features) {
+  return std::ranges::any_of(features.curves, [](const FeatureCurve& c) { return c.sheets == 2; });
+}
+
+/// Folds everywhere, as in noise and on coarse models of animals: many curves of a few mesh edges, of which
+/// more than three often meet. Edges of polyhedra meet by threes, and curves of fine meshes are long.
+bool is_disorder(const Features& features) {
+  constexpr std::size_t many = 100, edges_of_long = 3;
+  std::map<VertexId, std::size_t> degree;
+  std::size_t creases = 0, edges = 0;
+  for (const FeatureCurve& curve : features.curves) {
+    if (curve.sheets != 2) continue;
+    ++creases;
+    edges += curve.facets.size();
+    if (curve.loop) continue;
+    ++degree[curve.vertices.front()];
+    ++degree[curve.vertices.back()];
+  }
+  const auto crossings = std::ranges::count_if(degree, [](const auto& d) { return d.second > 3; });
+  return creases > many &&
+         edges<edges_of_long * creases&& static_cast<std::size_t>(crossings) * 4> degree.size();
+}
+
+}  // namespace
+
+Features with_short_curves_collapsed(const TriMesh& mesh, Features features, double reach) {
+  Collapse(mesh, features, reach).run();
+  return features;
+}
+
+FeatureChoice choose_features(const TriMesh& mesh, FeatureOptions options, const SamplingPlan& plan) {
+  options.turn_scale = turn_scale * plan.spacing;
+  if (options.yielding) {
+    options.long_as_closed = long_as_closed * plan.spacing;
+    options.shortest_fading = fading * plan.spacing;
+  }
+  FeatureChoice result{find_features(mesh, options), {}};
+  const auto needed = [&] { return least_number_of_samples(mesh, result.features, plan.fixed); };
+  // Collapsing takes its time where there are thousands of short curves: noise goes first.
+  const bool disorder = options.yielding && is_disorder(result.features);
+  if (disorder || (options.yielding && has_creases(result.features) && 2 * needed() > plan.num_samples)) {
+    const std::size_t curves = result.features.curves.size(), least = needed();
+    options.crease_angle = options.weak_crease_angle = 180;
+    options.apex_angle = 0;
+    result.features = find_features(mesh, options);
+    result.given_up = "creases dropped: " + std::to_string(curves) + " curves ";
+    result.given_up += disorder ? "cross each other everywhere"
+                                : "would take at least " + std::to_string(least) + " of " +
+                                      std::to_string(plan.num_samples) + " samples";
+    result.given_up += "; --features 45 keeps them";
+  }
+  if (options.yielding && needed() > plan.num_samples) {
+    options.corner_turn = 180;
+    result.features = find_features(mesh, options);
+    result.given_up = "corners of borders dropped: there are too few samples";
+  }
+  result.features = with_short_curves_collapsed(mesh, std::move(result.features), collapsed * plan.spacing);
+  return result;
+}
+
+}  // namespace fpo

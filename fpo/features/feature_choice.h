@@ -1,0 +1,40 @@
+#pragma once
+// Which lines are kept as features at a given number of samples. The paper (section 5) takes features as
+// given; folds between facets are not all creases that somebody would want: noise, scans and carved bodies
+// have them everywhere, and lines closer than the samples cannot be kept.
+
+#include <span>
+#include <string>
+
+#include "fpo/features/features.h"
+#include "fpo/surface/surface_sample.h"
+
+namespace fpo {
+
+/// What is known of the remesh before anything is sampled.
+struct SamplingPlan {
+  std::size_t num_samples = 0;
+  double spacing = 0;  ///< of that many samples if they were spread evenly
+  std::span<const SurfaceSample> fixed{};
+};
+
+struct FeatureChoice {
+  Features features;
+  std::string given_up;  ///< which features are not kept and why, for users; empty: none of them
+};
+
+/// The features of a mesh. Turns are seen at half the spacing. Curves on creases that are shorter than that
+/// collapse: their ends become one corner, to which the other curves there are led.
+///
+/// If the features are `yielding`: creases that fade out count as closed from twenty spacings on, and are
+/// dropped if shorter than two; all creases are dropped if with them the features would need more than half of
+/// the samples, or if they cross each other everywhere; then corners, if borders need more samples than there are. Borders stay. Else nothing is
+/// dropped.
+FeatureChoice choose_features(const geom::TriMesh& mesh, FeatureOptions options, const SamplingPlan& plan);
+
+/// Joins the ends of curves that are shorter than `reach`, the shortest first; `features` is of that mesh.
+/// Borders and non-manifold edges stay as they are. What closes to a loop shorter than three times that goes.
+/// O(curves^2) if many are short.
+Features with_short_curves_collapsed(const geom::TriMesh& mesh, Features features, double reach);
+
+}  // namespace fpo

@@ -1,0 +1,85 @@
+#include "fpo/features/curve_spacing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "doctest.h"
+#include "geom/shapes/mesh_parts.h"
+#include "geom/shapes/shapes.h"
+
+using namespace fpo;
+using geom::TriMesh;
+using geom::Vec3;
+
+namespace {
+
+TriMesh block(double x, double y, double z) {
+  return geom::mapped(geom::make_shape("cube"), [&](const Vec3& p) -> Vec3 {
+    return {x * p.x(), y * p.y(), z * p.z()};
+  });
+}
+
+}  // namespace
+
+TEST_CASE("curve spacing: a thin side is a narrow place, a corner and a thin body without a wall are none") {
+  const TriMesh cube = block(1, 1, 1);
+  CHECK(narrow_places(cube, find_features(cube), 0.2).empty());
+  const TriMesh slab = block(1, 1, 0.05);
+  const std::vector<NarrowPlace> places = narrow_places(slab, find_features(slab), 0.2);
+  CHECK(places.size() > 100);
+  for (const NarrowPlace& place : places) {
+    CHECK(place.width == doctest::Approx(0.05));
+    CHECK((place.at.z() == 0 || place.at.z() == 0.05));
+  }
+  // Two squares above each other: their borders are near, but no surface is between.
+  const TriMesh square = geom::make_shape("square");
+  const TriMesh above = geom::mapped(square, [](const Vec3& p) -> Vec3 { return p + Vec3(0, 0, 0.05); });
+  const TriMesh both = geom::joined(square, above);
+  CHECK(narrow_places(both, find_features(both), 0.2).empty());
+}
+
+TEST_CASE("curve spacing: a wedge's curves are not narrow where they begin") {
+  const TriMesh wedge = geom::make_shape("wedge");
+  CHECK(narrow_places(wedge, find_features(wedge), 0.05).empty());
+}
+
+TEST_CASE(
+    "curve spacing: exactly n samples, lengths that know the width, gradation kept, others hardly longer") {
+  const TriMesh plate = geom::make_shape("hole-plate");
+  constexpr std::size_t n = 3000;
+  const double even = hexagonal_spacing(plate.area(), n), gradation = 0.25;
+  const auto narrow = narrow_surface(plate, find_features(plate), even);
+  REQUIRE(narrow.has_value());
+  const TriMesh& surface = narrow->split.mesh;
+  CHECK(surface.area() == doctest::Approx(plate.area()));
+  CHECK(geom::topology(surface).euler == -22);
+  CHECK(narrow->split.parents.size() == surface.num_facets());
+  const CurveFit fit = fit_sizing_to_curves(plate, Sizing::uniform(even), *narrow, n, gradation);
+  REQUIRE(fit.helped);
+  CHECK(num_samples(surface, fit.sizing) == doctest::Approx(n).epsilon(1e-3));
+  double least = 1e300;
+  for (const NarrowPlace& place : narrow->places) least = std::min(least, place.width);
+  CHECK(least == doctest::Approx(0.05).epsilon(0.1));
+  double smallest = 1e300, largest = 0;
+  for (std::size_t v = 0; v < surface.num_vertices(); ++v) {
+    smallest = std::min(smallest, fit.sizing.at(geom::VertexId(v)));
+    largest = std::max(largest, fit.sizing.at(geom::VertexId(v)));
+  }
+  CHECK(smallest < 0.8 * even);
+  CHECK(smallest >= 1.4 * least);
+  CHECK(largest <= 1.25 * even * (1 + 1e-12));
+  for (const TriMesh::Facet& f : surface.facets())
+    for (std::size_t e = 0; e < 3; ++e) {
+      const geom::VertexId a = f[e], b = f[(e + 1) % 3];
+      CHECK(std::abs(fit.sizing.at(a) - fit.sizing.at(b)) <=
+            gradation * (surface.position(a) - surface.position(b)).norm() + 1e-9);
+    }
+}
+
+TEST_CASE("curve spacing: what cannot be helped is left alone") {
+  const TriMesh plate = geom::make_shape("thin-plate");
+  const double even = hexagonal_spacing(plate.area(), 300);
+  const auto narrow = narrow_surface(plate, find_features(plate), even);
+  REQUIRE(narrow.has_value());
+  CHECK(!fit_sizing_to_curves(plate, Sizing::uniform(even), *narrow, 300, 0.25).helped);
+}
