@@ -27,9 +27,9 @@ struct FeatureChoice {
 /// collapse: their ends become one corner, to which the other curves there are led.
 ///
 /// If the features are `yielding`: creases that fade out count as closed from twenty spacings on, and are
-/// dropped if shorter than two; all creases are dropped if with them the features would need more than half of
-/// the samples, or if they cross each other everywhere; then corners, if borders need more samples than there are. Borders stay. Else nothing is
-/// dropped.
+/// dropped if shorter than two; all creases are dropped if with them the features would need more than half
+/// of the samples, or if they cross each other everywhere; then corners, if borders need more samples than
+/// there are. Borders stay. Else nothing is dropped.
 FeatureChoice choose_features(const geom::TriMesh& mesh, FeatureOptions options, const SamplingPlan& plan);
 
 /// Joins the ends of curves that are shorter than `reach`, the shortest first; `features` is of that mesh.

@@ -46,8 +46,8 @@ std::size_t wanted_edges(double length) {
   return static_cast<std::size_t>(length > longest_edge * edges ? edges + 1 : edges);
 }
 
-/// Two curves leave a corner at an angle a; both have samples at distance 1 and 1 + e from it. The triangle of
-/// the nearer samples and a farther one has, there, the angle b with tan b = sin a / (e + 1 - cos a). The
+/// Two curves leave a corner at an angle a; both have samples at distance 1 and 1 + e from it. The triangle
+/// of the nearer samples and a farther one has, there, the angle b with tan b = sin a / (e + 1 - cos a). The
 /// distance, in units of e, at which b is the least of a and 30 degrees; never below 1.
 double first_gap(double angle) {
   const double wanted = std::tan(std::min(angle, std::numbers::pi / 6));
@@ -217,8 +217,8 @@ std::vector<double> spread(double length, bool loop, std::size_t count, std::uin
   return positions;
 }
 
-/// The distance of the first samples from each corner with a small angle, on all curves that make one: as many
-/// wanted lengths as the densest of these affords.
+/// The distance of the first samples from each corner with a small angle, on all curves that make one: as
+/// many wanted lengths as the densest of these affords.
 std::map<SiteId, double> acute_shells(std::span<const Stretch> stretches,
                                       std::span<const std::size_t> edges) {
   std::map<SiteId, double> shells;
@@ -236,7 +236,8 @@ std::map<SiteId, double> acute_shells(std::span<const Stretch> stretches,
   return shells;
 }
 
-/// Moves the first and last place of a stretch to the shells of its ends and spaces the others evenly between.
+/// Moves the first and last place of a stretch to the shells of its ends and spaces the others evenly
+/// between.
 void keep_shells(const Stretch& s, const std::map<SiteId, double>& shells, std::vector<double>& places) {
   const bool at_start = s.stretch_at_end[0] > 0 && shells.contains(s.from),
              at_end = s.stretch_at_end[1] > 0 && shells.contains(s.to);

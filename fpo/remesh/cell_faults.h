@@ -13,8 +13,8 @@ namespace fpo {
 /// A cell that is no disk, or two cells that meet in several arcs, or in a circle.
 struct CellFault {
   geom::SiteId cell, other;  ///< other: none if it is one cell
-  /// How far it is around the narrowest place: the shortest loop of the cell's border; of two cells, which are
-  /// a ring together, at most the sum of their borders' halves. 0 if there is no border.
+  /// How far it is around the narrowest place: the shortest loop of the cell's border; of two cells, which
+  /// are a ring together, at most the sum of their borders' halves. 0 if there is no border.
   double girth;
   std::vector<geom::Vec3> around;  ///< corners of that loop, or where the two cells meet
 };

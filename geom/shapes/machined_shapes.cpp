@@ -50,8 +50,8 @@ namespace {
 
 constexpr int steps_a_side = 6;
 
-/// The unit square with its lower left corner at (i, j), counterclockwise from there. Sides of neighbours have
-/// the same points.
+/// The unit square with its lower left corner at (i, j), counterclockwise from there. Sides of neighbours
+/// have the same points.
 std::vector<Vec2> square_outline(int i, int j) {
   const auto at = [](int cell, int step) { return cell + step / double(steps_a_side); };
   std::vector<Vec2> outline;
