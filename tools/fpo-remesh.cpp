@@ -171,6 +171,7 @@ int remesh(tools::CommandLine& cli) {
     std::printf("at_least %zu samples, not enough %zu, runs %zu\n", result.samples.size(), found.not_enough,
                 found.runs);
   if (result.radius_factor > 0) std::printf("disk_radius_over_h %.6f\n", result.radius_factor);
+  for (const fpo::Reached& r : result.reached) std::printf("%s %.6g\n", r.name, r.value);
   if (a.remesh.sizing != fpo::SizingKind::uniform) print_sizing(result);
   if (result.thin_parts.places > 0)
     std::printf("thin_places %zu\nedges_elsewhere_longer_by %.4f\n", result.thin_parts.places,

@@ -25,10 +25,17 @@ struct BaselineTask {
   std::size_t num_inner() const { return num_samples - fixed.size(); }
 };
 
+/// What a method has reached of what it aims at, by name: for output.
+struct Reached {
+  const char* name;
+  double value;
+};
+
 struct BaselineResult {
   std::vector<SurfaceSample> samples;  ///< their positions in the exact range (geom/mesh/scaling.h)
   double radius_factor = 0;            ///< of Poisson disks: a sample's disk has this radius times h there
   OptimizeResult run;                  ///< iterations, or radii tried
+  std::vector<Reached> reached;        ///< the method's own measures
 };
 
 /// delta and mean delta (optimize.h) of samples without a diagram: distances over h to the nearest other

@@ -1,14 +1,10 @@
 #pragma once
 // Masses and centroids of restricted Voronoi cells, for methods that move all samples at once.
-//
-// The diagram of geom/power/restricted_power.h is made for moves of single samples. Here every facet is
-// divided anew for each set of sites (geom/power/facet_cells.h), on several threads, and nothing is kept but
-// the integrals.
 
 #include <vector>
 
+#include "fpo/baselines/voronoi_facets.h"
 #include "fpo/surface/sizing.h"
-#include "geom/power/facet_cells.h"
 
 namespace fpo {
 
@@ -47,13 +43,9 @@ class VoronoiMoments {
   CellMoments integrate(const geom::FacetPolygon& polygon) const;
   double density(const geom::Vec3& x, geom::FacetId t) const;
 
-  const geom::TriMesh& surface_;
   const Sizing& sizing_;
   double unit_length_;
-  int threads_;
-  std::vector<geom::FacetId> facets_;  ///< along a curve
-  geom::Clipper::Sites sites_;
-  geom::Clipper clipper_;
+  VoronoiFacets facets_;
   geom::Table<geom::SiteId, CellMoments> moments_;
 };
 

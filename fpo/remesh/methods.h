@@ -9,7 +9,7 @@
 namespace fpo {
 
 /// How samples are distributed: the paper's way, or one of those it compares with.
-enum class Method { fpo, cvt, cps, mps };
+enum class Method { fpo, cvt, cps, pps, mps, ccst, vbs, hps };
 
 struct MethodFacts {
   Method method;
@@ -17,7 +17,7 @@ struct MethodFacts {
   const char* acronym;  ///< in the paper's tables
   /// Samples from nothing. Null: farthest point optimization, which the pipeline does itself.
   BaselineResult (*distribute)(const BaselineTask&, const OptimizeOptions&);
-  int iterations;           ///< more change little; mps and cps: radii tried to come near the number wanted
+  int iterations;           ///< more change little; disks: radii tried to come near the number wanted
   int adaptive_iterations;  ///< the same unless the sizing is uniform
 };
 

@@ -224,6 +224,7 @@ SurfaceDomain baseline_samples(const MethodFacts& method, const geom::TriMesh& s
       {surface, shared.sizing, fixed, options.num_samples, options.seed, options.threads}, options.optimize);
   result.optimization = baseline.run;
   result.radius_factor = baseline.radius_factor;
+  result.reached = baseline.reached;
   SurfaceOptions diagram = surface_options(shared, options);
   diagram.weighted = baseline.radius_factor > 0;
   if (diagram.weighted) diagram.weight_factor = baseline.radius_factor;

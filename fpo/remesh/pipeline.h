@@ -42,7 +42,7 @@ struct RemeshOptions {
   SurfaceOptions surface;              ///< its seed, threads and number of fixed samples are overruled
   bool shortest_edge_removal = false;  ///< before the optimization (section 4.3); fpo only
   /// Its seed and order are overruled. Other methods than fpo heed the greatest number of iterations (of
-  /// radii tried, with mps and cps), the interruption and the callbacks.
+  /// radii tried, with disks), the interruption and the callbacks.
   OptimizeOptions optimize;
   std::size_t tile_samples = 0;  ///< in a tile (tiled_optimize.h), if there are more; 0: no tiles
   int threads = 1;               ///< no matter to the result
@@ -69,7 +69,8 @@ struct RemeshResult {
   std::size_t broken_feature_edges = 0;  ///< those that are no edges of the mesh
   ShortestEdgeResult shortest_edges;
   OptimizeResult optimization;
-  double radius_factor = 0;  ///< mps and cps: a disk's radius in units of the wanted edge length
+  double radius_factor = 0;      ///< methods with disks: their radius in units of the wanted edge length
+  std::vector<Reached> reached;  ///< the measures that another method than fpo has of itself
   AngleResult angles;
   FidelityResult fidelity;
   ThinParts thin_parts;
@@ -82,9 +83,9 @@ struct RemeshResult {
   std::vector<CellPolygon> cells;  ///< the restricted power diagram
 };
 
-/// Remeshes with exactly num_samples vertices; with mps and cps, whose parameter is a radius, with about as
+/// Remeshes with exactly num_samples vertices; with Poisson disks, whose parameter is a radius, with about as
 /// many. Deterministic. If interrupted, the result is that of the moves done; throws geom::Interrupted if
-/// that is before the first samples (mps, cps: before the first whole set of disks). Computes on a copy of
+/// that is before the first samples (disks: before the first whole set of them). Computes on a copy of
 /// the input that is scaled by a power of two and snapped to multiples of 2^-160 of its size, so that no
 /// product in a predicate over- or underflows (geom/mesh/scaling.h), and scales back, which is exact. A body
 /// many diagonals away from the origin is computed near it (geom/mesh/centring.h); results are rounded when
