@@ -23,7 +23,7 @@ namespace fpo {
 /// Lengths in the units of V.
 struct Options {
   std::size_t count =
-      0;  ///< vertices of the remesh: exactly; with mps and cps, whose parameter is a radius, about
+      0;  ///< vertices of the remesh: exactly; with Poisson disks, whose parameter is a radius, about
   Method method = Method::fpo;
   SizingKind sizing = SizingKind::uniform;
   Eigen::VectorXd

@@ -31,6 +31,14 @@ fpo::Method method_of(std::int32_t method) {
       return fpo::Method::mps;
     case fpo_method_cps:
       return fpo::Method::cps;
+    case fpo_method_pps:
+      return fpo::Method::pps;
+    case fpo_method_ccst:
+      return fpo::Method::ccst;
+    case fpo_method_vbs:
+      return fpo::Method::vbs;
+    case fpo_method_hps:
+      return fpo::Method::hps;
   }
   throw geom::InputError("there is no method " + std::to_string(method));
 }

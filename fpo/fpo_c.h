@@ -10,7 +10,16 @@ extern "C" {
 #endif
 
 enum { fpo_done = 0, fpo_bad_input = 2, fpo_bug = 70, fpo_interrupted = 130 };
-enum { fpo_method_fpo = 0, fpo_method_cvt = 1, fpo_method_mps = 2, fpo_method_cps = 3 };
+enum {
+  fpo_method_fpo = 0,
+  fpo_method_cvt = 1,
+  fpo_method_mps = 2,
+  fpo_method_cps = 3,
+  fpo_method_pps = 4,
+  fpo_method_ccst = 5,
+  fpo_method_vbs = 6,
+  fpo_method_hps = 7
+};
 enum { fpo_sizing_uniform = 0, fpo_sizing_lfs = 1, fpo_sizing_curvature = 2, fpo_sizing_given = 3 };
 
 typedef struct fpo_options {

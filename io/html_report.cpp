@@ -22,10 +22,15 @@ std::string element(const char* name, std::string_view attributes, const std::st
 std::string row(const HtmlTable::Row& row, const char* cell, bool words) {
   std::string cells;
   for (std::size_t i = 0; i < row.cells.size(); ++i) {
-    cells += element(cell, words && i > 0 ? "class=\"words\"" : "", escaped(row.cells[i]));
+    const HtmlTable::Mark mark = row.marks.empty() ? HtmlTable::Mark::none : row.marks[i];
+    const char* look = words && i > 0                  ? "class=\"words\""
+                       : mark == HtmlTable::Mark::bold ? "class=\"best\""
+                       : mark == HtmlTable::Mark::gray ? "class=\"gray\""
+                                                       : "";
+    cells += element(cell, look, escaped(row.cells[i]));
     cells.pop_back();
   }
-  return element("tr", row.own ? "class=\"own\"" : "", cells);
+  return element("tr", row.own ? "class=\"own\"" : row.quiet ? "class=\"quiet\"" : "", cells);
 }
 
 /// Rows right, up and towards the viewer, as numbers one after the other.

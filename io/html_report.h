@@ -14,9 +14,12 @@
 namespace io {
 
 struct HtmlTable {
+  enum class Mark { none, bold, gray };  ///< gray: on a gray ground
   struct Row {
     std::vector<std::string> cells;
-    bool own = false;  ///< in bold: what the page is about
+    bool own = false;              ///< in bold: what the page is about
+    bool quiet = false;            ///< in a paler colour: what it is compared with
+    std::vector<Mark> marks = {};  ///< of the cells; empty: none
   };
   std::vector<std::string> head;  ///< empty: none
   std::vector<Row> rows;          ///< the first column flush left, the others right

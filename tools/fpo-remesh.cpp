@@ -185,6 +185,8 @@ int remesh(tools::CommandLine& cli) {
   if (a.remesh.improve_fidelity)
     std::printf("far_triangles_tried %zu\nfar_triangles_mended %zu\n", result.fidelity.tried,
                 result.fidelity.mended);
+  if (a.remesh.maximal)
+    std::printf("maximal %d\nmaximal_moves %zu\n", result.maximal.maximal ? 1 : 0, result.maximal.moves);
   if (a.remesh.optimize_angles)
     std::printf("bad_triangles_before %zu\nbad_triangles_after %zu\nmended %zu of %zu, %zu reweighted\n",
                 result.angles.bad_before, result.angles.bad_after, result.angles.mended, result.angles.tried,

@@ -12,7 +12,7 @@ import ctypes
 import os
 from types import SimpleNamespace
 
-METHODS = {'fpo': 0, 'cvt': 1, 'mps': 2, 'cps': 3}
+METHODS = {'fpo': 0, 'cvt': 1, 'mps': 2, 'cps': 3, 'pps': 4, 'ccst': 5, 'vbs': 6, 'hps': 7}
 SIZINGS = {'uniform': 0, 'lfs': 1, 'curvature': 2}
 MEASURES = ('q_min', 'q_avg', 'theta_min', 'theta_max', 'delta', 'mean_delta')
 

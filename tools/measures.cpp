@@ -8,6 +8,17 @@
 namespace tools {
 namespace {
 
+/// Vertices without a facet do not count.
+fpo::Covering covering_of(const geom::TriMesh& mesh, const geom::TriMesh& reference, int threads) {
+  std::vector<bool> used(mesh.num_vertices());
+  for (const geom::TriMesh::Facet& f : mesh.facets())
+    for (const geom::VertexId v : f) used[v.index()] = true;
+  std::vector<geom::Vec3> samples;
+  for (std::size_t v = 0; v < used.size(); ++v)
+    if (used[v]) samples.push_back(geom::snapped(mesh.position(geom::VertexId(v))));
+  return fpo::covering(reference, samples, fpo::nearest_distances(samples), threads);
+}
+
 /// No measure depends on the unit of length; in this one no square under- or overflows.
 Measures measured(geom::TriMesh mesh, geom::TriMesh reference, bool compare, int threads) {
   const double factor = geom::factor_to_unit_box(mesh, reference);
@@ -21,6 +32,7 @@ Measures measured(geom::TriMesh mesh, geom::TriMesh reference, bool compare, int
   if (!compare) return m;
   m.distance = fpo::surface_distance(mesh, reference, threads);
   const double percent = 100 / reference.diagonal();
+  m.covering = covering_of(mesh, reference, threads);
   for (double* length : {&m.distance.max, &m.distance.max_bound, &m.distance.rms}) *length *= percent;
   return m;
 }
@@ -61,9 +73,11 @@ std::vector<std::pair<std::string, double>> named(const Measures& m) {
       {"edge_avg", q.edge_avg},
   };
   if (m.compared)
-    values.insert(
-        values.end(),
-        {{"dH_pct", m.distance.max}, {"dH_bound_pct", m.distance.max_bound}, {"dRMS_pct", m.distance.rms}});
+    values.insert(values.end(), {{"dH_pct", m.distance.max},
+                                 {"dH_bound_pct", m.distance.max_bound},
+                                 {"dRMS_pct", m.distance.rms},
+                                 {"covering", m.covering.ratio},
+                                 {"covering_local", m.covering.local_ratio}});
   return values;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "fpo/measure/covering.h"
 #include "fpo/measure/hausdorff.h"
 #include "fpo/measure/quality.h"
 #include "geom/mesh/trimesh.h"
@@ -16,12 +17,14 @@ struct Measures {
   fpo::Quality quality;
   bool compared = false;          ///< with a reference
   fpo::SurfaceDistance distance;  ///< in percent of the reference's diagonal
+  /// Of the reference by the mesh's vertices, each with its distance to the nearest other as its size.
+  fpo::Covering covering;
 };
 
 /// The mesh by itself.
 Measures measure(const geom::TriMesh& mesh);
-/// The mesh and its distance to the surface that it approximates, whose area gives the unit of delta. Throws
-/// geom::InputError if the reference has no area.
+/// The mesh, its distance to the surface that it approximates, whose area gives the unit of delta, and how
+/// its vertices cover that. Throws geom::InputError if the reference has no area.
 Measures measure(const geom::TriMesh& mesh, const geom::TriMesh& reference, int threads);
 
 /// Their names, as fpo-quality prints them, and values.

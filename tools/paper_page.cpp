@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "tools/paper_table.h"
+
 namespace tools {
 namespace {
 
@@ -13,17 +15,22 @@ constexpr std::array<const char*, 3> table_titles = {
 constexpr const char* columns_note =
     "Q: 1 for an equilateral triangle; theta: angles in degrees; V567: share of interior vertices with 5, 6 "
     "or 7 "
-    "edges; d_H: Hausdorff distance in percent of the input's diagonal.";
+    "edges; d_H: Hausdorff distance in percent of the input's diagonal. Best values among the paper's rows, "
+    "and "
+    "among ours: bold with blue noise, gray without (CVT).";
 
 struct NamedColour {
   const char *code, *word;
 };
-constexpr std::array<NamedColour, 6> colours = {{{"#1d4f91", "blue"},
+constexpr std::array<NamedColour, 9> colours = {{{"#1d4f91", "blue"},
                                                  {"#c0392b", "red"},
                                                  {"#2a8a57", "green"},
                                                  {"#d98a00", "orange"},
                                                  {"#7d3c98", "violet"},
-                                                 {"#566573", "gray"}}};
+                                                 {"#566573", "gray"},
+                                                 {"#17a2b8", "cyan"},
+                                                 {"#a0522d", "brown"},
+                                                 {"#e75480", "pink"}}};
 
 /// Names at the ends of curves that end together lie on each other: these words go beneath the chart instead.
 std::string legend_instead_of_names(io::Chart& chart) {
@@ -50,42 +57,6 @@ std::string seconds_text(double seconds) {
   return text;
 }
 
-/// Model and samples, whose figures, the figures, seconds.
-io::HtmlTable::Row row(const fpo::PaperBlock& block, const std::string& whose, std::vector<std::string> cells,
-                       const std::string& seconds) {
-  std::vector<std::string> all = {block.model,
-                                  std::to_string(block.samples) + (block.adaptive ? " adaptive" : ""), whose};
-  all.insert(all.end(), cells.begin(), cells.end());
-  all.push_back(seconds);
-  return {all};
-}
-
-/// All blocks of one of the paper's tables: each of the paper's rows, beneath it ours and the difference.
-/// Models that are missing have the paper's rows only.
-io::HtmlTable table(const PaperResults& results, int number) {
-  io::HtmlTable out;
-  out.head = {"model", "samples", "method"};
-  for (const std::string& name : quality_columns()) out.head.push_back(name);
-  out.head.push_back("CPU s");
-  for (const fpo::PaperBlock& block : fpo::paper_blocks()) {
-    if (block.table != number) continue;
-    for (const fpo::PaperRow& theirs : block.rows) {
-      out.rows.push_back(
-          row(block, std::string("paper: ") + theirs.method, quality_cells(theirs.figures), ""));
-      for (const PaperRun& run : results.runs) {
-        if (run.method != theirs.method || run.block.table != block.table || run.block.model != block.model ||
-            run.block.samples != block.samples)
-          continue;
-        out.rows.push_back(
-            row(block, "ours: " + run.method, quality_cells(run.figures), seconds_text(run.seconds)));
-        out.rows.back().own = true;
-        out.rows.push_back(row(block, "difference", difference_cells(run.figures, theirs.figures), ""));
-      }
-    }
-  }
-  return out;
-}
-
 std::string models_text(const PaperResults& results, bool found) {
   std::string text;
   for (const PaperModel& model : results.models)
@@ -93,13 +64,23 @@ std::string models_text(const PaperResults& results, bool found) {
   return text.empty() ? "none" : text;
 }
 
+/// One that holds all curves of the figure.
+SpectrumScale common_scale(const PaperResults& results, int figure) {
+  std::vector<const MeanSpectrum*> all;
+  for (const PaperSpectrum& s : results.spectra)
+    if (s.figure == figure) all.push_back(&s.mean);
+  return scale_of(all);
+}
+
 void add_spectra(io::HtmlReport& page, const PaperResults& results, int figure, const std::string& heading) {
   std::vector<io::HtmlPlot> plots;
+  const SpectrumScale scale = common_scale(results, figure);
   io::Chart radial{"Radial means", {"frequency \u00d7 spacing", 0, 3}, {"power"}, {}, {{.y = 1}}};
   for (const PaperSpectrum& s : results.spectra) {
     if (s.figure != figure) continue;
     const std::string name = s.model + ", " + s.method;
-    plots.push_back({draw_spectrum(s.mean), name + ", " + std::to_string(s.samples) + " samples"});
+    plots.push_back({s.picture, name + ", " + std::to_string(s.samples) + " samples: the first set"});
+    plots.push_back({draw_spectrum(s.mean, scale), name});
     io::Series series;
     series.colour = colours[radial.series.size() % colours.size()].code;
     for (std::size_t i = 0; i < s.mean.curve.frequency.size(); ++i)
@@ -156,10 +137,15 @@ void add_convergence(io::HtmlReport& page, const PaperResults& results) {
   page.plots(removal);
 }
 
-std::string markdown_row(const std::vector<std::string>& cells, bool bold) {
+std::string markdown_row(const io::HtmlTable::Row& row) {
   std::string line = "|";
-  for (const std::string& cell : cells)
-    line += " " + (bold && !cell.empty() ? "**" + cell + "**" : cell) + " |";
+  for (std::size_t i = 0; i < row.cells.size(); ++i) {
+    const io::HtmlTable::Mark mark = row.marks.empty() ? io::HtmlTable::Mark::none : row.marks[i];
+    const char* around = mark == io::HtmlTable::Mark::bold   ? "**"
+                         : mark == io::HtmlTable::Mark::gray ? "*"
+                                                             : "";
+    line += std::string(" ") + around + row.cells[i] + around + " |";
+  }
   return line + "\n";
 }
 
@@ -174,7 +160,8 @@ io::HtmlReport paper_page(const PaperResults& results, const PaperHeader& header
   page.note(columns_note);
   for (int number = 2; number <= 4; ++number) {
     page.heading(table_titles[static_cast<std::size_t>(number - 2)]);
-    page.table(table(results, number));
+    page.table(paper_table(results, number));
+    if (const std::string missing = missing_blocks(results, number); !missing.empty()) page.note(missing);
   }
   add_spectra(page, results, 7, "Figure 7: spectra of uniform samples");
   add_spectra(page, results, 8, "Figure 8: spectra of adaptive samples");
@@ -188,12 +175,14 @@ std::string paper_markdown(const PaperResults& results, const PaperHeader& heade
                      header.version + "\n\nModels that are there: " + models_text(results, true) +
                      ". Missing: " + models_text(results, false) + ".\n\n" + columns_note + "\n";
   for (int number = 2; number <= 4; ++number) {
-    const io::HtmlTable t = table(results, number);
+    const io::HtmlTable t = paper_table(results, number);
     text += std::string("\n## ") + table_titles[static_cast<std::size_t>(number - 2)] + "\n\n";
-    text += markdown_row(t.head, false) + "|---|---|---|";
+    text += markdown_row({t.head}) + "|---|---|---|";
     for (std::size_t i = 3; i < t.head.size(); ++i) text += "---:|";
     text += "\n";
-    for (const io::HtmlTable::Row& r : t.rows) text += markdown_row(r.cells, r.own);
+    for (const io::HtmlTable::Row& r : t.rows) text += markdown_row(r);
+    if (const std::string missing = missing_blocks(results, number); !missing.empty())
+      text += "\n" + missing + "\n";
   }
   return text;
 }

@@ -13,9 +13,11 @@
 #include "fpo/spectrum/spectrum_set.h"
 #include "fpo/surface/surface_domain.h"
 #include "geom/check.h"
+#include "geom/mesh/scaling.h"
 #include "geom/parallel.h"
 #include "io/extension.h"
 #include "io/mesh_io.h"
+#include "io/mesh_picture.h"
 
 namespace tools {
 namespace {
@@ -74,6 +76,14 @@ fpo::PowerSpectrum spectrum_of(const geom::TriMesh& surface, const fpo::RemeshRe
   return fpo::differential_spectrum(
       fpo::surface_set(std::span<const geom::WeightedPoint3>(points), fpo::SpectrumSurface(surface), rule),
       options);
+}
+
+io::Svg thumbnail(const geom::TriMesh& mesh) {
+  io::MeshPicture picture;
+  picture.size = 400;
+  picture.edge_width = 0.3;
+  picture.back_faces = geom::topology(mesh).boundary_edges > 0;
+  return io::draw_mesh(geom::scaled(mesh, geom::factor_to_unit_box(mesh)), picture);
 }
 
 /// Everything that is run, with a place for each result.
@@ -139,13 +149,11 @@ class Experiments {
     throw geom::InputError(model + ": " + error.what());
   }
 
-  /// A row for each of ours that the paper has too.
+  /// A row for each method.
   void add_tables() {
     for (const PaperBlock& block : fpo::paper_blocks()) {
       if (!surface(block.model)) continue;
-      for (const PaperMethod& method : paper_methods())
-        if (std::ranges::any_of(block.rows, [&](const auto& row) { return row.method == method.name; }))
-          runs_.push_back({block, method.name, {}, 0});
+      for (const PaperMethod& method : paper_methods()) runs_.push_back({block, method.name, {}, 0});
     }
     for (std::size_t i = 0; i < runs_.size(); ++i) {
       const PaperBlock& b = runs_[i].block;
@@ -175,7 +183,7 @@ class Experiments {
   void add_spectrum(const SpectrumCase& c, const PaperMethod& method) {
     const int num_sets = c.figure == 7 ? options_.sets : (options_.sets + 1) / 2;
     const std::size_t i = spectra_.size();
-    spectra_.push_back({{c.figure, c.model, method.name, c.samples, {}}, {}});
+    spectra_.push_back({{c.figure, c.model, method.name, c.samples, {}, io::Svg(1, 1)}, {}});
     spectra_[i].sets.resize(static_cast<std::size_t>(num_sets));
     const fpo::RemeshOptions options = options_for(method, c.samples, c.adaptive, options_);
     for (std::size_t set = 0; set < spectra_[i].sets.size(); ++set) {
@@ -186,6 +194,7 @@ class Experiments {
            cost(options) + 20.0 * static_cast<double>(c.samples), [this, i, set, seed, c, options] {
              const fpo::RemeshResult result = remeshed(c.model, options, seed);
              spectra_[i].sets[set] = spectrum_of(*surface(c.model), result, options_.radius, c.adaptive);
+             if (set == 0) spectra_[i].about.picture = thumbnail(result.mesh);
            }});
     }
   }

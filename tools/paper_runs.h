@@ -50,6 +50,7 @@ struct PaperSpectrum {
   std::string model, method;
   std::size_t samples = 0;
   MeanSpectrum mean;
+  io::Svg picture{1, 1};  ///< of the first set's remesh
 };
 
 struct PaperResults {
@@ -62,7 +63,7 @@ struct PaperResults {
 };
 
 /// Runs everything, `threads` jobs at a time. Deterministic but for times. Throws geom::InputError if no
-/// model of the paper is there, or one cannot be read or remeshed. Cost: some 15 minutes of CPU for the seven
+/// model of the paper is there, or one cannot be read or remeshed. Cost: some 40 minutes of CPU for eight
 /// models.
 PaperResults run_paper(const PaperOptions& options);
 

@@ -68,7 +68,25 @@ io::Series invisible(double low, double high) { return {.points = {{0, low}, {0,
 
 }  // namespace
 
-io::Svg draw_spectrum(const MeanSpectrum& mean) {
+SpectrumScale scale_of(std::span<const MeanSpectrum* const> spectra) {
+  SpectrumScale scale;
+  for (const MeanSpectrum* mean : spectra) {
+    const double isotropic = 0 - fpo::decibel(static_cast<double>(mean->num_sets));
+    if (scale.least_decibels == scale.most_decibels)
+      scale.least_decibels = isotropic - 8, scale.most_decibels = isotropic + 8;
+    for (const double power : mean->curve.mean)
+      if (std::isfinite(power)) scale.most_power = std::max(scale.most_power, power);
+    for (const double a : mean->curve.anisotropy) {
+      const double decibels = fpo::decibel(a);
+      if (!std::isfinite(decibels)) continue;
+      scale.least_decibels = std::min(scale.least_decibels, decibels);
+      scale.most_decibels = std::max(scale.most_decibels, decibels);
+    }
+  }
+  return scale;
+}
+
+io::Svg draw_spectrum(const MeanSpectrum& mean, const SpectrumScale& scale) {
   const GrayPicture gray = gray_picture(mean.spectrum);
   const Vec2 size(820, 400);
   io::Svg svg(size.x(), size.y());
@@ -93,7 +111,7 @@ io::Svg draw_spectrum(const MeanSpectrum& mean) {
   radial.y.label = "power";
   radial.guides.push_back({.y = 1});
   radial.series.push_back({.points = points(mean.curve.frequency, mean.curve.mean)});
-  radial.series.push_back(invisible(0, 1.2));
+  radial.series.push_back(invisible(0, scale.most_power));
   io::draw_chart(svg, radial, {400, 0}, {420, 200});
 
   const double isotropic = 0 - fpo::decibel(static_cast<double>(mean.num_sets));  // not -0
@@ -107,7 +125,9 @@ io::Svg draw_spectrum(const MeanSpectrum& mean) {
   std::vector<double> decibels;
   for (const double a : mean.curve.anisotropy) decibels.push_back(fpo::decibel(a));
   anisotropy.series.push_back({.points = points(mean.curve.frequency, decibels)});
-  anisotropy.series.push_back(invisible(isotropic - 8, isotropic + 8));
+  const bool own_range = scale.least_decibels == scale.most_decibels;
+  anisotropy.series.push_back(own_range ? invisible(isotropic - 8, isotropic + 8)
+                                        : invisible(scale.least_decibels, scale.most_decibels));
   io::draw_chart(svg, anisotropy, {400, 200}, {420, 200});
   return svg;
 }

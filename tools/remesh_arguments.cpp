@@ -95,7 +95,7 @@ void parse(CommandLine& cli, RemeshArguments& a) {
       {.name = "count",
        .letter = 'n',
        .value = "COUNT",
-       .help = "number of samples: exactly the vertices of OUT (with --method mps or cps about as many)",
+       .help = "number of samples: exactly the vertices of OUT (with methods of Poisson disks about as many)",
        .required = true},
       a.remesh.num_samples, 1, 20'000'000);
   cli.path({.name = "output",
@@ -123,7 +123,8 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   cli.choice({.name = "method",
               .value = method_names(),
               .help = "farthest point optimization, or what the paper compares it with: centroidal Voronoi "
-                      "tessellation, maximal or constrained Poisson-disk sampling (these without angle "
+                      "tessellation, constrained, parallel, maximal or hierarchical Poisson-disk sampling, "
+                      "capacity-constrained triangulation, variational blue noise (these without angle "
                       "optimization and improvement of fidelity unless asked for)"},
              a.remesh.method, method_words());
   int iterations = -1;
@@ -131,8 +132,9 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   cli.integer(
       {.name = "iterations",
        .value = "MAX",
-       .help = "at most so many: of FPO; with cvt 5 of Lloyd's, then of L-BFGS; with mps and cps radii "
-               "tried to come near COUNT",
+       .help =
+           "at most so many: of FPO; with cvt 5 of Lloyd's, then of L-BFGS; with vbs of L-BFGS; with ccst "
+           "pairs of steps; with Poisson disks radii tried to come near COUNT",
        .standard = iterations_by_method()},
       iterations, 0, 1'000'000);
   cli.number({.name = "target-delta", .value = "D", .help = "stop when delta exceeds it"},
@@ -215,6 +217,10 @@ void parse(CommandLine& cli, RemeshArguments& a) {
                              "--sheets: apart or together, not '" + text + "'");
                a.remesh.sheets_apart = text == "apart";
              });
+  cli.flag(
+      {.name = "maximal",
+       .help = "in the end move samples until the disks that reach to their neighbours cover the surface"},
+      a.remesh.maximal);
   cli.toggle({.name = "mend", .help = "bring samples to where the remesh is no surface"}, a.remesh.mend);
   cli.flag({.name = "local", .help = "look for farthest points nearby only"}, local);
   cli.flag({.name = "global", .help = "look for them everywhere"}, global);

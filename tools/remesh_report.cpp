@@ -62,6 +62,7 @@ io::HtmlTable run_table(const fpo::RemeshResult& result, const RemeshRun& run) {
   table.rows = {
       {{"version", FPO_VERSION}},
       {{"input", run.input.string()}},
+      {{"method", fpo::facts_of(run.options.method).acronym}},
       {{"samples", std::to_string(result.samples.size())}},
       {{"sizing", name_of(run.options.sizing)}},
       {{"seed", std::to_string(run.options.seed)}},
@@ -119,6 +120,13 @@ void add_measures(io::HtmlReport& page, const Measures& measures, const RemeshRu
       "edges; "
       "d_H: Hausdorff distance in percent of the input's diagonal. Methods other than this run: as the paper "
       "prints them.");
+  const fpo::Covering& c = measures.covering;
+  page.note(
+      "The largest empty circle of the input, with centers anywhere on it, has " + number(c.ratio, "%.4f") +
+      " times the least distance of two samples for its radius; disks of " + number(c.local_ratio, "%.4f") +
+      " times each sample's distance to the nearest other one cover the input. A set is a maximal "
+      "Poisson-disk set where that is at most 1: uniform sets in the first, adaptive ones in the second "
+      "sense.");
   io::HtmlTable all;
   for (const auto& [name, value] : named(measures)) all.rows.push_back({{name, number(value, "%.9g")}});
   page.table(all);

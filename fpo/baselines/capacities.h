@@ -4,8 +4,8 @@
 //      |   x         A location x of the wall between the cells of i and j is equally far from both. As the
 //    i |   . j       sample i moves by v, the wall moves there by s, measured in the facet and away from i:
 //      |             s = v . (x - x_i) / |P (x_j - x_i)|, P the projection onto the facet's plane. So with
-//    wall            density d the capacity of i grows, and that of j shrinks, by the integral of d s over the
-//                    wall.
+//    wall            density d the capacity of i grows, and that of j shrinks, by the integral of d s over
+//                    the wall.
 
 #include <vector>
 
@@ -43,8 +43,9 @@ class Capacities {
     geom::Table<geom::SiteId, CellCapacity> cells;
     std::vector<CellWall> walls;
   };
-  /// Of the restricted Voronoi diagram of these samples. Cells are integrated by the rule of edge midpoints on
-  /// triangles, walls by Simpson's: exact, up to rounding, if the density is constant. O(n log n + fragments).
+  /// Of the restricted Voronoi diagram of these samples. Cells are integrated by the rule of edge midpoints
+  /// on triangles, walls by Simpson's: exact, up to rounding, if the density is constant. O(n log n +
+  /// fragments).
   Diagram of(const std::vector<SurfaceSample>& samples);
 
  private:

@@ -4,12 +4,11 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
+#include <limits>
 
 #include "fpo/baselines/first_samples.h"
 #include "fpo/baselines/voronoi_facets.h"
 #include "geom/mesh/aabb_tree.h"
-#include "geom/short_lists.h"
 
 namespace fpo {
 
@@ -18,7 +17,6 @@ using geom::Vec3;
 
 namespace {
 
-constexpr int sweeps_per_triangulation = 1;
 constexpr double largest_move = 0.5;  // in units of h
 
 using Triangle = std::array<SiteId, 3>;  ///< counterclockwise
@@ -48,22 +46,13 @@ class AreaEqualizer {
   /// Both steps once. Returns how many samples moved.
   std::size_t iterate() {
     std::size_t moved = 0;
-    static const int sweeps = std::getenv("CCST_S") ? std::atoi(std::getenv("CCST_S")) : 1;
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
-      mean_ = mean_capacity();
-      for (std::size_t i = task_.fixed.size(); i < samples_.size(); ++i) moved += relax(SiteId(i));
-    }
+    mean_ = mean_capacity();
+    for (std::size_t i = task_.fixed.size(); i < samples_.size(); ++i) moved += relax(SiteId(i));
     triangulate();
     return moved;
   }
 
  private:
-  struct Around {
-    Vec3 normal;  ///< of unit length
-    double density, capacity;
-    Vec3 slope;  ///< of the area
-  };
-
   const Vec3& position(SiteId i) const { return samples_[i.index()].position; }
   double density(SiteId i) const {
     const double h = task_.sizing.at(samples_[i.index()]);

@@ -6,7 +6,7 @@
 //         /  \          proportional to its area over h^2, and a dart is thrown in it, which becomes a sample
 //        /____\         if it is in no disk. Then the triangle is divided in four. What one disk covers is
 //       / \  / \        culled: three corners in a disk means all of the triangle, for disks are convex. The
-//      /___\/___\       rest is active. So darts go where there is room, ever more finely, until there is none.
+//      /___\/___\       rest is active. So darts go where there is room, ever finer, until there is none.
 
 #include "fpo/baselines/baseline.h"
 

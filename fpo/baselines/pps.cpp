@@ -16,8 +16,8 @@ using geom::Vec3;
 
 namespace {
 
-constexpr std::size_t candidates_per_sample = 80;  // with more the quality is the same
-constexpr std::size_t least_shared = 256;          // fewer darts are thrown before a thread has begun
+constexpr std::size_t candidates_per_sample = 200;  // with fewer, gaps between them show in the angles
+constexpr std::size_t least_shared = 256;           // fewer darts are thrown before a thread has begun
 
 /// The candidates of a cube, by their places in the cloud, in its random order: [next, last) of a list.
 struct Cube {

@@ -1,7 +1,6 @@
 #include "fpo/baselines/vbs.h"
 
 #include <cmath>
-#include <cstdlib>
 
 #include "fpo/baselines/capacities.h"
 #include "fpo/baselines/descent.h"
@@ -12,7 +11,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// For a hexagon of area A a capacity's part of the Hessian's diagonal is about .58 A, where the CVT energy's is 2 A.
+/// For a hexagon of area A a capacity's part of the Hessian's diagonal is about .58 A, the CVT energy's 2 A.
 constexpr double curvature_of_capacity = 0.58;
 
 double mean_capacity(const Capacities::Diagram& diagram) {
@@ -29,7 +28,6 @@ double variation(const Capacities::Diagram& diagram) {
 }
 
 EnergyAt energy_of(const Capacities::Diagram& diagram) {
-  static const double capacity_weight = std::getenv("VBS_L") ? std::atof(std::getenv("VBS_L")) : 10;
   const std::size_t n = diagram.cells.size();
   const auto at = [](SiteId i) { return static_cast<Eigen::Index>(3 * i.index()); };
   const double mean = mean_capacity(diagram);

@@ -20,9 +20,9 @@ std::span<const MethodFacts> methods() {
       {{Method::fpo, "fpo", "FPO", nullptr, 100, 40},
        {Method::cvt, "cvt", "CVT", centroidal_tessellation, 100, 100},
        {Method::cps, "cps", "CPS", constrained_poisson_disks, 20, 20},
-       {Method::pps, "pps", "PPS", parallel_poisson_disks, 20, 20},
+       {Method::pps, "pps", "PPS", parallel_poisson_disks, 10, 10},
        {Method::mps, "mps", "MPS", maximal_poisson_disks, 20, 20},
-       {Method::ccst, "ccst", "CCST", capacity_constrained_triangulation, 100, 100},
+       {Method::ccst, "ccst", "CCST", capacity_constrained_triangulation, 4, 4},
        {Method::vbs, "vbs", "VBS", variational_blue_noise, 100, 100},
        {Method::hps, "hps", "HPS", hierarchical_poisson_disks, 20, 20}}};
   return table;

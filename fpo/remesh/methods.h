@@ -17,7 +17,7 @@ struct MethodFacts {
   const char* acronym;  ///< in the paper's tables
   /// Samples from nothing. Null: farthest point optimization, which the pipeline does itself.
   BaselineResult (*distribute)(const BaselineTask&, const OptimizeOptions&);
-  int iterations;           ///< more change little; disks: radii tried to come near the number wanted
+  int iterations;  ///< more change little; disks: radii tried for the number wanted; ccst: as in the paper
   int adaptive_iterations;  ///< the same unless the sizing is uniform
 };
 

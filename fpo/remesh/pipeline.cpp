@@ -214,6 +214,17 @@ SurfaceDomain optimized_samples(const geom::TriMesh& surface, const SharedSizing
                            result.optimization);
 }
 
+/// The domain, or one with the samples moved on until they are a maximal set.
+std::unique_ptr<SurfaceDomain> made_maximal(const SurfaceDomain& domain, const SharedSizing& shared,
+                                            const RemeshOptions& options, RemeshResult& result) {
+  std::vector<SurfaceSample> samples = samples_of(domain);
+  result.maximal =
+      make_maximal(domain.mesh(), domain.sizing(), samples,
+                   {shared.features.samples.size(), options.threads, options.optimize.interrupted});
+  return std::make_unique<SurfaceDomain>(domain.mesh(), domain.sizing(), samples,
+                                         surface_options(shared, options));
+}
+
 /// Another method. Its disks have their squared radii as weights; without disks the cells are Voronoi cells.
 SurfaceDomain baseline_samples(const MethodFacts& method, const geom::TriMesh& surface,
                                const SharedSizing& shared, const RemeshOptions& options,
@@ -277,6 +288,23 @@ void count_creases(const Features& features, const FeatureSamples& samples, Reme
     }
 }
 
+/// What follows the optimization: angles, fidelity.
+void improve(SurfaceDomain& domain, const SharedSizing& shared, const AngleOptions& angles,
+             const RemeshOptions& options, RemeshResult& result) {
+  if (options.optimize_angles) result.angles = optimize_angles(domain, angles);
+  if (!options.improve_fidelity) return;
+  FidelityOptions fidelity;
+  fidelity.interrupted = options.optimize.interrupted;
+  const bool has_features = !shared.features.samples.empty();
+  if (options.method == Method::fpo)  // who wants it fast wants this fast, too
+    fidelity.most_moves = least_fidelity_moves + result.optimization.moves / (has_features ? 4 : 12);
+  if (has_features) {  // fixed samples keep delta from more, and shape matters more
+    fidelity.share_of_largest = 0.5;
+    fidelity.enough_delta = 0.9;
+  }
+  result.fidelity = improve_fidelity(domain, angles, fidelity);
+}
+
 RemeshResult remesh_task(const Task& task, RemeshOptions options) {
   RemeshResult result;
   SharedSizing shared = sizing_and_features(task, options);
@@ -288,26 +316,15 @@ RemeshResult remesh_task(const Task& task, RemeshOptions options) {
   const std::optional<SplitSurface> apart = surface_apart(task, shared, options);
   const geom::TriMesh& surface = apart ? apart->mesh : task.surface();
   const geom::SurfaceType type = geom::surface_type(task.input);
-  const std::unique_ptr<SurfaceDomain> samples = samples_with_room(surface, shared, type, options, result);
-  SurfaceDomain& domain = *samples;
-  const Sizing& sizing = domain.sizing();
+  std::unique_ptr<SurfaceDomain> samples = samples_with_room(surface, shared, type, options, result);
+  const Sizing sizing = samples->sizing();
   AngleOptions angles = angle_options(options);
   std::optional<CurveSlides> slides;
   if (!shared.features.chains.empty() && !apart)
     angles.slides = &slides.emplace(surface, task.features, shared.features, sizing);
-  if (options.optimize_angles) result.angles = optimize_angles(domain, angles);
-  if (options.improve_fidelity) {
-    FidelityOptions fidelity;
-    fidelity.interrupted = options.optimize.interrupted;
-    const bool has_features = !shared.features.samples.empty();
-    if (options.method == Method::fpo)  // who wants it fast wants this fast, too
-      fidelity.most_moves = least_fidelity_moves + result.optimization.moves / (has_features ? 4 : 12);
-    if (has_features) {  // fixed samples keep delta from more, and shape matters more
-      fidelity.share_of_largest = 0.5;
-      fidelity.enough_delta = 0.9;
-    }
-    result.fidelity = improve_fidelity(domain, angles, fidelity);
-  }
+  improve(*samples, shared, angles, options, result);
+  if (options.maximal) samples = made_maximal(*samples, shared, options, result);
+  SurfaceDomain& domain = *samples;
   result.hidden = domain.num_hidden();
   Dual dual = mended_dual(domain, shared.features, type, options, result);
   result.type = dual.type;

@@ -13,6 +13,7 @@
 #include "fpo/remesh/dual.h"
 #include "fpo/remesh/fidelity.h"
 #include "fpo/remesh/final_measures.h"
+#include "fpo/remesh/maximal.h"
 #include "fpo/remesh/methods.h"
 #include "fpo/remesh/protect.h"
 #include "fpo/remesh/thin_parts.h"
@@ -50,7 +51,8 @@ struct RemeshOptions {
   bool mend = true;              ///< bring samples to where the remesh is no surface, or of another type
   bool optimize_angles = true;   ///< afterwards (section 5)
   bool improve_fidelity = true;  ///< where the remesh is farthest from the input (fidelity.h)
-  bool keep_cells = false;       ///< fill RemeshResult::cells
+  bool maximal = false;     ///< then move samples until the set is a maximal Poisson-disk set (maximal.h)
+  bool keep_cells = false;  ///< fill RemeshResult::cells
 };
 
 struct RemeshResult {
@@ -74,6 +76,7 @@ struct RemeshResult {
   AngleResult angles;
   FidelityResult fidelity;
   ThinParts thin_parts;
+  MaximalResult maximal;
   std::size_t brought = 0;  ///< samples that mending has moved
   TypeCheck type;           ///< of the mesh; with `advice` where and how to mend it
   TypeAdvice advice;

@@ -64,12 +64,15 @@ TEST_CASE(
   for (const char* name :
        {"Venus", "Homer", "Genus", "Bunny", "Kitten", "Elephant", "Triceratops", "Mask", "Joint"})
     CHECK(result.out.find(std::string("missing ") + name + "\n") != std::string::npos);
-  CHECK(result.out.find("rows 5\nspectra 5\n") != std::string::npos);
+  CHECK(result.out.find("rows 9\nspectra 9\n") != std::string::npos);
 
   const std::string page = place.read("out/index.html"), table = place.read("out/tables.md");
   CHECK(fixtures::nesting_fault(page) == "");
   CHECK(fixtures::is_self_contained(page));
-  CHECK(occurrences(page, "<svg ") == 7);  // a spectrum of each of five methods, all of them, convergence
+  CHECK(occurrences(page, "<svg ") ==
+        20);  // a remesh and a spectrum of nine methods, all radial means, convergence
+  CHECK(occurrences(table, "Venus 1700") == 1);  // folded
+  CHECK(occurrences(table, "Bunny 6300") == 1);
   CHECK(cells(table, "paper: FPO")[4] == "0.561");
 
   REQUIRE(fixtures::run_program("fpo-remesh",

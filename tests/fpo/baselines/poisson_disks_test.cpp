@@ -1,12 +1,16 @@
-// Maximal and constrained Poisson-disk sampling (mps, cps) against their definitions.
+// Maximal, constrained, parallel and hierarchical Poisson-disk sampling (mps, cps, pps, hps) against their
+// definitions.
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <limits>
 
 #include "doctest.h"
 #include "fpo/baselines/cps.h"
+#include "fpo/baselines/hps.h"
 #include "fpo/baselines/mps.h"
+#include "fpo/baselines/pps.h"
 #include "fpo/surface/initial_samples.h"
 #include "fpo/surface/surface_domain.h"
 #include "geom/check.h"
@@ -32,6 +36,9 @@ OptimizeOptions radii(int most) {
   options.max_iterations = most;
   return options;
 }
+
+constexpr std::array all_methods{maximal_poisson_disks, constrained_poisson_disks, parallel_poisson_disks,
+                                 hierarchical_poisson_disks};
 
 /// No sample is in the disk of an earlier one.
 void check_distances(const BaselineResult& result, const Sizing& sizing, std::size_t num_fixed) {
@@ -95,18 +102,53 @@ TEST_CASE("cps: the samples are those that elimination in a list leaves") {
     }
 }
 
-TEST_CASE("mps, cps: about the number wanted; fixed samples come first; one seed, one result") {
+TEST_CASE("hps: disks keep their distance and cover every surface, borders and tips included") {
+  for (const auto& [name, mesh] : fixtures::surfaces())
+    for (const bool adaptive : {false, true}) {
+      CAPTURE(name);
+      CAPTURE(adaptive);
+      const Sizing sizing = sizing_of(mesh, 120, adaptive);
+      const BaselineResult result = hierarchical_poisson_disks({mesh, sizing, {}, 120, 5, 1}, radii(2));
+      check_distances(result, sizing, 0);
+      CHECK(result.reached.front().value == 0);  // triangles that were given up
+      CHECK(largest_gap(mesh, sizing, result) <= 1e-9 * mesh.area());
+    }
+}
+
+TEST_CASE("pps: disks keep their distance, and no candidate is left free, with any number of threads") {
+  for (const auto& [name, mesh] : fixtures::surfaces())
+    for (const bool adaptive : {false, true}) {
+      CAPTURE(name);
+      CAPTURE(adaptive);
+      const Sizing sizing = sizing_of(mesh, 60, adaptive);
+      const auto run = [&](int threads) {
+        return parallel_poisson_disks({mesh, sizing, {}, 60, 3, threads}, radii(2));
+      };
+      const BaselineResult result = run(1), other = run(3);
+      check_distances(result, sizing, 0);
+      const auto cloud =
+          random_samples(mesh, sizing, static_cast<std::size_t>(result.reached.front().value), 3);
+      for (std::size_t i = 0; i < cloud.size(); i += 7)
+        CHECK(std::ranges::any_of(result.samples, [&](const SurfaceSample& y) {
+          return (cloud[i].position - y.position).norm() <= result.radius_factor * sizing.at(y) * (1 + 1e-12);
+        }));
+      CHECK(std::ranges::equal(result.samples, other.samples,
+                               [](const auto& x, const auto& y) { return x.position == y.position; }));
+    }
+}
+
+TEST_CASE("poisson disks: about the number wanted; fixed samples come first; one seed, one result") {
   const TriMesh mesh = fixtures::blob(8);
-  constexpr std::size_t n = 1000;
-  for (const auto method : {maximal_poisson_disks, constrained_poisson_disks})
+  constexpr std::size_t n = 200;
+  for (const auto method : all_methods)
     for (const bool adaptive : {false, true}) {
       const Sizing sizing = sizing_of(mesh, n, adaptive);
       const auto fixed = random_samples(mesh, sizing, 5, 77);
       const auto run = [&](std::uint64_t seed) {
-        return method({mesh, sizing, fixed, n, seed, 1}, radii(20));
+        return method({mesh, sizing, fixed, n, seed, 1}, radii(8));
       };
       const BaselineResult a = run(1), b = run(1), c = run(2);
-      CHECK(std::abs(double(a.samples.size()) - double(n)) <= 5);
+      CHECK(std::abs(double(a.samples.size()) - double(n)) <= 4);
       check_distances(a, sizing, fixed.size());
       for (std::size_t i = 0; i < fixed.size(); ++i) CHECK(a.samples[i].position == fixed[i].position);
       const auto same = [](const SurfaceSample& x, const SurfaceSample& y) {
@@ -119,10 +161,10 @@ TEST_CASE("mps, cps: about the number wanted; fixed samples come first; one seed
     }
 }
 
-TEST_CASE("mps, cps: interrupted in the first set of disks, there is no result") {
+TEST_CASE("poisson disks: interrupted in the first set of disks, there is no result") {
   const TriMesh mesh = fixtures::blob(8);
   const Sizing sizing = sizing_of(mesh, 500, false);
-  for (const auto method : {maximal_poisson_disks, constrained_poisson_disks}) {
+  for (const auto method : all_methods) {
     std::atomic<bool> stop = true;
     OptimizeOptions options;
     options.interrupted = &stop;

@@ -1,0 +1,138 @@
+// Variational blue noise (vbs) and capacity-constrained triangulation (ccst): shares of the surface that
+// become equal.
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+
+#include "doctest.h"
+#include "fpo/baselines/capacities.h"
+#include "fpo/baselines/ccst.h"
+#include "fpo/baselines/vbs.h"
+#include "fpo/remesh/pipeline.h"
+#include "geom/mesh/aabb_tree.h"
+#include "tests/fixtures/surfaces.h"
+
+using namespace fpo;
+using geom::FacetId;
+using geom::SiteId;
+using geom::TriMesh;
+using geom::Vec3;
+
+namespace {
+
+constexpr std::array both{variational_blue_noise, capacity_constrained_triangulation};
+
+OptimizeOptions iterations(int number) {
+  OptimizeOptions options;
+  options.max_iterations = number;
+  return options;
+}
+
+bool same(const std::vector<SurfaceSample>& a, const std::vector<SurfaceSample>& b) {
+  return std::ranges::equal(a, b, [](const SurfaceSample& x, const SurfaceSample& y) {
+    return x.position == y.position && x.facet == y.facet;
+  });
+}
+
+Sizing sizing_of(const TriMesh& mesh, std::size_t n, bool adaptive) {
+  if (!adaptive) return Sizing::uniform(hexagonal_spacing(mesh.area(), n));
+  VertexField rho;
+  for (const Vec3& p : mesh.vertices())
+    rho.push_back(1 + 2 * (p - mesh.box().min()).norm() / mesh.diagonal());
+  return fit_sizing(mesh, rho, n, {.gradation = 0.3});
+}
+
+double variation(const std::vector<double>& values) {
+  double sum = 0, squares = 0;
+  for (const double x : values) sum += x, squares += x * x;
+  const double n = static_cast<double>(values.size());
+  return std::sqrt(squares / n - sum * sum / (n * n)) / (sum / n);
+}
+
+}  // namespace
+
+TEST_CASE("vbs: the energy sinks from iteration to iteration, and capacities become equal") {
+  const TriMesh mesh = fixtures::blob(6);
+  for (const bool adaptive : {false, true}) {
+    constexpr std::size_t n = 200;
+    const Sizing sizing = sizing_of(mesh, n, adaptive);
+    const BaselineTask task{mesh, sizing, {}, n, 3, 2};
+    Capacities capacities(mesh, sizing, hexagonal_spacing(mesh.area(), n), 1);
+    double last_energy = std::numeric_limits<double>::infinity(), last_variation = last_energy;
+    for (const int k : {0, 5, 15, 40}) {
+      const BaselineResult result = variational_blue_noise(task, iterations(k));
+      const auto diagram = capacities.of(result.samples);
+      std::vector<double> shares;
+      double energy = 0, mean = 0;
+      for (const CellCapacity& cell : diagram.cells) mean += cell.capacity / n;
+      for (const CellCapacity& cell : diagram.cells) {
+        shares.push_back(cell.capacity);
+        energy += cell.second + capacity_weight * (cell.capacity - mean) * (cell.capacity - mean);
+      }
+      CHECK(energy < last_energy);
+      if (k < 40) CHECK(variation(shares) < last_variation);
+      CHECK(result.reached.front().value == doctest::Approx(variation(shares)).epsilon(1e-6));
+      last_energy = energy, last_variation = variation(shares);
+    }
+    CHECK(last_variation < 0.02);
+  }
+}
+
+TEST_CASE("ccst: the triangles of the remesh become equal, and it says how equal they are") {
+  const TriMesh mesh = fixtures::blob(10);
+  double last = std::numeric_limits<double>::infinity();
+  for (const int k : {0, 2, 8, 40}) {
+    RemeshOptions options;
+    options.method = Method::ccst;
+    options.num_samples = 300;
+    options.optimize.max_iterations = k;
+    options.optimize_angles = options.improve_fidelity = false;
+    const RemeshResult result = remesh(mesh, options);
+    std::vector<double> areas;
+    for (FacetId t(0); t.index() < result.mesh.num_facets(); t = FacetId(t.value + 1))
+      areas.push_back(result.mesh.area(t));
+    CHECK(variation(areas) < last);
+    if (result.brought == 0)
+      CHECK(result.reached.front().value == doctest::Approx(variation(areas)).epsilon(1e-6));
+    last = variation(areas);
+  }
+  CHECK(last < 0.06);
+}
+
+TEST_CASE("vbs, ccst: samples are on the surface, as many as wanted; threads do not matter, seeds do") {
+  for (const auto& [name, mesh] : fixtures::surfaces())
+    for (const bool adaptive : {false, true})
+      for (const auto method : both) {
+        CAPTURE(name);
+        const Sizing sizing = sizing_of(mesh, 80, adaptive);
+        const geom::AabbTree tree(mesh);
+        const auto run = [&](std::uint64_t seed, int threads) {
+          return method({mesh, sizing, {}, 80, seed, threads}, iterations(8)).samples;
+        };
+        const auto samples = run(1, 1);
+        REQUIRE(samples.size() == 80);
+        for (const SurfaceSample& x : samples)
+          CHECK(geom::closest_point(x.position, tree.triangle(x.facet)).distance2 < 1e-24);
+        CHECK(same(samples, run(1, 3)));
+        CHECK(!same(samples, run(2, 1)));
+      }
+}
+
+TEST_CASE("vbs, ccst: fixed samples stay; interrupted, they keep what they have") {
+  const TriMesh mesh = fixtures::blob(6);
+  const Sizing sizing = sizing_of(mesh, 100, false);
+  const std::vector<SurfaceSample> fixed = random_samples(mesh, sizing, 4, 9);
+  for (const auto method : both) {
+    const BaselineTask task{mesh, sizing, fixed, 100, 1, 1};
+    std::atomic<bool> stop = false;
+    OptimizeOptions options = iterations(1000);
+    options.interrupted = &stop;
+    options.on_iteration = [&](const IterationReport& r) { stop = r.iteration >= 3; };
+    const BaselineResult result = method(task, options);
+    CHECK(result.run.reason == StopReason::interrupted);
+    CHECK(same(result.samples, method(task, iterations(3)).samples));
+    CHECK(same(fixed, {result.samples.begin(), result.samples.begin() + 4}));
+  }
+}
