@@ -120,6 +120,9 @@ Role role_of(const PlyElement& element, const PlyProperty& property) {
   return property.name == "weight" ? Role::weight : Role::ignored;
 }
 
+/// Whether a number is none of the vertex's place.
+bool is_extra(Role role) { return role == Role::ignored || role == Role::weight; }
+
 /// Walks the body of a file and fills a mesh and the vertices' weights.
 template <class Values>
 class BodyReader {
@@ -132,6 +135,8 @@ class BodyReader {
     if (!values_.at_end()) values_.fail("more data than the header announces");
   }
   MeshBuilder& mesh() { return mesh_; }
+  /// From here on numbers of vertices that mean nothing to us are kept.
+  void keep(std::vector<VertexProperty>& properties) { kept_ = &properties; }
   const std::vector<double>& weights() const { return weights_; }
 
  private:
@@ -139,7 +144,10 @@ class BodyReader {
     if (element.properties.empty()) return;
     std::vector<Role> roles;
     for (const PlyProperty& property : element.properties) roles.push_back(role_of(element, property));
+    const bool keeps = kept_ && element.name == "vertex";
+    if (keeps) announce(element, roles);
     for (std::size_t i = 0; i < element.count; ++i) {
+      next_kept_ = keeps ? 0 : kept_none;
       const std::size_t place = values_.place();
       std::array<double, 4> vertex{};  // x, y, z, weight
       for (std::size_t k = 0; k < roles.size(); ++k) read_property(element.properties[k], roles[k], vertex);
@@ -152,9 +160,17 @@ class BodyReader {
     }
   }
 
+  void announce(const PlyElement& element, const std::vector<Role>& roles) {
+    for (std::size_t k = 0; k < roles.size(); ++k)
+      if (is_extra(roles[k]) && !element.properties[k].count)
+        kept_->push_back({element.properties[k].name, element.properties[k].type, {}});
+  }
+
   void read_property(const PlyProperty& property, Role role, std::array<double, 4>& vertex) {
     if (property.count) {
       read_list(property, role);
+    } else if (is_extra(role) && next_kept_ != kept_none) {
+      (*kept_)[next_kept_++].values.push_back(values_.real(property.type));
     } else if (role == Role::ignored) {
       values_.skip(property.type, 1);
     } else {
@@ -179,6 +195,9 @@ class BodyReader {
   MeshBuilder mesh_;
   std::vector<double> weights_;
   std::vector<std::int64_t> corners_;
+  std::vector<VertexProperty>* kept_ = nullptr;
+  static constexpr std::size_t kept_none = static_cast<std::size_t>(-1);
+  std::size_t next_kept_ = kept_none;  ///< of the vertex at hand
 };
 
 void require_vertices(const InputFile& file, const PlyHeader& header) {
@@ -245,6 +264,21 @@ std::vector<geom::WeightedPoint3> parse_ply_points(const InputFile& file) {
       points.push_back({mesh.vertices()[geom::VertexId(points.size())], weight});
     return points;
   });
+}
+
+std::vector<VertexProperty> parse_ply_properties(const InputFile& file) {
+  const PlyHeader header = parse_ply_header(file);
+  require_vertices(file, header);
+  std::vector<VertexProperty> properties;
+  const auto run = [&]<class Values>(BodyReader<Values> reader) {
+    reader.keep(properties);
+    reader.read();
+  };
+  if (header.binary)
+    run(BodyReader<BinaryValues>(file, header));
+  else
+    run(BodyReader<TextValues>(file, header));
+  return properties;
 }
 
 std::string to_ply(const geom::TriMesh& mesh) {

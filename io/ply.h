@@ -7,8 +7,16 @@
 #include "geom/mesh/trimesh.h"
 #include "geom/vec.h"
 #include "io/input_file.h"
+#include "io/ply_header.h"
 
 namespace io {
+
+/// A number of every vertex.
+struct VertexProperty {
+  std::string name;
+  PlyType type;
+  std::vector<double> values;
+};
 
 /// Text and binary of both byte orders, all number types, any further elements and properties (lists too).
 /// The element "vertex" must have x, y, z; the corners of "face" are the list vertex_indices or vertex_index.
@@ -19,6 +27,9 @@ geom::TriMesh parse_ply(const InputFile& file, std::size_t* repeated = nullptr);
 
 /// The vertices alone, with the property "weight" where there is one (else 0); faces need not exist.
 std::vector<geom::WeightedPoint3> parse_ply_points(const InputFile& file);
+
+/// Every number of the vertices but x, y, z, as it stands; lists are passed over.
+std::vector<VertexProperty> parse_ply_properties(const InputFile& file);
 
 /// Binary, little-endian, coordinates in double precision.
 std::string to_ply(const geom::TriMesh& mesh);

@@ -25,6 +25,7 @@
 #include "tools/progress.h"
 #include "tools/remesh_arguments.h"
 #include "tools/remesh_report.h"
+#include "tools/remesh_sizing.h"
 #include "tools/surface_input.h"
 #include "tools/type_warnings.h"
 
@@ -124,6 +125,7 @@ int remesh(tools::CommandLine& cli) {
   tools::SurfaceInput read = tools::read_surface(a.input, a.repair);
   const geom::TriMesh& input = read.mesh;
   tools::read_files(a, input);
+  tools::settle_sizing(a, read);
   tools::stop_if_interrupted();
 
   std::string log = "iteration,moved,delta,mean_delta,seconds\n";

@@ -5,30 +5,16 @@
 #include <set>
 
 #include "fpo/features/feature_samples.h"
-#include "fpo/remesh/remesh_defaults.h"
 #include "io/atomic_file.h"
 #include "io/mesh_io.h"
 #include "io/points.h"
-#include "io/values.h"
 #include "tools/interrupt.h"
+#include "tools/remesh_sizing.h"
 
 namespace tools {
 namespace {
 
 constexpr double least_tile_samples = 100;  // in fewer, hardly any could be moved
-
-void set_sizing(RemeshArguments& a, const std::string& text) {
-  if (text == "uniform") {
-    a.remesh.sizing = fpo::SizingKind::uniform;
-  } else if (text == "lfs") {
-    a.remesh.sizing = fpo::SizingKind::local_feature_size;
-  } else if (text == "curvature") {
-    a.remesh.sizing = fpo::SizingKind::curvature;
-  } else {
-    a.remesh.sizing = fpo::SizingKind::given;
-    a.sizing_file = text;
-  }
-}
 
 void set_features(RemeshArguments& a, const std::string& text) {
   a.remesh.features.reset();
@@ -80,6 +66,18 @@ std::string iterations_by_method() {
   return text;
 }
 
+/// How many samples is said in one way. True if by lengths.
+bool check_number(const RemeshArguments& a) {
+  const bool by_lengths = a.lengths.edge_length || a.lengths.error;
+  if (a.remesh.num_samples > 0 && by_lengths) throw UsageError("-n excludes --edge-length and --error");
+  if (a.remesh.num_samples > 0) return false;
+  if (!by_lengths && a.remesh.sizing != fpo::SizingKind::given)
+    throw UsageError("-n COUNT is missing (or --edge-length, --error, or a --sizing file of lengths)");
+  if (a.lengths.error && a.remesh.sizing != fpo::SizingKind::uniform)
+    throw UsageError("--error and --sizing exclude each other");
+  return true;
+}
+
 void parse(CommandLine& cli, RemeshArguments& a) {
   cli.describe("INPUT",
                std::string("Remeshes a surface (obj, off, ply, stl) with COUNT samples of blue noise. ") +
@@ -96,8 +94,17 @@ void parse(CommandLine& cli, RemeshArguments& a) {
        .letter = 'n',
        .value = "COUNT",
        .help = "number of samples: exactly the vertices of OUT (with methods of Poisson disks about as many)",
-       .required = true},
+       .standard = "by lengths"},
       a.remesh.num_samples, 1, 20'000'000);
+  cli.custom({.name = "edge-length",
+              .value = "L",
+              .help = "instead of -n: as many samples as make edges of mean length L"},
+             [&](const std::string& text) { a.lengths.edge_length = parse_number(text, 0, 1e300); });
+  cli.custom({.name = "error",
+              .value = "E",
+              .help = "instead of -n: edges as short as INPUT's curvature takes to stay within about E of it "
+                      "(at most L long)"},
+             [&](const std::string& text) { a.lengths.error = parse_number(text, 0, 1e300); });
   cli.path({.name = "output",
             .letter = 'o',
             .value = "OUT",
@@ -128,7 +135,7 @@ void parse(CommandLine& cli, RemeshArguments& a) {
                       "optimization and improvement of fidelity unless asked for)"},
              a.remesh.method, method_words());
   int iterations = -1;
-  fpo::Choices choices;
+  fpo::Choices& choices = a.choices;
   cli.integer(
       {.name = "iterations",
        .value = "MAX",
@@ -164,8 +171,9 @@ void parse(CommandLine& cli, RemeshArguments& a) {
       {.name = "sizing",
        .value = "KIND",
        .help =
-           "wanted edge lengths: uniform, lfs (local feature size), curvature (its radius), or a file with a "
-           "number per vertex of INPUT",
+           "wanted edge lengths: uniform, lfs (local feature size), curvature (its radius), or a file: a "
+           "number per vertex of INPUT, a vertex property FILE.ply:NAME (value, if none is named), or a gray "
+           "image (dark is dense) by INPUT's vt; ratios with -n, without it lengths",
        .standard = "uniform"},
       [&](const std::string& text) { set_sizing(a, text); });
   cli.number({.name = "gradation", .value = "G", .help = "the wanted length changes by at most G per length"},
@@ -176,10 +184,17 @@ void parse(CommandLine& cli, RemeshArguments& a) {
               .help = "a sample's weight is (C wanted length)^2",
               .standard = "2/3 if local, .75 if global"},
              weight_scale, 0.01, 2);
-  cli.number({.name = "min-size", .value = "R", .help = "least wanted length, in units of the even spacing"},
-             a.remesh.limits.smallest, 1e-6, 1);
-  cli.number({.name = "max-size", .value = "R", .help = "greatest wanted length, likewise"},
-             a.remesh.limits.largest, 1, 1e6);
+  double min_size = 0, max_size = 0;
+  cli.number({.name = "min-size",
+              .value = "R",
+              .help = "least wanted length, in units of the even spacing",
+              .standard = "0.1, none by lengths"},
+             min_size, 1e-6, 1);
+  cli.number({.name = "max-size",
+              .value = "R",
+              .help = "greatest wanted length, likewise",
+              .standard = "10, none by lengths"},
+             max_size, 1, 1e6);
   cli.output({.name = "sizing-out",
               .value = "FILE",
               .help = "the wanted length at each vertex of INPUT; .ply: INPUT coloured by it"},
@@ -232,7 +247,10 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   geom::require(a.remesh.method == fpo::Method::fpo ||
                     !(a.remesh.shortest_edge_removal || local || global || choices.rest),
                 "--ser, --local, --global and --rest work with --method fpo only");
-  fpo::complete(a.remesh, choices);
+  const bool by_lengths = check_number(a);
+  if (by_lengths) a.remesh.limits = {a.remesh.limits.gradation, 1e-6, 1e6};
+  if (min_size > 0) a.remesh.limits.smallest = min_size;
+  if (max_size > 0) a.remesh.limits.largest = max_size;
   a.remesh.seed = cli.seed();
   a.remesh.threads = cli.threads();
   a.remesh.keep_cells = !a.rpd.empty() || !a.report.empty();
@@ -276,9 +294,6 @@ void read_files(RemeshArguments& a, const geom::TriMesh& input) {
       throw geom::InputError(a.fixed_file.string() + ": " + error.what());
     }
   }
-  if (a.remesh.sizing != fpo::SizingKind::given) return;
-  const std::vector<double> values = io::read_positive_values(a.sizing_file, input.num_vertices());
-  a.remesh.rho.assign(values.begin(), values.end());
 }
 
 }  // namespace tools

@@ -199,6 +199,13 @@ void require_usable(const VertexField& rho, const SizingLimits& limits) {
 
 }  // namespace
 
+Sizing graded_sizing(const TriMesh& mesh, VertexField h, double gradation) {
+  geom::require(h.size() == mesh.num_vertices(), "the sizing must have one value per vertex");
+  require_usable(h, {.gradation = gradation});
+  limit_gradation(EdgeGraph(mesh), gradation, h);
+  return Sizing(mesh, std::move(h));
+}
+
 Sizing fit_sizing(const TriMesh& mesh, const VertexField& rho, std::size_t n, const SizingLimits& limits) {
   geom::require(rho.size() == mesh.num_vertices(), "the sizing has " + std::to_string(rho.size()) +
                                                        " values, the mesh has " +

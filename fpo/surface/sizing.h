@@ -73,6 +73,10 @@ struct SizingLimits {
 Sizing fit_sizing(const geom::TriMesh& mesh, const VertexField& rho, std::size_t n,
                   const SizingLimits& limits = {});
 
+/// The largest sizing of at most h that changes by at most `gradation` per length along mesh edges. h may be
+/// +infinity, but not everywhere. O(F log F). Throws InputError, naming the vertex, as fit_sizing does.
+Sizing graded_sizing(const geom::TriMesh& mesh, VertexField h, double gradation);
+
 /// d_max of section 2.1: the spacing of n samples in hexagonal arrangement on the given area.
 double hexagonal_spacing(double area, std::size_t n);
 

@@ -1,0 +1,186 @@
+#include "fpo/remesh/lengths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+
+#include "fpo/surface/curvature.h"
+#include "geom/check.h"
+#include "geom/mesh/centring.h"
+#include "geom/mesh/scaling.h"
+
+namespace fpo {
+
+using geom::FacetId;
+using geom::TriMesh;
+using geom::VertexId;
+
+namespace {
+
+using MeshEdge = std::array<VertexId, 2>;
+
+/// The mesh opened along features: sides of a curve have vertices of their own. `origin` says whose place.
+struct OpenedMesh {
+  TriMesh mesh;
+  geom::Table<VertexId, VertexId> origin;
+};
+
+std::set<MeshEdge> edges_of(const Features& features) {
+  std::set<MeshEdge> edges;
+  for (const FeatureCurve& curve : features.curves)
+    for (std::size_t i = 0; i < curve.facets.size(); ++i) {
+      const VertexId a = curve.vertices[i], b = curve.vertices[(i + 1) % curve.vertices.size()];
+      edges.insert({std::min(a, b), std::max(a, b)});
+    }
+  return edges;
+}
+
+/// Corner i of facet t is 3 t + i. Corners at a vertex are one where their facets share an edge of no curve.
+std::vector<std::size_t> joined_corners(const TriMesh& mesh, const std::set<MeshEdge>& features) {
+  struct Side {
+    MeshEdge edge;
+    std::array<std::size_t, 2> corners;  ///< at its ends
+  };
+  std::vector<Side> sides;
+  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
+    for (std::size_t e = 0; e < 3; ++e) {
+      Side side{{mesh.facet(t)[e], mesh.facet(t)[(e + 1) % 3]},
+                {3 * t.index() + e, 3 * t.index() + (e + 1) % 3}};
+      if (side.edge[1] < side.edge[0]) {
+        std::swap(side.edge[0], side.edge[1]);
+        std::swap(side.corners[0], side.corners[1]);
+      }
+      if (!features.contains(side.edge)) sides.push_back(side);
+    }
+  std::ranges::stable_sort(sides, {}, &Side::edge);
+  std::vector<std::size_t> parent(3 * mesh.num_facets());
+  for (std::size_t c = 0; c < parent.size(); ++c) parent[c] = c;
+  const auto root = [&](std::size_t c) {
+    while (parent[c] != c) c = parent[c] = parent[parent[c]];
+    return c;
+  };
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
+    if (sides[i].edge == sides[i + 1].edge)
+      for (std::size_t end : {0u, 1u}) parent[root(sides[i].corners[end])] = root(sides[i + 1].corners[end]);
+  for (std::size_t c = 0; c < parent.size(); ++c) parent[c] = root(c);
+  return parent;
+}
+
+OpenedMesh opened(const TriMesh& mesh, const Features& features) {
+  const std::vector<std::size_t> corner = joined_corners(mesh, edges_of(features));
+  std::vector<VertexId> vertex(corner.size());  // of each root
+  geom::Table<VertexId, geom::Vec3> positions;
+  geom::Table<VertexId, VertexId> origin;
+  geom::Table<FacetId, TriMesh::Facet> facets;
+  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
+    TriMesh::Facet facet;
+    for (std::size_t i = 0; i < 3; ++i) {
+      VertexId& v = vertex[corner[3 * t.index() + i]];
+      if (!v.valid()) {
+        v = VertexId(positions.size());
+        positions.push_back(mesh.position(mesh.facet(t)[i]));
+        origin.push_back(mesh.facet(t)[i]);
+      }
+      facet[i] = v;
+    }
+    facets.push_back(facet);
+  }
+  return {TriMesh(std::move(positions), std::move(facets)), std::move(origin)};
+}
+
+Features features_of(const TriMesh& surface, const RemeshOptions& options, double spacing) {
+  if (!options.features) return {};
+  FeatureOptions wanted = *options.features;
+  wanted.turn_scale = spacing / 2;
+  return find_features(surface, wanted);
+}
+
+std::size_t checked(double count) {
+  geom::require(count <= static_cast<double>(most_samples_by_length),
+                "these lengths take more than 20 million samples: are they in the units of the surface?");
+  return static_cast<std::size_t>(std::max(1.0, std::round(count)));
+}
+
+void require_length(const std::optional<double>& length, const std::string& name) {
+  geom::require(!length || (*length > 0 && std::isfinite(*length)), name + " must be positive and finite");
+}
+
+/// Wanted lengths at the vertices, by error or by what is given, at most `longest`.
+VertexField absolute_lengths(const TriMesh& surface, const Lengths& lengths, const RemeshOptions& options,
+                             double longest) {
+  if (!lengths.error) {
+    VertexField h = options.rho;
+    for (double& value : h) value = std::min(value, longest);
+    return h;
+  }
+  const double largest = std::min(longest, surface.diagonal() / 10);
+  return error_size(surface, features_of(surface, options, largest), *lengths.error, largest);
+}
+
+/// Of a surface of about unit size; all lengths are its own.
+void set_number_there(const TriMesh& surface, const Lengths& lengths, RemeshOptions& options) {
+  geom::require(surface.area() > 0, "the surface has no area");
+  const double longest = lengths.edge_length ? *lengths.edge_length / mean_edge_over_wanted
+                                             : std::numeric_limits<double>::infinity();
+  Sizing sizing = Sizing::uniform(1);
+  if (lengths.error || options.sizing == SizingKind::given) {
+    VertexField h = absolute_lengths(surface, lengths, options, longest);
+    sizing = graded_sizing(surface, std::move(h), options.limits.gradation);
+    options.sizing = SizingKind::given;
+    options.rho.clear();
+    for (std::size_t v = 0; v < surface.num_vertices(); ++v)
+      options.rho.push_back(sizing.at(geom::VertexId(v)));
+  } else {
+    sizing = Sizing::uniform(longest);
+  }
+  const double area_h2 = 2 / std::sqrt(3.0) * surface.area();
+  const double inner = sizing.is_uniform() ? area_h2 / (longest * longest) : num_samples(surface, sizing);
+  const std::size_t count = checked(inner);
+  const Features features = features_of(surface, options, hexagonal_spacing(surface.area(), count));
+  const std::vector<SurfaceSample> fixed = points_on_surface(surface, options.fixed);
+  const FeatureSamples samples =
+      sample_features(surface, features, fixed, sizing, 2 * most_samples_by_length, options.seed);
+  options.num_samples =
+      std::max(checked(inner - samples.missing_shares), least_number_of_samples(surface, features, fixed));
+}
+
+}  // namespace
+
+VertexField error_size(const TriMesh& surface, const Features& features, double error, double largest) {
+  constexpr double h2_by_error_and_radius = 3.5;
+  const OpenedMesh open = opened(surface, features);
+  const VertexField radius = curvature_size(open.mesh, {});
+  VertexField h(surface.num_vertices(), largest);
+  for (VertexId v(0); v.index() < open.origin.size(); v = VertexId(v.value + 1)) {
+    const double length = std::sqrt(h2_by_error_and_radius * error * radius[v]);
+    double& least = h[open.origin[v]];
+    least = std::min(least, std::clamp(length, std::min(error, largest), largest));
+  }
+  return h;
+}
+
+void set_number_of_samples(const TriMesh& surface, const Lengths& lengths, RemeshOptions& options) {
+  require_length(lengths.edge_length, "the edge length");
+  require_length(lengths.error, "the error");
+  geom::require(lengths.edge_length || lengths.error || options.sizing == SizingKind::given,
+                "a number of samples, an edge length, an error or a sizing in lengths is needed");
+  geom::require(!lengths.error || options.sizing == SizingKind::uniform,
+                "an error has its own sizing: no other goes with it");
+  const geom::Vec3 middle = geom::far_middle(surface);
+  const TriMesh near = middle.isZero(0) ? surface : geom::moved_by(surface, -middle);
+  const double factor = geom::factor_to_unit_box(near);
+  RemeshOptions there = options;
+  for (geom::Vec3& point : there.fixed) point = factor * (point - middle);
+  for (double& length : there.rho) length *= factor;
+  Lengths scaled = lengths;
+  if (scaled.edge_length) *scaled.edge_length *= factor;
+  if (scaled.error) *scaled.error *= factor;
+  set_number_there(geom::scaled_to_unit_box(near, factor), scaled, there);
+  options.num_samples = there.num_samples;
+  options.sizing = there.sizing;
+  options.rho = there.rho;  // pipeline.h takes them up to a factor
+}
+
+}  // namespace fpo
