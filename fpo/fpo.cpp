@@ -45,6 +45,18 @@ void set_sizes(const geom::TriMesh& input, const Eigen::VectorXd& sizes, RemeshO
   options.rho.assign(sizes.begin(), sizes.end());
 }
 
+/// By lengths, if there is no number. The limits of wanted lengths are those of ratios.
+void set_count(const geom::TriMesh& input, const Options& given, RemeshOptions& options) {
+  const Lengths lengths{given.edge_length, given.error, {}};
+  const bool by_lengths = lengths.edge_length || lengths.error || given.sizing == SizingKind::given;
+  if (given.count > 0)
+    geom::require(!given.edge_length && !given.error, "count and lengths exclude each other");
+  if (given.count > 0 || !by_lengths) return;
+  if (options.limits.smallest == SizingLimits{}.smallest) options.limits.smallest = 1e-6;
+  if (options.limits.largest == SizingLimits{}.largest) options.limits.largest = 1e6;
+  set_number_of_samples(input, lengths, options);
+}
+
 RemeshOptions remesh_options(const geom::TriMesh& input, const Options& given) {
   RemeshOptions options;
   options.num_samples = given.count;
@@ -61,17 +73,20 @@ RemeshOptions remesh_options(const geom::TriMesh& input, const Options& given) {
     options.fixed.push_back(given.fixed.row(i).transpose());
   options.shortest_edge_removal = given.shortest_edge_removal;
   options.mend = given.mend;
-  options.optimize.target_delta = given.target_delta;
   options.optimize.interrupted = given.interrupted;
   options.optimize.on_iteration = given.on_iteration;
   options.optimize.on_move = given.on_move;
-  complete(options, {.scope = given.scope,
-                     .weight_factor = given.weight_scale,
-                     .iterations = given.iterations,
-                     .tile_samples = given.tile_samples,
-                     .optimize_angles = given.optimize_angles,
-                     .improve_fidelity = given.improve_fidelity,
-                     .rest = given.rest});
+  Choices choices{.scope = given.scope,
+                  .weight_factor = given.weight_scale,
+                  .iterations = given.iterations,
+                  .tile_samples = given.tile_samples,
+                  .optimize_angles = given.optimize_angles,
+                  .improve_fidelity = given.improve_fidelity,
+                  .rest = given.rest};
+  use_effort(given.quality, options, choices);
+  if (given.target_delta) options.optimize.target_delta = *given.target_delta;
+  set_count(input, given, options);
+  complete(options, choices);
   return options;
 }
 
@@ -124,7 +139,13 @@ bool RemeshMeasures::same_topology() const {
 
 Remesh remesh(const Points& V, const Triangles& F, const Options& options) {
   const geom::TriMesh input = mesh_of(V, F);
-  const RemeshResult result = remesh(input, remesh_options(input, options));
+  RemeshOptions completed = remesh_options(input, options);
+  std::vector<IterationReport> iterations;
+  completed.optimize.on_iteration = [&](const IterationReport& report) {
+    iterations.push_back(report);
+    if (options.on_iteration) options.on_iteration(report);
+  };
+  const RemeshResult result = remesh(input, completed);
   Remesh remesh;
   remesh.V.resize(static_cast<Eigen::Index>(result.mesh.num_vertices()), 3);
   Eigen::Index row = 0;
@@ -134,6 +155,7 @@ Remesh remesh(const Points& V, const Triangles& F, const Options& options) {
   remesh.wanted = vector_of(result.wanted);
   remesh.sizing = vector_of(result.sizing);
   remesh.measures = measures_of(input, result);
+  remesh.measures.converged = stopped_gaining(iterations);
   return remesh;
 }
 

@@ -15,6 +15,8 @@
 #include <optional>
 
 #include "fpo/measure/quality.h"
+#include "fpo/remesh/effort.h"
+#include "fpo/remesh/lengths.h"
 #include "fpo/remesh/pipeline.h"
 #include "geom/check.h"
 
@@ -22,8 +24,12 @@ namespace fpo {
 
 /// Lengths in the units of V.
 struct Options {
-  std::size_t count =
-      0;  ///< vertices of the remesh: exactly; with Poisson disks, whose parameter is a radius, about
+  /// Vertices of the remesh: exactly; with Poisson disks, whose parameter is a radius, about. 0: by lengths.
+  std::size_t count = 0;
+  /// Instead of a count (lengths.h): wanted mean edge, wanted distance from the input. With neither, `sizes`
+  /// are lengths as they are.
+  std::optional<double> edge_length{}, error{};
+  Effort quality = Effort::best;  ///< how good, how long (effort.h); what else is chosen wins
   Method method = Method::fpo;
   SizingKind sizing = SizingKind::uniform;
   Eigen::VectorXd
@@ -34,8 +40,9 @@ struct Options {
   std::optional<FeatureOptions> features = automatic_features();
   Eigen::MatrixXd fixed{0, 3};  ///< points of the surface that become vertices: the first ones, bit for bit
   std::uint64_t seed = 1;
-  int threads = 0;              ///< at most; 0: all cores. No matter to the result
-  double target_delta = 0.926;  ///< stop when the least spacing exceeds it (section 3.2)
+  int threads = 0;  ///< at most; 0: all cores. No matter to the result
+  /// Stop when the least spacing exceeds it (section 3.2); left out: .926, or what `quality` says.
+  std::optional<double> target_delta{};
   bool shortest_edge_removal = false, mend = true, rest = false;
   /// Left out: what fpo-remesh's help says.
   std::optional<int> iterations{};
@@ -57,7 +64,8 @@ struct RemeshMeasures {
   geom::Topology output;
   SizingFit fit;                ///< of edges to wanted lengths
   OptimizeResult optimization;  ///< iterations, moves, and why it ended
-  std::size_t hidden = 0;       ///< samples without a triangle
+  bool converged = false;  ///< whether the last iterations gained nothing (stopped_gaining() in effort.h)
+  std::size_t hidden = 0;  ///< samples without a triangle
   std::size_t broken_feature_edges =
       0;  ///< edges between neighbours on curves that are no edges of the remesh
   /// A 2-manifold with the Euler number, components and borders of the input.

@@ -64,8 +64,22 @@ std::optional<fpo::FeatureOptions> features_of(double angle) {
   return fpo::FeatureOptions{.crease_angle = angle, .weak_crease_angle = angle};
 }
 
+fpo::Effort effort_of(std::int32_t quality) {
+  switch (quality) {
+    case fpo_quality_best:
+      return fpo::Effort::best;
+    case fpo_quality_good:
+      return fpo::Effort::good;
+    case fpo_quality_draft:
+      return fpo::Effort::draft;
+  }
+  throw geom::InputError("no quality has the number " + std::to_string(quality));
+}
+
 fpo::Options options_of(const fpo_options& given, std::int64_t num_vertices) {
-  geom::require(given.count > 0, "the number of samples must be at least 1");
+  const bool by_lengths = given.edge_length > 0 || given.error > 0 || given.sizing == fpo_sizing_given;
+  geom::require(given.count > 0 || (given.count == 0 && by_lengths),
+                "the number of samples must be at least 1");
   fpo::Options options;
   options.count = static_cast<std::size_t>(given.count);
   options.seed = given.seed;
@@ -78,7 +92,10 @@ fpo::Options options_of(const fpo_options& given, std::int64_t num_vertices) {
   options.features = features_of(given.feature_angle);
   options.threads = given.threads;
   if (given.iterations >= 0) options.iterations = given.iterations;
-  options.target_delta = given.target_delta;
+  if (given.target_delta >= 0) options.target_delta = given.target_delta;
+  if (given.edge_length > 0) options.edge_length = given.edge_length;
+  if (given.error > 0) options.error = given.error;
+  options.quality = effort_of(given.quality);
   return options;
 }
 
@@ -90,11 +107,16 @@ class Reporter {
     if (!given.progress) return;
     const int iterations =
         options.iterations.value_or(fpo::default_iterations(options.method, options.sizing));
-    const double moves = std::max(1.0, static_cast<double>(given.count) * iterations);
-    options.on_iteration = [this](const fpo::IterationReport& report) { delta_ = report.delta; };
-    options.on_move = [this, moves](std::size_t move) {
-      if (move % moves_a_call == 0 && given_.progress(given_.user, static_cast<double>(move) / moves, delta_))
-        stopped_ = true;
+    options.on_iteration = [this](const fpo::IterationReport& report) {
+      delta_ = report.delta;
+      iteration_ = report.iteration;
+    };
+    // By lengths nobody knows here how many moves make an iteration.
+    options.on_move = [this, iterations](std::size_t move) {
+      const double moves = static_cast<double>(given_.count) * iterations;
+      const double done = given_.count > 0 ? static_cast<double>(move) / std::max(1.0, moves)
+                                           : static_cast<double>(iteration_) / std::max(1, iterations);
+      if (move % moves_a_call == 0 && given_.progress(given_.user, done, delta_)) stopped_ = true;
     };
   }
   bool stopped() const { return stopped_; }
@@ -102,6 +124,7 @@ class Reporter {
  private:
   const fpo_options& given_;
   double delta_ = 0;
+  int iteration_ = 0;
   std::atomic<bool> stopped_ = false;
 };
 
@@ -165,7 +188,8 @@ extern "C" {
   options->sizing = fpo_sizing_uniform;
   options->feature_angle = -1;
   options->iterations = -1;
-  options->target_delta = standard.target_delta;
+  options->target_delta = -1;
+  options->quality = fpo_quality_best;
 }
 
 [[gnu::visibility("default")]] int fpo_remesh(const double* vertices, std::int64_t num_vertices,

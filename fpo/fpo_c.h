@@ -22,8 +22,10 @@ enum {
 };
 enum { fpo_sizing_uniform = 0, fpo_sizing_lfs = 1, fpo_sizing_curvature = 2, fpo_sizing_given = 3 };
 
+enum { fpo_quality_best = 0, fpo_quality_good = 1, fpo_quality_draft = 2 };
+
 typedef struct fpo_options {
-  int64_t count; /* vertices of the remesh */
+  int64_t count; /* vertices of the remesh; 0: by lengths */
   uint64_t seed;
   int32_t method, sizing; /* see above */
   const double*
@@ -31,11 +33,13 @@ typedef struct fpo_options {
   double feature_angle; /* folds by more degrees are kept; 0: none, negative: creases of machined parts */
   int32_t threads;      /* at most; 0: all cores; no matter to the result */
   int32_t iterations;   /* at most; negative: as many as are best */
-  double target_delta;  /* stop when the least spacing exceeds it */
+  double target_delta;  /* stop when the least spacing exceeds it; negative: what the quality says */
   /* Called every some hundred moves with the share of them that is done and the last iteration's delta; if it
      returns anything but 0, the moves so far are the result. Null: nobody. */
   int (*progress)(void* user, double done, double delta);
   void* user;
+  double edge_length, error; /* instead of a count: wanted mean edge, distance from the input; 0: not given */
+  int32_t quality;           /* how long */
 } fpo_options;
 
 /* Facets and vertices count from 0. Arrays belong to the library, until fpo_free(). */
@@ -51,7 +55,7 @@ typedef struct fpo_result {
   int32_t same_topology; /* 1: a 2-manifold of the input's topological type */
 } fpo_result;
 
-/* The options of fpo-remesh; the count is 0 and must be set. */
+/* The options of fpo-remesh; the count is 0: it or a length must be set. */
 void fpo_default_options(fpo_options* options);
 
 /* Remeshes a surface of so many vertices (x, y, z each) and triangles (three vertices each, from 0). Returns

@@ -8,13 +8,13 @@
 namespace io {
 
 void write_surface_map(const std::filesystem::path& path, std::span<const MappedPoint> points) {
-  std::string text = "# facet (from 1) and barycentric coordinates of each vertex\n";
+  std::string text = "# each vertex: three vertices of the input (from 1) and their weights\n";
   for (const MappedPoint& p : points) {
-    append_integer(text, p.facet.value + 1);
-    for (const double b : p.barycentric) {
+    for (const geom::VertexId v : p.vertices) {
+      append_integer(text, v.value + 1);
       text += ' ';
-      append_shortest(text, b);
     }
+    for (int i = 0; i < 3; ++i) append_shortest(text += i > 0 ? " " : "", p.barycentric[i]);
     text += '\n';
   }
   write_file(path, text);

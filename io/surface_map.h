@@ -1,7 +1,8 @@
 #pragma once
-// Where the vertices of a remesh lie on the input, for the transfer of attributes: a line per vertex with the
-// facet, counted from 1, and the barycentric coordinates of the vertex in it.
+// Where the vertices of a remesh lie on the input, for the transfer of attributes: a line per vertex with
+// three vertices of the input, counted from 1, and their weights.
 
+#include <array>
 #include <filesystem>
 #include <span>
 
@@ -9,9 +10,9 @@
 
 namespace io {
 
-/// A place in a facet: sum of barycentric[i] times corner i.
+/// A place in a triangle: the sum of barycentric[i] times vertex i.
 struct MappedPoint {
-  geom::FacetId facet;
+  std::array<geom::VertexId, 3> vertices;
   geom::Vec3 barycentric;
 };
 

@@ -34,7 +34,7 @@ std::string forms(const Option& option, bool negatable, bool maybe_value) {
   std::string text = option.letter ? std::string{'-', option.letter} : "   ";
   if (!option.name.empty()) {
     text += option.letter ? ", --" : " --";
-    text += option.name + (negatable ? ", --no-" + option.name : "");
+    text += (negatable ? "[no-]" : "") + option.name;
   }
   if (maybe_value) return text + "[=" + option.value + "]";
   return text + (option.value.empty() ? "" : " " + option.value);
@@ -83,6 +83,10 @@ std::string CommandLine::command() const {
 void CommandLine::describe(std::string operands, std::string summary) {
   operands_ = std::move(operands);
   summary_ = std::move(summary);
+}
+
+void CommandLine::example(std::string arguments, std::string what) {
+  examples_.emplace_back(std::move(arguments), std::move(what));
 }
 
 void CommandLine::group(std::string title) { group_ = std::move(title); }
@@ -267,27 +271,39 @@ void CommandLine::check_complete(const std::vector<std::string>& operands, std::
   }
 }
 
+namespace {
+
+constexpr std::size_t page_width = 79, help_column = 27;
+
+/// An option and what it does: beside it, or below if it is long.
+std::string entry_text(const Option& option, const std::string& forms) {
+  std::string phrase = option.help;
+  if (option.required) phrase += " (required)";
+  if (!option.standard.empty()) phrase += " (default " + option.standard + ")";
+  std::string line = "  " + forms;
+  if (line.size() + 2 > help_column) line += "\n" + std::string(help_column, ' ');
+  if (line.size() < help_column) line.resize(help_column, ' ');
+  return line + wrapped(phrase, help_column, page_width - help_column) + "\n";
+}
+
+}  // namespace
+
 std::string CommandLine::help() const {
-  constexpr std::size_t page_width = 100;
-  const auto forms_of = [](const Entry& entry) {
-    return forms(entry.option, entry.kind == Kind::toggle, entry.kind == Kind::maybe_value);
-  };
-  std::size_t column = 0;
-  for (const Entry& entry : entries_) {
-    column = std::max(column, forms_of(entry).size() + 4);
-  }
   std::string text = "Usage: " + program_ + (operands_.empty() ? "" : " " + operands_) + " [options]\n";
   text += wrapped(summary_, 0, page_width) + "\n";
-  std::string group;
-  for (const Entry& entry : entries_) {
-    if (entry.group != group) text += "\n" + (group = entry.group) + "\n";
-    const Option& option = entry.option;
-    std::string phrase = option.help;
-    if (option.required) phrase += " (required)";
-    if (!option.standard.empty()) phrase += " (default " + option.standard + ")";
-    std::string line = "  " + forms_of(entry);
-    line.resize(column, ' ');
-    text += line + wrapped(phrase, column, page_width - column) + "\n";
+  if (!examples_.empty()) text += "\nExamples\n";
+  for (const auto& [arguments, what] : examples_)
+    text += "  " + program_ + " " + arguments + "\n      " + wrapped(what, 6, page_width - 6) + "\n";
+  std::vector<std::string> groups;
+  for (const Entry& entry : entries_)
+    if (std::ranges::find(groups, entry.group) == groups.end()) groups.push_back(entry.group);
+  std::ranges::stable_partition(groups, [](const std::string& g) { return !g.starts_with("Expert"); });
+  for (const std::string& group : groups) {
+    text += "\n" + group + "\n";
+    for (const Entry& entry : entries_)
+      if (entry.group == group)
+        text += entry_text(entry.option,
+                           forms(entry.option, entry.kind == Kind::toggle, entry.kind == Kind::maybe_value));
   }
   return text;
 }

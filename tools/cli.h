@@ -59,7 +59,11 @@ class CommandLine {
 
   /// The operands as the usage line shows them, and what the tool does.
   void describe(std::string operands, std::string summary);
-  /// Starts a block of the help, to which the following options belong.
+  /// A command to begin with, without the program's name, and what it does: the help starts with these.
+  void example(std::string arguments, std::string what);
+  /// Starts a block of the help, or goes on with one of that title. Blocks are shown in the order in which
+  /// they begin, those whose title begins with "Expert" after all others.
+  /// The following options belong to it.
   void group(std::string title);
 
   /// A whole number in [low, high].
@@ -121,6 +125,7 @@ class CommandLine {
   std::string program_, operands_, summary_, group_ = "Options";
   std::vector<std::string> arguments_;
   std::vector<Entry> entries_;
+  std::vector<std::pair<std::string, std::string>> examples_;
   std::uint64_t seed_ = 1;
   int threads_ = 1;
   bool quiet_ = false;

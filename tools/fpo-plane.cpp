@@ -1,18 +1,19 @@
 // fpo-plane: blue-noise samples on a rectangle, periodic or not, by farthest point optimization (paper,
 // section 3).
 
-#include <cstdio>
-
 #include "fpo/plane/plane_angles.h"
 #include "fpo/plane/plane_quality.h"
 #include "fpo/shortest_edge.h"
 #include "io/atomic_file.h"
+#include "io/mesh_io.h"
 #include "io/points.h"
 #include "tools/interrupt.h"
 #include "tools/plane_arguments.h"
 #include "tools/plane_bounded.h"
+#include "tools/plane_mesh.h"
 #include "tools/plane_sizing_source.h"
 #include "tools/run_log.h"
+#include "tools/summary.h"
 
 namespace {
 
@@ -29,7 +30,9 @@ fpo::OptimizeResult optimize(const tools::PlaneArguments& a, fpo::PlaneDomain& d
 /// The samples come last: where they are, all is.
 void write_outputs(const tools::PlaneArguments& a, const fpo::PlaneDomain& domain, const std::string& log) {
   if (!a.log.empty()) io::write_file(a.log, log);
-  if (a.writes_svg()) {
+  if (a.writes_mesh()) {
+    io::write_mesh(a.output, tools::mesh_of(domain));
+  } else if (a.writes_svg()) {
     tools::draw_plane(domain, a.picture).save(a.output);
   } else {
     std::vector<geom::WeightedPoint2> points;
@@ -63,14 +66,22 @@ int plane(tools::CommandLine& cli) {
   const bool interrupted = tools::interrupt_flag();  // maybe after the optimization
   write_outputs(a, domain, log.csv());
   const fpo::PlaneQuality q = fpo::plane_quality(domain);
-  std::printf(
-      "samples %zu\niterations %d\nmoves %zu\ndelta %.6f\nmean_delta %.6f\ngrading_slope %.4f\n"
-      "spacing_variation %.4f\ntheta_min %.3f\ntheta_min_avg %.3f\ntheta_max %.3f\ntheta_lt30 %zu\nhidden "
-      "%zu\n"
-      "seconds %.3f\nwrote %s\n",
-      a.num_samples, result.last.iteration, result.moves, q.delta, q.mean_delta, q.grading_slope,
-      q.spacing_variation, q.min_angle, q.mean_min_angle, q.max_angle, q.angles_below_30, q.hidden,
-      result.last.seconds, a.output.c_str());
+  tools::Summary summary;
+  summary.count("samples", a.num_samples);
+  summary.count("iterations", static_cast<std::size_t>(result.last.iteration));
+  summary.count("moves", result.moves);
+  summary.number(uniform ? "delta" : "delta_of_wanted", q.delta, 6);
+  summary.number(uniform ? "mean_delta" : "mean_delta_of_wanted", q.mean_delta, 6);
+  summary.number("grading_slope", q.grading_slope, 4);
+  summary.number("spacing_variation", q.spacing_variation, 4);
+  summary.number("theta_min", q.min_angle, 3);
+  summary.number("theta_min_avg", q.mean_min_angle, 3);
+  summary.number("theta_max", q.max_angle, 3);
+  summary.count("theta_lt30", q.angles_below_30);
+  summary.count("hidden", q.hidden);
+  summary.number("seconds", result.last.seconds, 3);
+  summary.text("wrote", a.output.string());
+  summary.print(a.json);
   return interrupted ? tools::exit_interrupted : tools::exit_done;
 }
 

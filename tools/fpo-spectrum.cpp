@@ -16,6 +16,8 @@
 #include "tools/interrupt.h"
 #include "tools/picture_of_spectrum.h"
 #include "tools/spectrum_arguments.h"
+#include "tools/spectrum_warnings.h"
+#include "tools/summary.h"
 
 namespace {
 
@@ -90,6 +92,8 @@ PowerSpectrum surface_spectrum(const SpectrumArguments& a, const GivenSurface& g
       p.weight = std::pow(surface.interpolated(p.position, given.sizes), 2);
   const fpo::SpacingRule rule =
       a.spacing.value_or(fpo::rule_for(std::span<const geom::WeightedPoint3>(points)));
+  if (given.surface) tools::warn_if_elsewhere(input, points, surface);
+  if (!a.spacing && rule == fpo::SpacingRule::uniform) tools::warn_if_adaptive(input, points, surface);
   return fpo::differential_spectrum(fpo::surface_set(points, surface, rule), a.spectrum);
 }
 
@@ -127,7 +131,7 @@ std::string table(const fpo::RadialCurve& curve) {
   return text;
 }
 
-void print_summary(const tools::MeanSpectrum& mean) {
+void print_summary(const SpectrumArguments& a, const tools::MeanSpectrum& mean) {
   const fpo::RadialCurve& c = mean.curve;
   double low = 0, decibels = 0, rings = 0;
   std::size_t peak = 0;
@@ -138,9 +142,14 @@ void print_summary(const tools::MeanSpectrum& mean) {
     decibels += fpo::decibel(c.anisotropy[i]);
     rings += 1;
   }
-  std::printf("sets %zu\nlow_power %.4f\npeak_power %.4f\npeak_frequency %.4f\nanisotropy_db %.2f\n",
-              mean.num_sets, low, c.mean.empty() ? 0 : c.mean[peak], c.mean.empty() ? 0 : c.frequency[peak],
-              rings > 0 ? decibels / rings : 0);
+  tools::Summary summary;
+  summary.count("sets", mean.num_sets);
+  summary.number("low_power", low, 4);
+  summary.number("peak_power", c.mean.empty() ? 0 : c.mean[peak], 4);
+  summary.number("peak_frequency", c.mean.empty() ? 0 : c.frequency[peak], 4);
+  summary.number("anisotropy_db", rings > 0 ? decibels / rings : 0, 2);
+  summary.text("wrote", a.picture.string() + " " + a.table.string());
+  summary.print(a.json);
 }
 
 int spectrum(tools::CommandLine& cli) {
@@ -153,8 +162,7 @@ int spectrum(tools::CommandLine& cli) {
   const io::Svg picture = tools::draw_spectrum(mean);
   io::write_file(a.table, table(mean.curve));
   picture.save(a.picture);
-  print_summary(mean);
-  std::printf("wrote %s %s\n", a.picture.c_str(), a.table.c_str());
+  print_summary(a, mean);
   return spectra.size() < a.inputs.size() ? tools::exit_interrupted : tools::exit_done;
 }
 

@@ -13,6 +13,7 @@ import os
 from types import SimpleNamespace
 
 METHODS = {'fpo': 0, 'cvt': 1, 'mps': 2, 'cps': 3, 'pps': 4, 'ccst': 5, 'vbs': 6, 'hps': 7}
+QUALITIES = {'best': 0, 'good': 1, 'draft': 2}
 SIZINGS = {'uniform': 0, 'lfs': 1, 'curvature': 2}
 MEASURES = ('q_min', 'q_avg', 'theta_min', 'theta_max', 'delta', 'mean_delta')
 
@@ -24,7 +25,8 @@ class Options(ctypes.Structure):
     """fpo_options of fpo/fpo_c.h."""
     _fields_ = [('count', Long), ('seed', ctypes.c_uint64), ('method', Int), ('sizing', Int),
                 ('sizes', ctypes.POINTER(Double)), ('feature_angle', Double), ('threads', Int), ('iterations', Int),
-                ('target_delta', Double), ('progress', Progress), ('user', ctypes.c_void_p)]
+                ('target_delta', Double), ('progress', Progress), ('user', ctypes.c_void_p), ('edge_length', Double),
+                ('error', Double), ('quality', Int)]
 
 
 class Result(ctypes.Structure):
@@ -58,9 +60,9 @@ def triples(pointer, count):
     return [tuple(pointer[3 * i:3 * i + 3]) for i in range(count)]
 
 
-def remesh(vertices, facets, count, sizing='uniform', progress=None, **options):
-    """Remeshes with `count` vertices; options are those of fpo_c.h: seed, method, feature_angle, threads, iterations,
-    target_delta. sizing: 'uniform', 'lfs', 'curvature' or a wanted edge length for each vertex. progress(done, delta)
+def remesh(vertices, facets, count=0, sizing='uniform', progress=None, **options):
+    """Remeshes with `count` vertices, or by edge_length or error; options are those of fpo_c.h: these, quality ('draft',
+    'good', 'best'), seed, method, feature_angle, threads, iterations, target_delta. sizing: 'uniform', 'lfs', 'curvature' or a wanted edge length for each vertex. progress(done, delta)
     stops the run by returning True. Raises ValueError on what cannot be remeshed, KeyboardInterrupt if there was no
     result yet."""
     library = load_library()
@@ -68,9 +70,11 @@ def remesh(vertices, facets, count, sizing='uniform', progress=None, **options):
     library.fpo_default_options(ctypes.byref(given))
     given.count = count
     for name, value in options.items():
-        if name not in ('seed', 'method', 'feature_angle', 'threads', 'iterations', 'target_delta'):
+        if name not in ('seed', 'method', 'feature_angle', 'threads', 'iterations', 'target_delta', 'edge_length',
+                        'error', 'quality'):
             raise TypeError('there is no option ' + name)
-        setattr(given, name, METHODS[value] if name == 'method' else value)
+        words = {'method': METHODS, 'quality': QUALITIES}.get(name)
+        setattr(given, name, words[value] if words else value)
     if isinstance(sizing, str):
         given.sizing = SIZINGS[sizing]
     else:

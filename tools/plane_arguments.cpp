@@ -24,11 +24,12 @@ void declare_result(CommandLine& cli, PlaneArguments& a) {
   cli.path({.name = "output",
             .letter = 'o',
             .value = "OUT",
-            .help = "the samples: .txt (x y [weight] a line) or .svg",
+            .help = "the samples: .txt (x y [weight] a line) or .svg, or with their triangulation .off, .obj",
             .required = true},
            a.output);
   cli.output({.name = "log", .value = "OUT.csv", .help = "iteration, moved, delta, mean_delta, seconds"},
              a.log, {".csv", ".txt"});
+  cli.flag({.name = "json", .help = "print the summary as a JSON object"}, a.json);
   cli.flag({.name = "draw-triangulation", .help = "in .svg: the regular triangulation"},
            a.picture.triangulation);
   cli.flag({.name = "draw-cells", .help = "in .svg: the power cells"}, a.picture.cells);
@@ -41,13 +42,13 @@ void declare_domain(CommandLine& cli, PlaneArguments& a) {
   cli.group("Domain");
   cli.custom({.name = "period", .value = "WxH", .help = "width and height", .standard = "1x1"},
              [&a](const std::string& text) { a.period = parse_period(text); });
-  cli.text(
-      {.name = "sizing",
-       .value = "KIND",
-       .help = "IMAGE.pgm (dark is dense), CURVES.txt (lines x y, a blank line between curves: their local "
-               "feature size), or one of " +
-               all_sizing_names()},
-      a.sizing);
+  cli.text({.name = "sizing",
+            .value = "KIND",
+            .help = "IMAGE.pgm or .png (dark is dense), CURVES.txt (lines x y, a blank line between curves: "
+                    "their local "
+                    "feature size), or one of " +
+                    all_sizing_names()},
+           a.sizing);
   cli.number({.name = "gradation",
               .value = "G",
               .help = "of images and curves: edge lengths grow by at most G times the distance"},
@@ -89,6 +90,11 @@ void declare_optimization(CommandLine& cli, PlaneArguments& a, bool& local, bool
 
 }  // namespace
 
+bool PlaneArguments::writes_mesh() const {
+  const std::string extension = io::lower_extension(output);
+  return extension == ".off" || extension == ".obj";
+}
+
 bool PlaneArguments::writes_svg() const { return io::lower_extension(output) == ".svg"; }
 
 PlaneArguments parse_plane_arguments(CommandLine& cli) {
@@ -103,8 +109,8 @@ PlaneArguments parse_plane_arguments(CommandLine& cli) {
   cli.parse(0, 0);
   if (local && global) throw UsageError("--local and --global exclude each other");
   if (a.bounded && a.start) throw UsageError("--start is for tori: --bounded has random initial samples");
-  geom::require(a.writes_svg() || io::lower_extension(a.output) == ".txt",
-                a.output.string() + ": use .txt or .svg");
+  geom::require(a.writes_svg() || a.writes_mesh() || io::lower_extension(a.output) == ".txt",
+                a.output.string() + ": use .txt, .svg, .off or .obj");
   if (local) a.scope = fpo::Scope::two_ring;
   if (global) a.scope = fpo::Scope::global;
   a.optimize.seed = cli.seed();

@@ -26,7 +26,9 @@ struct PlaneArguments {
   std::optional<fpo::Scope> scope;
   fpo::OptimizeOptions optimize;
   PlanePicture picture;
+  bool json = false;  ///< print the summary as JSON
   bool writes_svg() const;
+  bool writes_mesh() const;
 };
 
 /// Reads it, and refuses output names that cannot be written before any work starts. Throws geom::InputError.

@@ -2,16 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "fpo/measure/quality.h"
 #include "fpo/plane/rectangle.h"
 #include "fpo/remesh/pipeline.h"
 #include "io/atomic_file.h"
+#include "io/mesh_io.h"
 #include "io/points.h"
 #include "tools/interrupt.h"
 #include "tools/plane_sizing_source.h"
 #include "tools/run_log.h"
+#include "tools/summary.h"
 
 namespace tools {
 namespace {
@@ -45,7 +46,9 @@ fpo::RemeshOptions remesh_options(const PlaneArguments& a, std::uint64_t seed, c
 /// The samples come last: where they are, all is.
 void write_outputs(const PlaneArguments& a, const fpo::RemeshResult& result, const std::string& log) {
   if (!a.log.empty()) io::write_file(a.log, log);
-  if (a.writes_svg()) {
+  if (a.writes_mesh()) {
+    io::write_mesh(a.output, result.mesh);
+  } else if (a.writes_svg()) {
     draw_rectangle(result, a.period, a.picture).save(a.output);
   } else {
     std::vector<geom::WeightedPoint2> points;
@@ -68,13 +71,23 @@ int run_bounded_plane(PlaneArguments& a, std::uint64_t seed, bool quiet) {
   const bool interrupted = interrupt_flag();  // maybe after the optimization
   write_outputs(a, result, log.csv());
   const fpo::Quality q = fpo::quality(result.mesh, rectangle.area());
-  std::printf(
-      "samples %zu\niterations %d\nmoves %zu\ndelta %.6f\nmean_delta %.6f\nsize_slope %.4f\nsize_cv "
-      "%.4f\ntheta_min %.3f\ntheta_min_avg %.3f\ntheta_max %.3f\nhidden %zu\nseconds %.3f\nwrote %s\n",
-      a.num_samples, result.optimization.last.iteration, result.optimization.moves,
-      result.optimization.last.delta, result.optimization.last.mean_delta, result.fit.slope, result.fit.cv,
-      q.theta_min, q.theta_min_avg, q.theta_max, result.hidden, result.optimization.last.seconds,
-      a.output.c_str());
+  const fpo::OptimizeResult& o = result.optimization;
+  const bool uniform = sizing->is_uniform();
+  Summary summary;
+  summary.count("samples", a.num_samples);
+  summary.count("iterations", static_cast<std::size_t>(o.last.iteration));
+  summary.count("moves", o.moves);
+  summary.number(uniform ? "delta" : "delta_of_wanted", o.last.delta, 6);
+  summary.number(uniform ? "mean_delta" : "mean_delta_of_wanted", o.last.mean_delta, 6);
+  summary.number("size_slope", result.fit.slope, 4);
+  summary.number("size_cv", result.fit.cv, 4);
+  summary.number("theta_min", q.theta_min, 3);
+  summary.number("theta_min_avg", q.theta_min_avg, 3);
+  summary.number("theta_max", q.theta_max, 3);
+  summary.count("hidden", result.hidden);
+  summary.number("seconds", o.last.seconds, 3);
+  summary.text("wrote", a.output.string());
+  summary.print(a.json);
   return interrupted ? exit_interrupted : exit_done;
 }
 

@@ -3,7 +3,7 @@
 #include "fpo/plane/curve_feature_size.h"
 #include "fpo/plane/image_sizing.h"
 #include "io/extension.h"
-#include "io/pgm.h"
+#include "io/gray_image.h"
 #include "io/polylines.h"
 
 namespace tools {
@@ -20,7 +20,7 @@ auto about_file(const std::string& name, Make&& make) {
 }
 
 std::unique_ptr<fpo::PlaneSizing> image_sizing(const PlaneArguments& a, const geom::FlatTorus& torus) {
-  io::GrayImage image = io::read_pgm(a.sizing);
+  io::GrayImage image = io::read_gray_image(a.sizing);
   for (float& value : image.value) value = 1 - value;
   return about_file(a.sizing, [&] {
     return fpo::image_sizing({image.width, image.height, std::move(image.value)}, torus, a.num_samples,
@@ -40,11 +40,12 @@ std::unique_ptr<fpo::PlaneSizing> curve_sizing(const PlaneArguments& a, const ge
 
 std::unique_ptr<fpo::PlaneSizing> make_plane_sizing(const PlaneArguments& a, const geom::FlatTorus& torus) {
   if (auto named = fpo::named_sizing(a.sizing, torus)) return named;
-  const std::string extension = io::lower_extension(a.sizing);
-  geom::require(extension == ".pgm" || extension == ".txt",
-                "--sizing: '" + a.sizing +
-                    "' is neither a .pgm image, a .txt file of curves, nor the name of a field (see --help)");
-  return extension == ".pgm" ? image_sizing(a, torus) : curve_sizing(a, torus);
+  const bool image = io::is_image(a.sizing);
+  geom::require(
+      image || io::lower_extension(a.sizing) == ".txt",
+      "--sizing: '" + a.sizing +
+          "' is neither an image (.pgm, .png), a .txt file of curves, nor the name of a field (see --help)");
+  return image ? image_sizing(a, torus) : curve_sizing(a, torus);
 }
 
 }  // namespace tools

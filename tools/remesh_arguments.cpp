@@ -9,21 +9,14 @@
 #include "io/mesh_io.h"
 #include "io/points.h"
 #include "tools/interrupt.h"
+#include "tools/remesh_features.h"
+#include "tools/remesh_quality.h"
 #include "tools/remesh_sizing.h"
 
 namespace tools {
 namespace {
 
 constexpr double least_tile_samples = 100;  // in fewer, hardly any could be moved
-
-void set_features(RemeshArguments& a, const std::string& text) {
-  a.remesh.features.reset();
-  if (text == "none") return;
-  a.remesh.features = fpo::automatic_features();
-  if (text == "auto") return;
-  const double angle = parse_number(text, 1, 180);
-  a.remesh.features = fpo::FeatureOptions{.crease_angle = angle, .weak_crease_angle = angle};
-}
 
 /// None: to be chosen. 0: no tiles.
 std::optional<std::size_t> tile_samples_of(const std::string& text) {
@@ -68,26 +61,36 @@ std::string iterations_by_method() {
 
 /// How many samples is said in one way. True if by lengths.
 bool check_number(const RemeshArguments& a) {
-  const bool by_lengths = a.lengths.edge_length || a.lengths.error;
-  if (a.remesh.num_samples > 0 && by_lengths) throw UsageError("-n excludes --edge-length and --error");
+  const bool by_lengths = a.lengths.edge_length || a.lengths.error || a.lengths.radius;
+  if (a.remesh.num_samples > 0 && by_lengths)
+    throw UsageError("-n excludes --edge-length, --error and --radius");
   if (a.remesh.num_samples > 0) return false;
   if (!by_lengths && a.remesh.sizing != fpo::SizingKind::given)
     throw UsageError("-n COUNT is missing (or --edge-length, --error, or a --sizing file of lengths)");
   if (a.lengths.error && a.remesh.sizing != fpo::SizingKind::uniform)
     throw UsageError("--error and --sizing exclude each other");
+  const bool disks = a.remesh.method == fpo::Method::mps || a.remesh.method == fpo::Method::cps;
+  if (a.lengths.radius &&
+      (!disks || a.lengths.edge_length || a.lengths.error || a.remesh.sizing != fpo::SizingKind::uniform))
+    throw UsageError("--radius is for --method mps or cps, by itself");
   return true;
+}
+
+void add_examples(CommandLine& cli) {
+  cli.example("bunny.obj -n 2000 -o out.obj", "exactly 2000 vertices, evenly spread");
+  cli.example("bunny.obj --edge-length 0.01 -o out.ply --quality draft",
+              "edges 0.01 long on average, in a hurry");
+  cli.example("bunny.obj -n 6000 --sizing lfs -o out.obj --report out.html",
+              "small triangles where the shape is small, and a page about the result");
+  cli.example("scan.ply --repair -n 5000 --carry -o out.ply", "a broken scan with colours");
+  cli.example("bunny.obj -n 2000 --points out.ply", "the samples alone");
 }
 
 void parse(CommandLine& cli, RemeshArguments& a) {
   cli.describe("INPUT",
                std::string("Remeshes a surface (obj, off, ply, stl) with COUNT samples of blue noise. ") +
                    interrupt_help);
-  declare_repair(cli, a.repair);
-  cli.path(
-      {.name = "repaired",
-       .value = "OUT",
-       .help = "INPUT as it was remeshed; facets and vertices of INPUT mean its own: .obj .off .ply .stl"},
-      a.repaired);
+  add_examples(cli);
   cli.group("Result");
   cli.integer(
       {.name = "count",
@@ -108,13 +111,20 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   cli.path({.name = "output",
             .letter = 'o',
             .value = "OUT",
-            .help = "the remesh: .obj .off .ply .stl",
-            .required = true},
+            .help = "the remesh: .obj .off .ply .stl; may be left out with --points"},
            a.output);
-  cli.path({.name = "points", .value = "OUT", .help = "the samples: .xyz .ply"}, a.points);
+  cli.path({.name = "points",
+            .value = "OUT",
+            .help = "the samples: .xyz, or .ply with normal, area of the cell, facet, wanted length (size), "
+                    "weight and rank: those of the lowest ranks are a smaller set, well spread"},
+           a.points);
+  cli.flag({.name = "carry",
+            .help = "OUT (.obj .ply) has INPUT's vertex colours, scalar vertex properties and texture "
+                    "coordinates"},
+           a.carry);
   cli.output({.name = "map",
               .value = "OUT.txt",
-              .help = "a line per vertex: facet of INPUT (from 1) and three barycentric coordinates"},
+              .help = "a line per vertex: three vertices of INPUT (from 1) and their weights"},
              a.map, {".txt"});
   cli.output({.name = "rpd", .value = "OUT.obj", .help = "the restricted power diagram, a group a cell"},
              a.rpd, {".obj"});
@@ -126,6 +136,16 @@ void parse(CommandLine& cli, RemeshArguments& a) {
               .help = "a page with pictures to turn, charts, spectrum and quality beside the paper's"},
              a.report, {".html", ".htm"});
 
+  cli.flag({.name = "hausdorff", .help = "measure how far the remesh is from INPUT"}, a.hausdorff);
+  cli.flag({.name = "json", .help = "print the summary as a JSON object"}, a.json);
+
+  declare_repair(cli, a.repair);
+  cli.path(
+      {.name = "repaired",
+       .value = "OUT",
+       .help = "INPUT as it was remeshed; facets and vertices of INPUT mean its own: .obj .off .ply .stl"},
+      a.repaired);
+
   cli.group("Optimization");
   cli.choice({.name = "method",
               .value = method_names(),
@@ -134,6 +154,14 @@ void parse(CommandLine& cli, RemeshArguments& a) {
                       "capacity-constrained triangulation, variational blue noise (these without angle "
                       "optimization and improvement of fidelity unless asked for)"},
              a.remesh.method, method_words());
+  fpo::Effort effort = fpo::Effort::best;
+  cli.custom({.name = "quality",
+              .value = "draft|good|best",
+              .help = "how long: 5 iterations, until delta is .9, or as long as --iterations and "
+                      "--target-delta say; later options win",
+              .standard = "best"},
+             [&](const std::string& text) { effort = effort_of(text); });
+  double target_delta = -1;
   int iterations = -1;
   fpo::Choices& choices = a.choices;
   cli.integer(
@@ -144,12 +172,22 @@ void parse(CommandLine& cli, RemeshArguments& a) {
            "pairs of steps; with Poisson disks radii tried to come near COUNT",
        .standard = iterations_by_method()},
       iterations, 0, 1'000'000);
-  cli.number({.name = "target-delta", .value = "D", .help = "stop when delta exceeds it"},
-             a.remesh.optimize.target_delta, 0, 2);
+  cli.number({.name = "target-delta",
+              .value = "D",
+              .help = "stop when delta exceeds it",
+              .standard = shortest(a.remesh.optimize.target_delta)},
+             target_delta, 0, 2);
+  cli.group("Lengths and features");
+  cli.custom({.name = "radius",
+              .value = "R",
+              .help = "instead of -n, with --method mps or cps: the radius of the disks"},
+             [&](const std::string& text) { a.lengths.radius = parse_number(text, 0, 1e300); });
+  cli.group("Optimization");
   cli.toggle({.name = "rest",
               .help = "do not move samples that, like their neighbours, are as far from others as the target "
                       "asks: faster to a delta below .92, smaller mean"},
              choices.rest);
+  cli.group("Expert: optimization");
   cli.choice({.name = "corners",
               .value = "c|all",
               .help = "where the farthest point may lie: on type C corners as in the "
@@ -167,6 +205,7 @@ void parse(CommandLine& cli, RemeshArguments& a) {
                "result; auto: 3000 if there are more than 6000 samples",
        .standard = "auto"},
       [&](const std::string& text) { choices.tile_samples = tile_samples_of(text); });
+  cli.group("Lengths and features");
   cli.custom(
       {.name = "sizing",
        .value = "KIND",
@@ -178,12 +217,14 @@ void parse(CommandLine& cli, RemeshArguments& a) {
       [&](const std::string& text) { set_sizing(a, text); });
   cli.number({.name = "gradation", .value = "G", .help = "the wanted length changes by at most G per length"},
              a.remesh.limits.gradation, 0.001, 10);
+  cli.group("Expert: optimization");
   double weight_scale = 0;
   cli.number({.name = "weight-scale",
               .value = "C",
               .help = "a sample's weight is (C wanted length)^2",
               .standard = "2/3 if local, .75 if global"},
              weight_scale, 0.01, 2);
+  cli.group("Lengths and features");
   double min_size = 0, max_size = 0;
   cli.number({.name = "min-size",
               .value = "R",
@@ -202,23 +243,38 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   set_features(a, "auto");
   cli.custom(
       {.name = "features",
-       .value = "auto|none|ANGLE",
-       .help = "keep borders, corners and creases: those of machined parts, or folds by more than ANGLE "
-               "degrees",
+       .value = "LIST",
+       .help = "keep borders, corners and creases: auto (those of machined parts), none, or an ANGLE (folds "
+               "by more degrees); after a comma also seams (of texture coordinates), groups (their borders), "
+               "lines (OBJ l) or a FILE of polylines along edges (lines \"x y z\")",
        .standard = "auto"},
       [&](const std::string& text) { set_features(a, text); });
   cli.path({.name = "fixed", .value = "FILE", .help = "points of the surface to be vertices: .xyz .ply"},
            a.fixed_file);
+  cli.group("Result");
   cli.flag({.name = "strict", .help = "exit code 3 if the remesh is not of INPUT's topological type"},
            a.strict);
   cli.flag({.name = "at-least",
             .help = "use more than COUNT samples, about as many as it takes, if the remesh would not be of "
                     "INPUT's topological type"},
            a.at_least);
+  cli.group("Expert: optimization");
   bool local = false, global = false;
   cli.toggle({.name = "ser", .help = "shortest edge removal first"}, a.remesh.shortest_edge_removal);
   cli.toggle({.name = "optimize-angles", .help = "angle optimization afterwards", .standard = "on with fpo"},
              choices.optimize_angles);
+  cli.group("Optimization");
+  cli.custom({.name = "min-angle",
+              .value = "A",
+              .help = "smallest angle that angle optimization wants, in degrees; the largest is 156 - 4A/3",
+              .standard = "33"},
+             [&](const std::string& text) { set_least_angle(a.remesh.angles, parse_number(text, 1, 45)); });
+  cli.number({.name = "min-delta",
+              .value = "D",
+              .help = "angle optimization and improvement of fidelity lower delta to this, not further: what "
+                      "one gains the other pays"},
+             a.remesh.angles.enough_delta, 0, 1);
+  cli.group("Expert: optimization");
   cli.toggle({.name = "improve-fidelity",
               .help = "mend triangles that are far from the surface",
               .standard = "on with fpo"},
@@ -244,6 +300,7 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   choices.scope = scope_of(local, global);
   if (weight_scale > 0) choices.weight_factor = weight_scale;
   if (iterations >= 0) choices.iterations = iterations;
+  use_quality(a, effort, target_delta);
   geom::require(a.remesh.method == fpo::Method::fpo ||
                     !(a.remesh.shortest_edge_removal || local || global || choices.rest),
                 "--ser, --local, --global and --rest work with --method fpo only");
@@ -253,12 +310,14 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   if (max_size > 0) a.remesh.limits.largest = max_size;
   a.remesh.seed = cli.seed();
   a.remesh.threads = cli.threads();
-  a.remesh.keep_cells = !a.rpd.empty() || !a.report.empty();
+  const bool areas = !a.points.empty() && io::point_format(a.points) == io::PointFormat::ply;
+  a.remesh.keep_cells = !a.rpd.empty() || !a.report.empty() || areas;
 }
 
 /// Refuses bad output names before the work starts.
 void check_outputs(const RemeshArguments& a) {
-  io::mesh_format(a.output);
+  if (a.output.empty() && a.points.empty()) throw UsageError("-o OUT is missing (or --points OUT)");
+  if (!a.output.empty()) io::mesh_format(a.output);
   if (!a.repaired.empty()) io::mesh_format(a.repaired);
   if (!a.points.empty())
     geom::require(io::point_format(a.points) != io::PointFormat::txt,

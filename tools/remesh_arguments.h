@@ -11,6 +11,13 @@
 
 namespace tools {
 
+/// What else is a feature: marked in the input.
+struct FeatureWords {
+  bool seams = false, groups = false, lines = false;
+  std::vector<std::filesystem::path> files;  ///< of polylines
+  bool any() const { return seams || groups || lines || !files.empty(); }
+};
+
 struct RemeshArguments {
   std::filesystem::path input, output, points, rpd, log, picture, sizing_out, map, report, repaired;
   std::filesystem::path fixed_file;
@@ -20,6 +27,10 @@ struct RemeshArguments {
   fpo::Choices choices;               ///< to complete `remesh` with once that number is known
   bool strict = false;                ///< another topology is a failure
   bool at_least = false;              ///< more samples if they are needed
+  bool carry = false;                 ///< colours, numbers and texture coordinates of the input's vertices
+  bool hausdorff = false;             ///< measure the distance from the input
+  bool json = false;                  ///< print the summary as JSON
+  FeatureWords feature_words;
   RepairArguments repair;
   fpo::RemeshOptions remesh;
 };

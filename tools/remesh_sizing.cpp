@@ -88,7 +88,7 @@ fpo::VertexField image_lengths(const RemeshArguments& a, const geom::TriMesh& me
       most = std::max(most, 1 - gray_at(image, at));
     }
   fpo::VertexField lengths;
-  for (const geom::VertexId v : own_vertices(mesh, attributes.vertices))
+  for (const geom::VertexId v : own_vertices(mesh.vertices(), attributes.vertices))
     lengths.push_back(v.valid() ? 1 / std::sqrt(density[v]) : infinite);
   return lengths;
 }

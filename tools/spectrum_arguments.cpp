@@ -80,6 +80,7 @@ SpectrumArguments parse_spectrum_arguments(CommandLine& cli) {
             .help = "PREFIX.svg: the pictures; PREFIX.csv: frequency, radial mean, anisotropy in dB",
             .required = true},
            prefix);
+  cli.flag({.name = "json", .help = "print the summary as a JSON object"}, a.json);
   declare_domain(cli, a, bounded, period_given);
   declare_spectrum(cli, a);
   for (const std::string& input : cli.parse(1, 10'000)) a.inputs.emplace_back(input);
@@ -91,7 +92,10 @@ SpectrumArguments parse_spectrum_arguments(CommandLine& cli) {
   a.region.periodic = !bounded;
   a.spectrum.threads = cli.threads();
   check(a, bounded, period_given);
-  if (io::lower_extension(prefix) == ".svg") prefix.replace_extension();
+  const std::string ending = io::lower_extension(prefix);
+  for (const char* other : {".png", ".pdf", ".csv", ".jpg", ".jpeg", ".eps", ".ps", ".txt", ".html"})
+    geom::require(ending != other, "-o: " + prefix.string() + ": a prefix of .svg and .csv, not a " + ending);
+  if (ending == ".svg") prefix.replace_extension();
   (a.picture = prefix) += ".svg";
   (a.table = prefix) += ".csv";
   for (const std::filesystem::path& path : {a.picture, a.table}) io::require_writable(path);

@@ -16,6 +16,7 @@ struct SpectrumArguments {
   std::filesystem::path picture, table;       ///< PREFIX.svg and PREFIX.csv
   bool in_plane = true;
   fpo::PlaneRegion region;
+  bool json = false;   ///< print the summary as JSON
   bool plain = false;  ///< the plain periodogram
   std::optional<fpo::SpacingRule> spacing;
   fpo::SpectrumOptions spectrum;

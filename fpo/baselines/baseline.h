@@ -21,6 +21,8 @@ struct BaselineTask {
   std::size_t num_samples;               ///< wanted in all; at least those that are fixed
   std::uint64_t seed = 1;
   int threads = 1;  ///< no matter to the result
+  /// Of Poisson disks, in units of h: if given, it is taken, and the number of samples is what comes of it.
+  double radius_factor = 0;
 
   std::size_t num_inner() const { return num_samples - fixed.size(); }
 };

@@ -33,7 +33,8 @@ BaselineResult search_radius(const BaselineTask& task, const OptimizeOptions& op
   const auto start = std::chrono::steady_clock::now();
   const std::size_t tolerance = task.num_samples / 1000;
   BaselineResult best;
-  double c = usual_radius_factor;
+  const bool given = task.radius_factor > 0;
+  double c = given ? task.radius_factor : usual_radius_factor;
   for (int attempt = 1;; ++attempt) {
     if (options.on_move) options.on_move(static_cast<std::size_t>(attempt - 1) * task.num_samples);
     std::vector<SurfaceSample> samples = sample(c);
@@ -52,7 +53,7 @@ BaselineResult search_radius(const BaselineTask& task, const OptimizeOptions& op
     if (options.on_iteration) options.on_iteration(best.run.last);
     best.run.moves += number;
     if (stopped) return best.run.reason = StopReason::interrupted, best;
-    if (difference(number, task.num_samples) <= tolerance)
+    if (given || difference(number, task.num_samples) <= tolerance)
       return best.run.reason = StopReason::target_reached, best;
     if (attempt >= options.max_iterations) return best.run.reason = StopReason::iteration_cap, best;
     const double inner = static_cast<double>(std::max<std::size_t>(number - task.fixed.size(), 1));

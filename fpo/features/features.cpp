@@ -24,7 +24,7 @@ struct Edge {
   std::array<VertexId, 2> ends;  ///< ascending
   FacetId facet;                 ///< the smallest
   std::size_t sheets;            ///< facets
-  double fold;                   ///< between the normals of two facets, in degrees
+  double fold;                   ///< between the normals of two facets, in degrees; 360: it is marked
 };
 
 using Normals = geom::Table<FacetId, Vec3>;
@@ -167,6 +167,17 @@ double crease_length(const TriMesh& mesh, const std::vector<Edge>& edges) {
   return sum;
 }
 
+constexpr double marked_fold = 360;
+
+/// Marked edges are folded by more than any other, and strong.
+void mark(std::vector<Edge>& edges, const FeatureOptions& options) {
+  for (const std::array<VertexId, 2>& m : options.marked) {
+    const std::array<VertexId, 2> ends{std::min(m[0], m[1]), std::max(m[0], m[1])};
+    const auto at = std::ranges::lower_bound(edges, ends, {}, &Edge::ends);
+    if (at != edges.end() && at->ends == ends && at->sheets == 2) at->fold = marked_fold;
+  }
+}
+
 /// Drops pieces that fade out and are short, then all creases if too little of their length is closed.
 void drop_fading(const TriMesh& mesh, std::vector<Edge>& edges, const FeatureOptions& options) {
   const double all = crease_length(mesh, edges);
@@ -181,18 +192,21 @@ void drop_fading(const TriMesh& mesh, std::vector<Edge>& edges, const FeatureOpt
   for (const Edge& e : fading)
     if (length[joined.root(e)] >= options.long_as_closed) solid += length_of(mesh, e);
   if (solid < options.least_closed_share * all) {
-    std::erase_if(edges, [](const Edge& e) { return e.sheets == 2; });
+    std::erase_if(edges, [](const Edge& e) { return e.sheets == 2 && e.fold < marked_fold; });
     return;
   }
-  std::erase_if(fading, [&](const Edge& e) { return length[joined.root(e)] >= options.shortest_fading; });
+  std::erase_if(fading, [&](const Edge& e) {
+    return length[joined.root(e)] >= options.shortest_fading || e.fold >= marked_fold;
+  });
   std::vector<Edge> kept;
   std::ranges::set_difference(edges, fading, std::back_inserter(kept), is_before);
   edges = std::move(kept);
 }
 
-/// Creases by angle, borders and non-manifold edges; ascending by their ends.
+/// Creases by angle, marked edges, borders and non-manifold edges; ascending by their ends.
 std::vector<Edge> feature_edges(const TriMesh& mesh, const FeatureOptions& options) {
   std::vector<Edge> edges = all_edges(mesh);
+  mark(edges, options);
   std::erase_if(edges, [&](const Edge& e) {
     return e.sheets == 2 && !(e.fold > std::min(options.crease_angle, options.weak_crease_angle));
   });

@@ -2,6 +2,7 @@
 // Features of a surface (paper, section 5): borders, creases, edges with more than two facets, and corners,
 // "organized in the form of 1D curved skeletons".
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -36,6 +37,9 @@ struct FeatureOptions {
   /// none is, for a sample on a sharp tip has too few neighbours to make good angles, or any triangle: apexes
   /// are left to type A corners.
   double apex_angle = 0;
+  /// Edges of the mesh, by their ends, that are creases however they are folded: borders of groups, seams,
+  /// lines of a drawing. What is no edge with two facets is passed over.
+  std::vector<std::array<geom::VertexId, 2>> marked = {};
 };
 
 /// A chain of feature edges between corners, or a loop without corner.

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "fpo/baselines/disks.h"
 #include "fpo/surface/curvature.h"
 #include "geom/check.h"
 #include "geom/mesh/centring.h"
@@ -161,7 +162,13 @@ VertexField error_size(const TriMesh& surface, const Features& features, double 
   return h;
 }
 
-void set_number_of_samples(const TriMesh& surface, const Lengths& lengths, RemeshOptions& options) {
+void set_number_of_samples(const TriMesh& surface, const Lengths& given, RemeshOptions& options) {
+  Lengths lengths = given;
+  require_length(lengths.radius, "the radius");
+  if (lengths.radius) {
+    lengths.edge_length = mean_edge_over_wanted * *lengths.radius / usual_radius_factor;
+    options.disk_radius = *lengths.radius;
+  }
   require_length(lengths.edge_length, "the edge length");
   require_length(lengths.error, "the error");
   geom::require(lengths.edge_length || lengths.error || options.sizing == SizingKind::given,

@@ -20,6 +20,7 @@ inline constexpr std::size_t most_samples_by_length = 20'000'000;
 struct Lengths {
   std::optional<double> edge_length;  ///< mean edge; of a given sizing, and of an error, the longest
   std::optional<double> error;        ///< wanted distance between surface and remesh, about
+  std::optional<double> radius;       ///< of Poisson disks: as many samples as about fit
 };
 
 /// The wanted length at each vertex with which triangles that are inscribed in a surface of that curvature
@@ -32,7 +33,7 @@ VertexField error_size(const geom::TriMesh& surface, const Features& features, d
 /// Local feature size and curvature share out as many samples as evenly spread edges of that length take.
 /// Without an edge length an error's lengths are at most a tenth of the diagonal. Features, fixed points and
 /// limits must be set. Throws InputError on lengths that are not positive, that take more than 20 million
-/// samples, or that are missing or of no use together. O(F log F).
+/// samples, or that are missing or of no use together; a radius is for uniform sizing. O(F log F).
 void set_number_of_samples(const geom::TriMesh& surface, const Lengths& lengths, RemeshOptions& options);
 
 }  // namespace fpo

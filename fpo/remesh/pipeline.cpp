@@ -138,7 +138,7 @@ bool interrupted(const RemeshOptions& options) {
 }
 
 AngleOptions angle_options(const RemeshOptions& options) {
-  AngleOptions angles;
+  AngleOptions angles = options.angles;
   angles.interrupted = options.optimize.interrupted;
   return angles;
 }
@@ -231,8 +231,9 @@ SurfaceDomain baseline_samples(const MethodFacts& method, const geom::TriMesh& s
                                RemeshResult& result) {
   std::vector<SurfaceSample> fixed = shared.features.samples;
   for (SurfaceSample& x : fixed) x.position = geom::snapped(x.position);
-  const BaselineResult baseline = method.distribute(
-      {surface, shared.sizing, fixed, options.num_samples, options.seed, options.threads}, options.optimize);
+  BaselineTask task{surface, shared.sizing, fixed, options.num_samples, options.seed, options.threads};
+  if (options.disk_radius > 0) task.radius_factor = options.disk_radius / shared.sizing.at(geom::VertexId(0));
+  const BaselineResult baseline = method.distribute(task, options.optimize);
   result.optimization = baseline.run;
   result.radius_factor = baseline.radius_factor;
   result.reached = baseline.reached;
@@ -294,13 +295,14 @@ void improve(SurfaceDomain& domain, const SharedSizing& shared, const AngleOptio
   if (options.optimize_angles) result.angles = optimize_angles(domain, angles);
   if (!options.improve_fidelity) return;
   FidelityOptions fidelity;
+  fidelity.enough_delta = options.angles.enough_delta;
   fidelity.interrupted = options.optimize.interrupted;
   const bool has_features = !shared.features.samples.empty();
   if (options.method == Method::fpo)  // who wants it fast wants this fast, too
     fidelity.most_moves = least_fidelity_moves + result.optimization.moves / (has_features ? 4 : 12);
   if (has_features) {  // fixed samples keep delta from more, and shape matters more
     fidelity.share_of_largest = 0.5;
-    fidelity.enough_delta = 0.9;
+    fidelity.enough_delta = std::min(0.9, fidelity.enough_delta);
   }
   result.fidelity = improve_fidelity(domain, angles, fidelity);
 }
@@ -352,7 +354,8 @@ RemeshResult remesh_task(const Task& task, RemeshOptions options) {
 /// The surface with small facets if there are narrow places that smaller lengths help.
 std::optional<NarrowSurface> helpful_narrow_surface(const geom::TriMesh& surface, const Features& features,
                                                     const SizingFor& plain, const RemeshOptions& options) {
-  if (options.method != Method::fpo) return {};
+  const bool has_marks = options.features && !options.features->marked.empty();  // on facets as they are
+  if (options.method != Method::fpo || has_marks) return {};
   std::optional<NarrowSurface> narrow = narrow_surface(surface, features, even_spacing(surface, options));
   const std::size_t n = options.num_samples;
   if (narrow && !fit_sizing_to_curves(surface, plain(n), *narrow, n, curve_gradation(options)).helped)
@@ -408,6 +411,7 @@ RemeshResult remesh_there(const geom::TriMesh& input, const RemeshOptions& optio
   geom::require(surface.area() > 0, "the surface has no area");
   RemeshOptions scaled_options = options;
   for (geom::Vec3& point : scaled_options.fixed) point *= factor;
+  scaled_options.disk_radius *= factor;
   RemeshResult result = remesh_in_unit_box(surface, scaled_options);
   result.mesh = geom::scaled(result.mesh, 1 / factor);
   for (SurfaceSample& sample : result.samples) sample.position /= factor;
@@ -423,6 +427,8 @@ RemeshResult remesh_there(const geom::TriMesh& input, const RemeshOptions& optio
 
 RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options) try {
   geom::require(options.num_samples > 0, "the number of samples must be at least 1");
+  geom::require(options.disk_radius == 0 || options.sizing == SizingKind::uniform,
+                "a radius of disks goes with uniform sizing only");
   const geom::Vec3 middle = geom::far_middle(input);
   if (middle.isZero(0)) return remesh_there(input, options);
   RemeshOptions moved_options = options;

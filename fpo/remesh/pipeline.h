@@ -45,11 +45,13 @@ struct RemeshOptions {
   /// Its seed and order are overruled. Other methods than fpo heed the greatest number of iterations (of
   /// radii tried, with disks), the interruption and the callbacks.
   OptimizeOptions optimize;
+  double disk_radius = 0;        ///< mps, cps: of the disks, if the sizing is uniform; 0: by num_samples
   std::size_t tile_samples = 0;  ///< in a tile (tiled_optimize.h), if there are more; 0: no tiles
   int threads = 1;               ///< no matter to the result
   bool sheets_apart = false;     ///< near sheets do not see each other (sheet_levels.h)
   bool mend = true;              ///< bring samples to where the remesh is no surface, or of another type
   bool optimize_angles = true;   ///< afterwards (section 5)
+  AngleOptions angles;           ///< wanted then; its interruption is overruled
   bool improve_fidelity = true;  ///< where the remesh is farthest from the input (fidelity.h)
   bool maximal = false;     ///< then move samples until the set is a maximal Poisson-disk set (maximal.h)
   bool keep_cells = false;  ///< fill RemeshResult::cells

@@ -136,6 +136,8 @@ SpectrumPoint SpectrumSurface::place(const Vec3& x) const {
   return {.position = x, .normal = normal(c.facet, c.barycentric)};
 }
 
+double SpectrumSurface::distance(const Vec3& x) const { return std::sqrt(tree_.closest(x).distance2); }
+
 double SpectrumSurface::interpolated(const Vec3& x, const VertexField& values) const {
   const geom::AabbTree::Closest c = tree_.closest(x);
   double sum = 0;

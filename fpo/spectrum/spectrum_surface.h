@@ -32,6 +32,7 @@ class SpectrumSurface {
   double area() const { return area_; }
   /// The sample with the surface's normal at the nearest point; its position stays as it is.
   SpectrumPoint place(const geom::Vec3& x) const;
+  double distance(const geom::Vec3& x) const;  ///< to the nearest point
   /// A value at the nearest point, linear on each facet between those at the vertices.
   double interpolated(const geom::Vec3& x, const VertexField& values) const;
   /// Divides the surface into pieces that keep to the limit, or nearly: large facets are bisected; pieces of

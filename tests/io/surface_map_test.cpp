@@ -10,20 +10,23 @@
 
 using fixtures::ScratchFolder;
 
-TEST_CASE("surface map: a line a point, facets from 1, every bit back") {
+TEST_CASE("surface map: a line a point, vertices from 1, every bit back") {
   const ScratchFolder folder;
   const std::array<io::MappedPoint, 2> points{
-      io::MappedPoint{geom::FacetId(0), geom::Vec3(1.0 / 3, 1.0 / 7, 1 - 1.0 / 3 - 1.0 / 7)},
-      io::MappedPoint{geom::FacetId(41), geom::Vec3(0, 1, 1e-300)}};
+      io::MappedPoint{{geom::VertexId(0), geom::VertexId(7), geom::VertexId(3)},
+                      geom::Vec3(1.0 / 3, 1.0 / 7, 1 - 1.0 / 3 - 1.0 / 7)},
+      io::MappedPoint{{geom::VertexId(41), geom::VertexId(1), geom::VertexId(0)}, geom::Vec3(0, 1, 1e-300)}};
   io::write_surface_map(folder / "map.txt", points);
   std::istringstream in(ScratchFolder::read(folder / "map.txt"));
   std::string rest;
   std::getline(in, rest);
   CHECK(rest.starts_with("# "));
   for (const io::MappedPoint& point : points) {
-    int facet = 0;
-    in >> facet;
-    CHECK(facet == point.facet.value + 1);
+    for (const geom::VertexId v : point.vertices) {
+      int vertex = 0;
+      in >> vertex;
+      CHECK(vertex == v.value + 1);
+    }
     for (int i = 0; i < 3; ++i) {
       std::string number;
       in >> number;

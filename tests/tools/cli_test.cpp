@@ -147,7 +147,7 @@ TEST_CASE("cli: help names every option with its default, in aligned columns no 
   std::vector<std::string> expected = {"Usage: fpo-test INPUT [options]", "\nSampling\n", "\nOutput\n",
                                        "\nCommon\n"};
   for (const char* name :
-       {"-n, --count COUNT", "--iterations MAX", "--ser, --no-ser", "  -o OUT", "--seed S", "(required)",
+       {"-n, --count COUNT", "--iterations MAX", "--[no-]ser", "  -o OUT", "--seed S", "(required)",
         "(default 100)", "(default 0.926)", "(default on)", "(default all)"}) {
     expected.emplace_back(name);
   }
@@ -156,7 +156,7 @@ TEST_CASE("cli: help names every option with its default, in aligned columns no 
     CHECK(done.out.find(text) != std::string::npos);
   }
   std::istringstream lines(done.out);
-  for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
+  for (std::string line; std::getline(lines, line);) CHECK(line.size() < 80);
   CHECK(parse({"--version"}).out.substr(0, 9) == "fpo-test ");
   CHECK(parse({"--version"}).code == 0);
 }

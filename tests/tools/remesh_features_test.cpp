@@ -65,12 +65,15 @@ TEST_CASE("fpo-remesh: fixed points are kept bit for bit, the map gives back eve
   std::string heading;
   std::getline(map, heading);
   for (const geom::Vec3& x : mesh.vertices()) {
-    std::size_t facet = 0;
+    std::array<std::size_t, 3> vertices{};
     geom::Vec3 u;
-    map >> facet >> u.x() >> u.y() >> u.z();
-    REQUIRE((map && facet >= 1 && facet <= cube.num_facets()));
+    map >> vertices[0] >> vertices[1] >> vertices[2] >> u.x() >> u.y() >> u.z();
     geom::Vec3 y(0, 0, 0);
-    for (int i = 0; i < 3; ++i) y += u[i] * cube.corner(geom::FacetId(facet - 1), i);
+    for (int i = 0; i < 3; ++i) {
+      const std::size_t v = vertices[static_cast<std::size_t>(i)];
+      REQUIRE((map && v >= 1 && v <= cube.num_vertices()));
+      y += u[i] * cube.position(geom::VertexId(v - 1));
+    }
     CHECK((x - y).norm() < 1e-12);
   }
 }

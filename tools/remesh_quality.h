@@ -1,0 +1,20 @@
+#pragma once
+// How good, how long: --quality, --target-delta and --min-angle.
+
+#include <string>
+
+#include "fpo/remesh/effort.h"
+#include "tools/remesh_arguments.h"
+
+namespace tools {
+
+/// draft, good or best. Throws geom::InputError on another word.
+fpo::Effort effort_of(const std::string& text);
+
+/// A target on the command line (not negative) wins.
+void use_quality(RemeshArguments& a, fpo::Effort effort, double target_delta);
+
+/// The largest angle wanted goes with the smallest: 33 and 112, 36 and 108 degrees.
+void set_least_angle(fpo::AngleOptions& angles, double smallest);
+
+}  // namespace tools

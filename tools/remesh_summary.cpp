@@ -1,0 +1,170 @@
+#include "tools/remesh_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "fpo/measure/quality.h"
+#include "fpo/remesh/effort.h"
+#include "geom/mesh/scaling.h"
+#include "tools/interrupt.h"
+
+namespace tools {
+namespace {
+
+const char* name_of(fpo::StopReason reason, const RemeshRun& run) {
+  switch (reason) {
+    case fpo::StopReason::target_reached:
+      return "target_reached";
+    case fpo::StopReason::nothing_moved:
+      return "nothing_moved";
+    case fpo::StopReason::iteration_cap:
+      return fpo::stopped_gaining(run.iterations) ? "converged" : "iteration_cap";
+    case fpo::StopReason::interrupted:
+      return "interrupted";
+  }
+  return "unknown";
+}
+
+void add_run(Summary& s, const RemeshArguments& a, const fpo::RemeshResult& result, const RemeshRun& run) {
+  const fpo::OptimizeResult& o = result.optimization;
+  const bool uniform = a.remesh.sizing == fpo::SizingKind::uniform;
+  const bool interrupted = interrupt_flag();  // maybe after the optimization
+  s.count("samples", result.samples.size());
+  s.count("iterations", static_cast<std::size_t>(o.last.iteration));
+  s.count("moves", o.moves);
+  s.text("stopped", name_of(interrupted ? fpo::StopReason::interrupted : o.reason, run));
+  s.number(uniform ? "delta" : "delta_of_wanted", result.measures.delta, 6);
+  s.number(uniform ? "mean_delta" : "mean_delta_of_wanted", result.measures.mean_delta, 6);
+  s.number("seconds", o.last.seconds, 3);
+  s.text("wrote", (a.output.empty() ? a.points : a.output).string());
+}
+
+/// Smallest, median and largest wanted length, and how many samples want which.
+void add_sizing(Summary& s, const fpo::RemeshResult& result) {
+  std::vector<double> h(result.sizing.begin(), result.sizing.end());
+  std::ranges::sort(h);
+  s.number("h_min", h.front(), -1);
+  s.number("h_median", h[h.size() / 2], -1);
+  s.number("h_max", h.back(), -1);
+  s.number("size_slope", result.fit.slope, 4);
+  s.number("size_cv", result.fit.cv, 4);
+  s.count("hidden", result.hidden);
+  std::map<int, std::size_t> decades;
+  for (const double value : result.wanted) ++decades[static_cast<int>(std::floor(std::log10(value)))];
+  for (const auto& [exponent, samples] : decades)
+    s.count("samples_with_h_1e" + std::to_string(exponent), samples);
+}
+
+/// What was decided by default.
+void add_features(Summary& s, const RemeshArguments& a, const fpo::RemeshResult& result) {
+  if (!a.remesh.features || !a.remesh.features->yielding) return;
+  if (!result.given_up.empty()) s.line(result.given_up);
+  if (result.crease_curves == 0) return;
+  s.count("crease_curves", result.crease_curves);
+  s.count("crease_edges", result.crease_edges);
+  s.line(worded("creases kept: %zu curves, %zu edges; --features none to round them off",
+                result.crease_curves, result.crease_edges));
+}
+
+void add_rest(Summary& s, const RemeshArguments& a, const fpo::RemeshResult& result) {
+  if (result.radius_factor > 0) s.number("disk_radius_over_h", result.radius_factor, 6);
+  for (const fpo::Reached& r : result.reached) s.number(r.name, r.value, -1);
+  if (a.remesh.sizing != fpo::SizingKind::uniform) add_sizing(s, result);
+  if (result.thin_parts.places > 0) {
+    s.count("thin_places", result.thin_parts.places);
+    s.number("edges_elsewhere_longer_by", result.thin_parts.scale, 4);
+  }
+  if (result.brought > 0) s.count("samples_moved_to_mend", result.brought);
+  if (result.feature_samples > 0) {
+    s.count("feature_samples", result.feature_samples);
+    s.count("feature_edges", result.feature_edges);
+    s.count("broken_feature_edges", result.broken_feature_edges);
+    s.count("protected_samples", result.protection.weighted);
+  }
+  if (a.remesh.improve_fidelity) {
+    s.count("far_triangles_tried", result.fidelity.tried);
+    s.count("far_triangles_mended", result.fidelity.mended);
+  }
+  if (a.remesh.maximal) {
+    s.count("maximal", result.maximal.maximal ? 1 : 0);
+    s.count("maximal_moves", result.maximal.moves);
+  }
+  if (a.remesh.optimize_angles) {
+    s.count("bad_triangles_before", result.angles.bad_before);
+    s.count("bad_triangles_after", result.angles.bad_after);
+    s.text("mended", worded("%zu of %zu, %zu reweighted", result.angles.mended, result.angles.tried,
+                            result.angles.reweighted));
+  }
+}
+
+/// In the unit box, where no square of a length under- or overflows. The mean edge is scaled back.
+struct Shape {
+  fpo::Quality quality;
+  double mean_edge = 0;
+};
+
+Shape shape_of(const geom::TriMesh& input, const geom::TriMesh& output) {
+  const double factor = geom::factor_to_unit_box(input);
+  const geom::TriMesh mesh = geom::scaled(output, factor);
+  double sum = 0, weights = 0;  // an inner edge counts half in each of its facets
+  for (geom::FacetId t(0); t.index() < mesh.num_facets(); t = geom::FacetId(t.value + 1))
+    for (int e = 0; e < 3; ++e) {
+      const double weight = mesh.across(t, e).valid() ? 0.5 : 1;
+      sum += weight * (mesh.corner(t, e) - mesh.corner(t, (e + 1) % 3)).norm();
+      weights += weight;
+    }
+  return {fpo::quality(mesh, geom::scaled(input, factor).area()), sum / weights / factor};
+}
+
+void add_words(Summary& s, const RemeshArguments& a, const geom::TriMesh& input,
+               const fpo::RemeshResult& result, const RemeshRun& run) {
+  const std::string out = (a.output.empty() ? a.points : a.output).string();
+  s.line(worded("%s: %zu vertices, %zu triangles, of %s with %zu", out.c_str(), result.mesh.num_vertices(),
+                result.mesh.num_facets(), a.input.c_str(), input.num_facets()));
+  const fpo::OptimizeResult& o = result.optimization;
+  s.line(
+      worded("time      %.1f s; %d iterations, %s", run.seconds, o.last.iteration, name_of(o.reason, run)));
+  s.line(worded("spacing   smallest %.3f, mean %.3f of the %s", result.measures.delta,
+                result.measures.mean_delta,
+                a.remesh.sizing == fpo::SizingKind::uniform ? "hexagonal one" : "wanted length"));
+}
+
+}  // namespace
+
+Summary summary_of(const RemeshArguments& a, const geom::TriMesh& input, const fpo::AtLeastResult& found,
+                   const RemeshRun& run, const std::optional<fpo::SurfaceDistance>& distance) {
+  const fpo::RemeshResult& result = found.remesh;
+  Summary s;
+  add_run(s, a, result, run);
+  if (found.runs > 1) {
+    s.count("not_enough_samples", found.not_enough);
+    s.count("runs", found.runs);
+  }
+  add_rest(s, a, result);
+  add_words(s, a, input, result, run);
+  add_features(s, a, result);
+  if (result.mesh.num_facets() == 0) return s;
+  const Shape shape = shape_of(input, result.mesh);
+  const fpo::Quality& q = shape.quality;
+  s.number("edge_mean", shape.mean_edge, -1);
+  s.number("Qmin", q.q_min, 6);
+  s.number("Qavg", q.q_avg, 6);
+  s.number("theta_min", q.theta_min, 4);
+  s.number("theta_min_avg", q.theta_min_avg, 4);
+  s.number("theta_max", q.theta_max, 4);
+  s.line(worded("edges     %.4g long on average", shape.mean_edge));
+  s.line(worded("angles    %.1f to %.1f degrees, the smallest of a triangle %.1f on average", q.theta_min,
+                q.theta_max, q.theta_min_avg));
+  s.line(worded("shape Q   %.3f at worst, %.3f on average (1: equilateral)", q.q_min, q.q_avg));
+  if (distance) {
+    s.number("dH_pct", distance->max, 6);
+    s.number("dRMS_pct", distance->rms, 6);
+    s.line(worded("distance  %.4g at most (%.3g %% of the diagonal), %.4g on average",
+                  distance->max / 100 * input.diagonal(), distance->max,
+                  distance->rms / 100 * input.diagonal()));
+  }
+  return s;
+}
+
+}  // namespace tools

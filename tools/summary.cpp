@@ -1,0 +1,72 @@
+#include "tools/summary.h"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+
+namespace tools {
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      (result += '\\') += c;
+    else if (static_cast<unsigned char>(c) < 0x20)
+      result += worded("\\u%04x", static_cast<unsigned>(c));
+    else
+      result += c;
+  }
+  return result + "\"";
+}
+
+}  // namespace
+
+std::string worded(const char* format, ...) {
+  std::va_list arguments, again;
+  va_start(arguments, format);
+  va_copy(again, arguments);
+  const int length = std::vsnprintf(nullptr, 0, format, arguments);
+  va_end(arguments);
+  std::string text(length > 0 ? static_cast<std::size_t>(length) : 0, '\0');
+  std::vsnprintf(text.data(), text.size() + 1, format, again);
+  va_end(again);
+  return text;
+}
+
+void Summary::text(const std::string& key, const std::string& value) {
+  entries_.push_back({key, value, false});
+}
+
+void Summary::count(const std::string& key, std::size_t value) {
+  entries_.push_back({key, std::to_string(value), true});
+}
+
+void Summary::number(const std::string& key, double value, int decimals) {
+  entries_.push_back(
+      {key, decimals < 0 ? worded("%.6g", value) : worded("%.*f", decimals, value), std::isfinite(value)});
+}
+
+std::string Summary::keys() const {
+  std::string text;
+  for (const Entry& e : entries_) text += e.key + " " + e.value + "\n";
+  return text;
+}
+
+std::string Summary::json() const {
+  std::string text;
+  for (const Entry& e : entries_)
+    text +=
+        (text.empty() ? "{\n  " : ",\n  ") + quoted(e.key) + ": " + (e.number ? e.value : quoted(e.value));
+  return (text.empty() ? "{" : text + "\n") + "}\n";
+}
+
+void Summary::print(bool as_json) const {
+  const bool person = !words_.empty() && ::isatty(STDOUT_FILENO) == 1;
+  const std::string text = as_json ? json() : person ? words_ : keys();
+  std::fputs(text.c_str(), stdout);
+}
+
+}  // namespace tools
