@@ -7,9 +7,9 @@
 
 namespace oracle {
 
-/// A weighted point whose weight may be perturbed.
+/// A weighted point whose weight may be perturbed; its level is a fourth coordinate.
 struct ExactSite {
-  Rational x, y, z, weight;
+  Rational x, y, z, weight, level{};
 };
 
 /// What a set of inputs covers: multiples of 2^-unit, smaller than 2^size in magnitude (weights: 2^-2 unit,
@@ -40,13 +40,14 @@ int power_side2(const ExactSite& a, const ExactSite& b, const ExactSite& c, cons
 int power_side3(const ExactSite& a, const ExactSite& b, const ExactSite& c, const ExactSite& d,
                 const ExactSite& e);
 
-/// (x, y, z) / w: a corner of the restricted power diagram. No such point: w = 0.
+/// (x, y, z, level) / w: a corner of the restricted power diagram. No such point: w = 0.
 struct HomogeneousPoint {
-  Rational x, y, z, w;
+  Rational x, y, z, w, level{};
 };
-HomogeneousPoint at(const geom::Vec3& q);
+HomogeneousPoint at(const geom::Location3& q);
 /// Where the line through a and b meets the bisector of i and j.
-HomogeneousPoint on_edge(const geom::Vec3& a, const geom::Vec3& b, const ExactSite& i, const ExactSite& j);
+HomogeneousPoint on_edge(const geom::Location3& a, const geom::Location3& b, const ExactSite& i,
+                         const ExactSite& j);
 /// Where the plane of the facet meets the bisectors of i with j and k.
 HomogeneousPoint in_facet(const geom::FacetCorners& facet, const ExactSite& i, const ExactSite& j,
                           const ExactSite& k);

@@ -70,7 +70,7 @@ BruteDiagram::BruteDiagram(const geom::TriMesh& mesh, const geom::Clipper::Sites
 
 BruteDiagram::BruteDiagram(const geom::TriMesh& mesh, const geom::Clipper::Sites& sites,
                            std::span<const SiteId> present, std::span<const FacetId> facets)
-    : mesh_(mesh), sites_(sites) {
+    : mesh_(mesh), sites_(sites), levels_(mesh) {
   geom::Clipper clipper(mesh, sites, geom::extent_of(mesh));
   for (const FacetId t : facets)
     for (const SiteId i : present) {
@@ -122,8 +122,12 @@ KnownCircle BruteDiagram::known(const FacetPolygon& polygon, std::size_t k) cons
   const Vec3& x = polygon.corners[k].point.position;
   const Vec3 center = geom::snapped(x.cwiseMax(box.min()).cwiseMin(box.max()));
   c.center = {center.x(), center.y(), center.z()};
-  c.radius2 = geom::power(center, sites_[polygon.owner]);
+  c.radius2 = power_at(polygon.facet, center, polygon.owner);
   return c;
+}
+
+double BruteDiagram::power_at(FacetId t, const Vec3& x, SiteId owner) const {
+  return geom::power(geom::Location3(x, levels_.at(t, x)), sites_[owner]);
 }
 
 CircleName BruteDiagram::other_end(FacetId t, SiteId a, SiteId b, SiteId c) const {
@@ -162,7 +166,7 @@ KnownDual BruteDiagram::dual(CornerTypes types) const {
   for (const auto& [key, polygon] : polygons_) {
     const auto& [t, owner] = key;
     for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
-      const double power = geom::power(polygon.corners[k].point.position, sites_[owner]);
+      const double power = power_at(t, polygon.corners[k].point.position, owner);
       result.reach[owner] = std::max(result.reach[owner], power);
       if (!is_registered(polygon, k, types)) continue;
       KnownCircle c = known(polygon, k);
@@ -180,7 +184,7 @@ double BruteDiagram::reach(SiteId p) const {
   for (const auto& [key, polygon] : polygons_)
     if (key.second == p)
       for (const PolygonCorner& corner : polygon.corners)
-        result = std::max(result, geom::power(corner.point.position, sites_[p]));
+        result = std::max(result, power_at(key.first, corner.point.position, p));
   return result;
 }
 

@@ -68,9 +68,11 @@ class BruteDiagram {
   KnownCircle known(const geom::FacetPolygon& polygon, std::size_t corner) const;
   bool is_registered(const geom::FacetPolygon& polygon, std::size_t corner, geom::CornerTypes types) const;
   const geom::FacetPolygon* find(geom::FacetId t, geom::SiteId owner) const;
+  double power_at(geom::FacetId t, const geom::Vec3& x, geom::SiteId owner) const;
 
   const geom::TriMesh& mesh_;
   const geom::Clipper::Sites& sites_;
+  geom::FacetLevels levels_;
   std::map<std::pair<geom::FacetId, geom::SiteId>, geom::FacetPolygon> polygons_;
 };
 

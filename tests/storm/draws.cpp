@@ -30,7 +30,7 @@ double of_any_size(Rng& rng, const Range& r) {
 
 /// Every number of another size, from one end of the range to the other.
 void draw_span(Points points, Rng& rng) {
-  for (auto& [x, w] : points) {
+  for (auto& [x, w, level] : points) {
     for (double& c : x) c = to_multiple(of_any_size(rng, narrow), narrow.unit);
     w = to_multiple(of_any_size(rng, {2 * narrow.unit, 2 * narrow.top}), 2 * narrow.unit);
   }
@@ -39,7 +39,7 @@ void draw_span(Points points, Rng& rng) {
 /// All within some ulps of one point.
 void draw_twins(Points points, Rng& rng) {
   const Vec3 center(rng.uniform(0.5, 2), rng.uniform(0.5, 2), rng.uniform(0.5, 2));
-  for (auto& [x, w] : points) {
+  for (auto& [x, w, level] : points) {
     for (int k = 0; k < 3; ++k) x[k] = center[k] + 0x1p-52 * fixtures::small_integer(rng, 4);
     w = rng.below(2) == 0 ? 0.25 : 0.25 + 0x1p-54 * fixtures::small_integer(rng, 4);
   }
@@ -57,7 +57,7 @@ void draw_common_corner(Points points, const Kind::Order& order, Rng& rng) {
   const Vec3 center = integers(8);
   const double power = order.flat ? 23 : 48;
   const Points sites = points.first(points.size() - order.corners), corners = points.last(order.corners);
-  for (auto& [x, w] : sites) {
+  for (auto& [x, w, level] : sites) {
     x = rng.below(2) == 0 ? fixtures::on_integer_sphere(rng, order.flat) : integers(5);
     w = x.squaredNorm() - power;
     x += center;
@@ -80,7 +80,7 @@ double one_off(double x, double unit, Rng& rng) {
 }
 
 void scale(Points points, int exponent) {
-  for (auto& [x, w] : points) {
+  for (auto& [x, w, level] : points) {
     for (double& c : x) c = std::ldexp(c, exponent);
     w = std::ldexp(w, 2 * exponent);
   }
@@ -135,7 +135,7 @@ void Kind::draw(Points points, const Order& order, Rng& rng) const {
   const Points corners = points.last(order.corners);
   for (WeightedPoint3& p : corners) p.weight = 0;
   if (change_ == Change::ulps || (change_ != Change::none && rng.below(2) == 0)) {
-    for (auto& [x, w] : points) {
+    for (auto& [x, w, level] : points) {
       for (double& c : x) c = one_off(c, std::ldexp(1.0, narrow.unit), rng);
       w = one_off(w, std::ldexp(1.0, 2 * narrow.unit), rng);
     }

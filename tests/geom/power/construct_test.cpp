@@ -81,7 +81,7 @@ struct Scene {
     const double size = (q[1] - q[0]).norm() + (q[2] - q[0]).norm();
     const Vec3 along = random_vector(rng), normal = (q[1] - q[0]).cross(q[2] - q[0]).normalized();
     const double off = small(rng), closeness = small(rng);
-    for (auto& [x, w] : site) {
+    for (auto& [x, w, level] : site) {
       x = target + size * random_vector(rng);
       if (setting == Setting::parallel)
         x = target + size * (rng.uniform(-1, 1) * along + off * random_vector(rng));
