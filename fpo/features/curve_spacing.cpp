@@ -25,8 +25,9 @@ constexpr double widths = 1.5;        // the wanted length in a strip: right tri
 constexpr double beside = 0.5;        // of the way along one curve: not across
 constexpr double at_corner = 0.18;    // of the distance from the corner: the sine of 10 degrees
 constexpr double off_surface = 0.1;   // of the width: the middle of a strip
-constexpr double most_growth = 1.25;  // of the lengths elsewhere
-constexpr double least_help = 0.5;    // of the least length: narrower places are not helped by it
+constexpr double most_growth = 1.35;  // of the lengths elsewhere
+constexpr double smallest = 0.1, largest = 0.8;  // of the least length in narrow places, in other lengths
+constexpr double least_help = 0.5;  // the length that is wanted over the least one, where that is of use
 constexpr double split_slope = 0.3, split_length = 1.5;
 
 /// Items by cells of a cubic lattice.
@@ -155,29 +156,27 @@ class Facing {
 /// What the places allow elsewhere.
 class LengthLimits {
  public:
-  /// Of the places whose width the least length suits, up to a length of `most`.
-  LengthLimits(const std::vector<NarrowPlace>& places, double least, double slope, double most)
-      : places_(places), least_(least), slope_(slope), grid_(std::max(most, least) / slope) {
-    for (std::size_t i = 0; i < places.size(); ++i)
-      if (widths * places[i].width >= least_help * least) grid_.add(places[i].at, i);
+  /// Up to a length of `most`.
+  LengthLimits(const std::vector<NarrowPlace>& places, double slope, double most)
+      : places_(places), slope_(slope), grid_(most / slope) {
+    for (std::size_t i = 0; i < places.size(); ++i) grid_.add(places[i].at, i);
   }
-  double at(const Vec3& x) const {
-    double limit = infinity;
+  struct Limit {
+    double length = infinity, distance = infinity;
+  };
+  Limit at(const Vec3& x) const {
+    Limit limit;
     grid_.around(x, [&](std::size_t i) {
-      limit =
-          std::min(limit, std::max(widths * places_[i].width, least_) + slope_ * (places_[i].at - x).norm());
+      const double d = (places_[i].at - x).norm();
+      limit.length = std::min(limit.length, widths * places_[i].width + slope_ * d);
+      limit.distance = std::min(limit.distance, d);
     });
     return limit;
-  }
-  VertexField at_vertices(const TriMesh& mesh) const {
-    VertexField result;
-    for (const Vec3& x : mesh.vertices()) result.push_back(at(x));
-    return result;
   }
 
  private:
   const std::vector<NarrowPlace>& places_;
-  double least_, slope_;
+  double slope_;
   Grid grid_;
 };
 
@@ -193,6 +192,12 @@ VertexField at_split_vertices(const TriMesh& mesh, const Sizing& base, const Spl
   return h;
 }
 
+double widest(const std::vector<NarrowPlace>& places) {
+  double most = 0;
+  for (const NarrowPlace& place : places) most = std::max(most, place.width);
+  return most;
+}
+
 }  // namespace
 
 std::vector<NarrowPlace> narrow_places(const TriMesh& mesh, const Features& features, double spacing) {
@@ -200,14 +205,16 @@ std::vector<NarrowPlace> narrow_places(const TriMesh& mesh, const Features& feat
   return Facing(mesh, features, spacing).narrow_places();
 }
 
-std::optional<NarrowSurface> narrow_surface(const TriMesh& mesh, const Features& features, double spacing) {
+std::optional<NarrowSurface> narrow_surface(const TriMesh& mesh, const Features& features, double spacing,
+                                            double gradation) {
   NarrowSurface result;
   result.places = narrow_places(mesh, features, spacing);
   if (result.places.empty()) return {};
-  const LengthLimits limits(result.places, 0.1 * spacing, split_slope, spacing);
+  const LengthLimits near(result.places, split_slope, spacing);
   const auto lengths = [&](const TriMesh& surface) {
-    VertexField h = limits.at_vertices(surface);
-    for (double& value : h) value = std::min(value, 1e6 * mesh.diagonal());
+    VertexField h;
+    for (const Vec3& x : surface.vertices())
+      h.push_back(std::clamp(near.at(x).length, smallest * spacing, 1e6 * mesh.diagonal()));
     return h;
   };
   result.split = {mesh, lengths(mesh), {}};
@@ -221,34 +228,39 @@ std::optional<NarrowSurface> narrow_surface(const TriMesh& mesh, const Features&
     next.h = lengths(next.mesh);
     result.split = std::move(next);
   }
+  result.gradation = gradation;
+  const LengthLimits limits(result.places, gradation, most_growth * spacing);
+  for (const Vec3& x : result.split.mesh.vertices()) {
+    const LengthLimits::Limit limit = limits.at(x);
+    result.lengths.push_back(limit.length), result.distances.push_back(limit.distance);
+  }
   return result;
 }
 
 CurveFit fit_sizing_to_curves(const TriMesh& mesh, const Sizing& base, const NarrowSurface& narrow,
-                              std::size_t n, double gradation) {
+                              std::size_t n) {
   const TriMesh& surface = narrow.split.mesh;
   const VertexField h = at_split_vertices(mesh, base, narrow.split);
-  const double most = *std::ranges::max_element(h);
-  const auto limited = [&](const VertexField& limits, double growth) {
+  const auto limited = [&](double least, double growth) {
     VertexField result = h;
     for (VertexId v(0); v.index() < h.size(); v = VertexId(v.value + 1))
-      result[v] = std::min(growth * h[v], limits[v]);
+      result[v] = std::min(growth * h[v],
+                           std::max(narrow.lengths[v], least + narrow.gradation * narrow.distances[v]));
     return Sizing(surface, std::move(result));
   };
-  const auto excess = [&](const Sizing& sizing) {
-    return num_samples(surface, sizing) - static_cast<double>(n);
+  const auto is_too_many = [&](double least, double growth) {
+    return num_samples(surface, limited(least, growth)) > static_cast<double>(n);
   };
-  for (double least = 0.1 * most; least < 0.8 * most; least *= 1.2) {
-    const VertexField limits =
-        LengthLimits(narrow.places, least, gradation, most_growth * most).at_vertices(surface);
-    if (std::ranges::all_of(limits, [](double x) { return x == infinity; })) break;
-    if (excess(limited(limits, most_growth)) > 0) continue;
+  const double most = *std::ranges::max_element(h), most_wanted = widths * widest(narrow.places);
+  for (double least = smallest * most; least < std::min(largest * most, most_wanted / least_help);
+       least *= 1.2) {
+    if (is_too_many(least, most_growth)) continue;
     double low = 1, high = most_growth;
-    for (int step = 0; step < 40; ++step) {
+    for (int step = 0; step < 24; ++step) {
       const double growth = (low + high) / 2;
-      (excess(limited(limits, growth)) > 0 ? low : high) = growth;
+      (is_too_many(least, growth) ? low : high) = growth;
     }
-    return {limited(limits, high), true};
+    return {limited(least, high), true};
   }
   return {Sizing(surface, h), false};
 }

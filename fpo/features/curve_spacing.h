@@ -27,11 +27,14 @@ std::vector<NarrowPlace> narrow_places(const geom::TriMesh& mesh, const Features
 struct NarrowSurface {
   SplitSurface split;
   std::vector<NarrowPlace> places;
+  double gradation = 0;
+  VertexField lengths;  ///< at each vertex of the split mesh: the least of 1.5 widths + gradation * distance
+  VertexField distances;  ///< from the nearest place; both +infinity far from all
 };
 
 /// None if there is no narrow place.
 std::optional<NarrowSurface> narrow_surface(const geom::TriMesh& mesh, const Features& features,
-                                            double spacing);
+                                            double spacing, double gradation);
 
 struct CurveFit {
   Sizing sizing;
@@ -39,11 +42,11 @@ struct CurveFit {
 };
 
 /// The wanted lengths on `narrow`, which was made of `mesh`, that call for n samples: those of `base`, times
-/// the same number everywhere, but at most 1.5 widths plus `gradation` times the distance from each place. If
-/// others had to be longer than 1.25 of what they are, the narrowest places get less than that: none is below
-/// a least length, and those that it would not help are left alone. `base` is of `mesh`. Some hundred
-/// evaluations of the number of samples, at most.
+/// the same number everywhere, but at most 1.5 widths plus the gradation times the distance from each place,
+/// as far as that is not below a least length: one with which others need not be longer than 1.35 of what
+/// they are. It is no help where that is more than twice what the narrow places want. `base` is of `mesh`.
+/// Some fifty evaluations of the number of samples.
 CurveFit fit_sizing_to_curves(const geom::TriMesh& mesh, const Sizing& base, const NarrowSurface& narrow,
-                              std::size_t n, double gradation);
+                              std::size_t n);
 
 }  // namespace fpo

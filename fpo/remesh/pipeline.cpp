@@ -108,7 +108,7 @@ struct Task {
 SharedSizing sizing_and_features(const Task& task, const RemeshOptions& options) {
   const auto sizing_for = [&](std::size_t n) {
     if (!task.narrow) return task.plain(n);
-    return fit_sizing_to_curves(task.input, task.plain(n), *task.narrow, n, curve_gradation(options)).sizing;
+    return fit_sizing_to_curves(task.input, task.plain(n), *task.narrow, n).sizing;
   };
   SharedSizing shared =
       share_sizing(task.surface(), task.features, points_on_surface(task.surface(), options.fixed),
@@ -356,10 +356,10 @@ std::optional<NarrowSurface> helpful_narrow_surface(const geom::TriMesh& surface
                                                     const SizingFor& plain, const RemeshOptions& options) {
   const bool has_marks = options.features && !options.features->marked.empty();  // on facets as they are
   if (options.method != Method::fpo || has_marks) return {};
-  std::optional<NarrowSurface> narrow = narrow_surface(surface, features, even_spacing(surface, options));
+  std::optional<NarrowSurface> narrow =
+      narrow_surface(surface, features, even_spacing(surface, options), curve_gradation(options));
   const std::size_t n = options.num_samples;
-  if (narrow && !fit_sizing_to_curves(surface, plain(n), *narrow, n, curve_gradation(options)).helped)
-    narrow.reset();
+  if (narrow && !fit_sizing_to_curves(surface, plain(n), *narrow, n).helped) narrow.reset();
   return narrow;
 }
 
