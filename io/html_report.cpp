@@ -81,6 +81,13 @@ void HtmlReport::table(const HtmlTable& table) {
   body_ += element("div", "class=\"tablebox\"", element("table", "", "\n" + content));
 }
 
+void HtmlReport::folded(std::string_view line, const HtmlTable& table_inside) {
+  const std::string before = std::move(body_);
+  body_.clear();
+  table(table_inside);
+  body_ = before + element("details", "", element("summary", "", escaped(line)) + body_);
+}
+
 void HtmlReport::plots(std::span<const HtmlPlot> plots) {
   std::string figures;
   for (const HtmlPlot& plot : plots) {

@@ -42,6 +42,8 @@ class HtmlReport {
   void banner(std::string_view text);   ///< what nobody must overlook
   void command(std::string_view text);  ///< a command line
   void table(const HtmlTable& table);
+  /// The same behind a line that opens it.
+  void folded(std::string_view line, const HtmlTable& table);
   void plots(std::span<const HtmlPlot> plots);  ///< beside each other as far as they fit
   /// Once a page. `still`: what is shown where scripts are off.
   void scenes(std::span<const Scene> scenes, const SceneView& view, const Svg& still);

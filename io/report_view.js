@@ -190,7 +190,8 @@
       this.raster.clear();
       if (!this.fit) this.fit = this.fitting(width, height);
       this.scale = this.fit * Math.min(width, height) * view.zoom;
-      this.middle = [width / 2, height / 2];
+      const side = Math.min(width, height);
+      this.middle = [width / 2 + side * view.shift[0], height / 2 + side * view.shift[1]];
       this.drawTriangles(fine);
       this.drawOverlays(fine);
       this.canvas.getContext("2d").putImageData(this.raster.image, 0, 0);
@@ -240,15 +241,28 @@
   }
 
   const turnBy = (right, down) => { view.rotation = turned(view.rotation, right, down); };
-  const zoomBy = (factor) => { view.zoom = Math.min(60, Math.max(0.3, view.zoom * factor)); };
+  // What is in the middle stays there.
+  const zoomBy = (factor) => {
+    const zoom = Math.min(60, Math.max(0.3, view.zoom * factor));
+    view.shift = view.shift.map((s) => s * zoom / view.zoom);
+    view.zoom = zoom;
+  };
+  // In units of a picture's shorter side.
+  const shiftBy = (right, down) => { view.shift = [view.shift[0] + right, view.shift[1] + down]; };
   const reset = () => {
     view.rotation = view.first;
     view.zoom = 1;
+    view.shift = [0, 0];
   };
 
   const keys = {
     ArrowLeft: () => turnBy(-0.1, 0), ArrowRight: () => turnBy(0.1, 0), ArrowUp: () => turnBy(0, -0.1),
     ArrowDown: () => turnBy(0, 0.1), "+": () => zoomBy(1.15), "-": () => zoomBy(1 / 1.15), 0: reset,
+  };
+
+  const shifts = {
+    ArrowLeft: () => shiftBy(-0.05, 0), ArrowRight: () => shiftBy(0.05, 0), ArrowUp: () => shiftBy(0, -0.05),
+    ArrowDown: () => shiftBy(0, 0.05),
   };
 
   const onPointers = (canvas, refresh) => {
@@ -265,11 +279,17 @@
       const last = pointers.get(event.pointerId);
       if (!last) return;
       const before = pointers.size === 2 ? gap() : 0, now = [event.clientX, event.clientY];
+      const side = Math.min(canvas.clientWidth, canvas.clientHeight);
+      const right = now[0] - last[0], down = now[1] - last[1];
       pointers.set(event.pointerId, now);
-      if (before > 0) zoomBy(gap() / before);
-      else if (pointers.size === 1) turnBy((now[0] - last[0]) / 120, (now[1] - last[1]) / 120);
+      if (before > 0) {
+        shiftBy(right / side / 2, down / side / 2);
+        zoomBy(gap() / before);
+      } else if (event.shiftKey || event.buttons & 2) shiftBy(right / side, down / side);
+      else turnBy(right / 120, down / 120);
       refresh();
     });
+    canvas.addEventListener("contextmenu", (event) => event.preventDefault());
     for (const name of ["pointerup", "pointercancel"])
       canvas.addEventListener(name, (event) => pointers.delete(event.pointerId));
   };
@@ -286,9 +306,10 @@
       refresh();
     });
     canvas.addEventListener("keydown", (event) => {
-      if (!keys[event.key]) return;
+      const action = event.shiftKey && shifts[event.key] || keys[event.key];
+      if (!action) return;
       event.preventDefault();
-      keys[event.key]();
+      action();
       refresh();
     });
   };

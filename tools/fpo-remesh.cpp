@@ -87,7 +87,7 @@ int remesh(tools::CommandLine& cli) {
   tools::stop_if_interrupted();
 
   std::string log = "iteration,moved,delta,mean_delta,seconds\n";
-  tools::RemeshRun run{cli.command(), a.input, a.remesh, {}, 0, cli.threads()};
+  tools::RemeshRun run{cli.command(), a.input, a.remesh, {}, 0, cli.threads(), cli.quiet()};
   tools::Progress progress("optimizing", cli.quiet());
   const double total_moves = std::max(1.0, double(a.remesh.num_samples) * a.remesh.optimize.max_iterations);
   double delta = 0;

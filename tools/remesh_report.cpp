@@ -10,6 +10,7 @@
 #include "tools/measures.h"
 #include "tools/measures_table.h"
 #include "tools/picture_of_spectrum.h"
+#include "tools/progress.h"
 #include "tools/report_charts.h"
 #include "tools/report_scenes.h"
 #include "tools/type_warnings.h"
@@ -19,7 +20,8 @@ namespace {
 
 // Some 3 ms a sample, or half of that with the smaller radius, which blunts peaks by 5 percent.
 constexpr std::size_t most_fine_spectrum_samples = 6'000, most_spectrum_samples = 15'000;
-constexpr std::size_t most_still_facets = 20'000;  // some 600 KB
+constexpr std::size_t most_still_facets = 20'000;               // some 600 KB
+constexpr double pictures_share = 0.05, measures_share = 0.15;  // of the time that a report takes
 constexpr double fine_radius = 12, coarse_radius = 8;
 
 /// The result in units in which no square under- or overflows.
@@ -129,7 +131,7 @@ void add_measures(io::HtmlReport& page, const Measures& measures, const RemeshRu
       "sense.");
   io::HtmlTable all;
   for (const auto& [name, value] : named(measures)) all.rows.push_back({{name, number(value, "%.9g")}});
-  page.table(all);
+  page.folded("All measures", all);
   page.data("measures", json(named(measures)));
 }
 
@@ -137,6 +139,8 @@ void add_measures(io::HtmlReport& page, const Measures& measures, const RemeshRu
 
 void write_remesh_report(const std::filesystem::path& path, const geom::TriMesh& input,
                          const fpo::RemeshResult& result, const RemeshRun& run) {
+  Progress progress("report", run.quiet);
+  progress.update(0, run.iterations.empty() ? 0 : run.iterations.back().delta);
   const double factor = geom::factor_to_unit_box(input);
   const geom::TriMesh surface = geom::scaled_to_unit_box(input, factor);
   const fpo::RemeshResult drawn = scaled(result, factor);
@@ -146,12 +150,15 @@ void write_remesh_report(const std::filesystem::path& path, const geom::TriMesh&
   for (const std::string& line : type_warnings(input, result, run.options)) page.banner(line + ".");
   for (const std::string& line : shape_warnings(result)) page.banner(line + ".");
   page.note(
-      "Turn the pictures by dragging or with the arrow keys; zoom with + and - or two fingers; 0 sets back.");
+      "Turn the pictures by dragging or with the arrow keys, shift them with the shift key or the other "
+      "button "
+      "held; zoom with + and - or two fingers; 0 sets back.");
   const io::SceneView view;
   io::MeshPicture still;
   const geom::TriMesh coarse = geom::with_fewer_facets(drawn.mesh, most_still_facets);
   still.back_faces = geom::topology(coarse).boundary_edges > 0;
-  page.scenes(remesh_scenes({surface, run.options, drawn}, view), view, io::draw_mesh(coarse, still));
+  page.scenes(remesh_scenes({surface, run.options, drawn, result.sizing}, view), view,
+              io::draw_mesh(coarse, still));
   page.heading("Triangles");
   const geom::Vec2 size(360, 260);
   const std::vector<io::HtmlPlot> plots = {
@@ -159,7 +166,10 @@ void write_remesh_report(const std::filesystem::path& path, const geom::TriMesh&
       {io::draw_chart(length_histogram(drawn.mesh, drawn.wanted), size)},
       {io::draw_chart(convergence_chart(run.iterations), size), "delta (blue) and its mean (red)."}};
   page.plots(plots);
+  const double delta = run.iterations.empty() ? 0 : run.iterations.back().delta;
+  progress.update(pictures_share, delta);
   add_measures(page, measure(result.mesh, input, run.threads), run);
+  progress.update(measures_share, delta);
   add_spectrum(page, surface, drawn, run);
   page.heading("Run");
   page.table(run_table(result, run));

@@ -17,6 +17,7 @@ struct RemeshRun {
   std::vector<fpo::IterationReport> iterations;
   double seconds = 0;  ///< of fpo::remesh
   int threads = 1;
+  bool quiet = false;  ///< no progress line
 };
 
 /// Measures the remesh (like fpo-quality with the input as reference) and writes the page, atomically. The

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <map>
 #include <numbers>
@@ -121,7 +122,12 @@ Scene input_scene(const RemeshPictures& of, const Window& whole, const SceneLimi
     scene.note += " Drawn with " + std::to_string(mesh.num_facets()) + " of them.";
   } else if (of.options.sizing != fpo::SizingKind::uniform) {
     colour_by(scene, of.result.sizing);
-    scene.note += " Coloured by the wanted edge length: blue is short, red long.";
+    const auto [least, most] = std::ranges::minmax(of.wanted_lengths);
+    char lengths[160];
+    std::snprintf(lengths, sizeof lengths,
+                  " Coloured by the wanted edge length: blue is short (%.4g), pale %.4g, red long (%.4g).",
+                  least, std::sqrt(least) * std::sqrt(most), most);
+    scene.note += lengths;
   }
   scene.lines = feature_lines(of, whole);
   if (!scene.lines.empty()) scene.note += " Features in red.";

@@ -12,7 +12,8 @@ namespace tools {
 struct RemeshPictures {
   const geom::TriMesh& input;
   const fpo::RemeshOptions& options;
-  const fpo::RemeshResult& result;  ///< with its cells (RemeshOptions::keep_cells)
+  const fpo::RemeshResult& result;         ///< with its cells (RemeshOptions::keep_cells)
+  const fpo::VertexField& wanted_lengths;  ///< result.sizing in the units that are shown to people
 };
 
 /// Sizes beyond which pictures show a simplified input, and of samples, cells and remesh a part. They keep a

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <string>
 
@@ -21,6 +22,19 @@ constexpr double caption_height = 28;
 const char* colour(geom::SiteId s) {
   static constexpr const char* colours[] = {"#dbe9f6", "#fde6ce", "#dff0d8", "#f6dfe6", "#e8e2f3", "#f5f1cf"};
   return colours[s.index() % std::size(colours)];
+}
+
+/// Whether a point of the surface lies in a part of a cell, up to rounding.
+bool holds(const fpo::CellPolygon& polygon, const geom::TriMesh& mesh, const Vec3& p) {
+  const Vec3 normal = mesh.normal(polygon.facet).normalized();
+  const double tolerance = 1e-7 * mesh.diagonal();
+  if (std::abs((p - polygon.corners[0]).dot(normal)) > tolerance) return false;
+  for (std::size_t i = 0; i < polygon.corners.size(); ++i) {
+    const Vec3& a = polygon.corners[i];
+    const Vec3 side = (polygon.corners[(i + 1) % polygon.corners.size()] - a).normalized();
+    if (normal.cross(side).dot(p - a) < -tolerance) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -90,7 +104,7 @@ TracePicture::Drawing TracePicture::draw(const geom::RestrictedPower& diagram, g
   std::set<geom::SiteId> sites;
   for (const fpo::CellPolygon& polygon : visible(diagram)) {
     cells.push_back({polygon.site.value, polygon.corners});
-    sites.insert(polygon.site);
+    if (holds(polygon, mesh_, diagram.site(polygon.site).position)) sites.insert(polygon.site);
     std::vector<Vec2> corners;
     for (const Vec3& p : polygon.corners) corners.push_back(project(p));
     const std::string fill = polygon.site == x ? "#f4a582" : colour(polygon.site);

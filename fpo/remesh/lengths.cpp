@@ -144,7 +144,7 @@ void set_number_there(const TriMesh& surface, const Lengths& lengths, RemeshOpti
   const FeatureSamples samples =
       sample_features(surface, features, fixed, sizing, 2 * most_samples_by_length, options.seed);
   options.num_samples =
-      std::max(checked(inner - samples.missing_shares), least_number_of_samples(surface, features, fixed));
+      std::max(checked(inner + samples.missing_shares), least_number_of_samples(surface, features, fixed));
 }
 
 }  // namespace

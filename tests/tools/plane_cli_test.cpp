@@ -122,7 +122,7 @@ TEST_CASE("fpo-plane: bad numbers and bad files are one line, exit code 2, and n
   for (const std::string curves : {"long", "nothing"})
     CHECK(refused({"--sizing", curves + ".txt"}).find(curves + ".txt: ") != std::string::npos);
 
-  CHECK(complaint(scratch, {"-n", "100", "-o", "out.obj"}).find("out.obj") != std::string::npos);
+  CHECK(complaint(scratch, {"-n", "100", "-o", "out.ply"}).find("out.ply") != std::string::npos);
   CHECK(refused({"--log", "log.png"}).find("log.png: unknown extension '.png' (use .csv or .txt)") !=
         std::string::npos);
   CHECK(complaint(scratch, {"-n", "100", "-o", "no/such/folder/out.txt"}).find("out.txt") !=
