@@ -10,8 +10,8 @@ namespace tools {
 /// z" at vertices of INPUT, a blank line between two).
 void set_features(RemeshArguments& a, const std::string& text);
 
-/// Marks the edges of the surface that the list names. Adds to the notes how many pieces of lines are no edges
-/// of it. Throws geom::InputError on files that cannot be read, and points that are no vertices.
+/// Marks the edges of the surface that the list names. Adds to the notes how many pieces of lines are no
+/// edges of it. Throws geom::InputError on files that cannot be read, and points that are no vertices.
 void mark_features(RemeshArguments& a, SurfaceInput& input);
 
 }  // namespace tools

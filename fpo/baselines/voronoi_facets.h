@@ -1,9 +1,9 @@
 #pragma once
 // The restricted Voronoi diagram of changing sites, facet by facet, for integrals over it.
 //
-// The diagram of geom/power/restricted_power.h is made for moves of single samples. Here every facet is divided
-// anew for each set of sites (geom/power/facet_cells.h), on several threads, and nothing is kept but what the
-// visitor makes of each polygon.
+// The diagram of geom/power/restricted_power.h is made for moves of single samples. Here every facet is
+// divided anew for each set of sites (geom/power/facet_cells.h), on several threads, and nothing is kept but
+// what the visitor makes of each polygon.
 
 #include <vector>
 

@@ -29,11 +29,11 @@ struct Lengths {
 VertexField error_size(const geom::TriMesh& surface, const Features& features, double error, double largest);
 
 /// Sets the number of samples and, for an error or a given sizing, lengths that sizing and features share. A
-/// given sizing (RemeshOptions::rho) is taken as wanted lengths, no more up to a factor, graded by the limits.
-/// Local feature size and curvature share out as many samples as evenly spread edges of that length take.
-/// Without an edge length an error's lengths are at most a tenth of the diagonal. Features, fixed points and
-/// limits must be set. Throws InputError on lengths that are not positive, that take more than 20 million
-/// samples, or that are missing or of no use together; a radius is for uniform sizing. O(F log F).
+/// given sizing (RemeshOptions::rho) is taken as wanted lengths, no more up to a factor, graded by the
+/// limits. Local feature size and curvature share out as many samples as evenly spread edges of that length
+/// take. Without an edge length an error's lengths are at most a tenth of the diagonal. Features, fixed
+/// points and limits must be set. Throws InputError on lengths that are not positive, that take more than 20
+/// million samples, or that are missing or of no use together; a radius is for uniform sizing. O(F log F).
 void set_number_of_samples(const geom::TriMesh& surface, const Lengths& lengths, RemeshOptions& options);
 
 }  // namespace fpo
