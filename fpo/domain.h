@@ -2,7 +2,6 @@
 // What Algorithm 1 needs from a sampling domain. It never sees a coordinate.
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "geom/check.h"
@@ -25,8 +24,6 @@ struct Circle {
 };
 
 /// A set of n samples with the empty circles between them, under removal and insertion.
-/// A move is: remove(x); c = largest_empty(scope); then insert_at(x, c) if is_farther(c, x), else
-/// put_back(x).
 class Domain {
  public:
   virtual ~Domain() = default;
@@ -42,10 +39,11 @@ class Domain {
 
   /// Line 5. At most one sample is out at a time.
   virtual void remove(SiteId x) = 0;
+  /// Line 6: the one of the largest priority (farthest.h) in scope. A sample is out.
   virtual Circle largest_empty(Scope scope) = 0;
 
-  /// Line 6, asked while x is out: is c.radius2 larger than d_x? The answer is mostly yes, and then a bound
-  /// of d_x will do.
+  /// Line 6, asked while x is out: is c farther than the place that x came from, so that r > d_x? The answer
+  /// is mostly yes, and then a bound of d_x will do.
   virtual bool is_farther(const Circle& c, SiteId x) = 0;
 
   /// Line 7: puts the removed sample at the center of c, with the weight that the sizing gives there.
@@ -53,9 +51,9 @@ class Domain {
   /// Line 9: puts the removed sample back with its old position and weight.
   virtual void put_back(SiteId x) = 0;
 
-  /// The whole move at once where a domain knows a shorter way to the same outcome: whether x moved. Else
-  /// none, and nothing is done.
-  virtual std::optional<bool> move_directly(SiteId, Scope) { return {}; }
+  /// Lines 4 to 9 of Algorithm 1 for a sample that is not fixed: whether it went to a new place. A domain
+  /// that knows a shorter way to the same outcome takes it.
+  virtual bool move(SiteId x, Scope scope);
 
   /// Distance from x to the nearest other sample in units of the spacing that a hexagonal arrangement of the
   /// wanted density would have there (d_max of section 2.1 if uniform). The minimum over all x is delta, the
@@ -73,6 +71,17 @@ class Domain {
   /// Verifies every invariant of the structures behind; throws geom::Bug. For tests.
   virtual void check() const {}
 };
+
+inline bool Domain::move(SiteId x, Scope scope) {
+  remove(x);
+  const Circle c = largest_empty(scope);
+  const bool moves = is_farther(c, x);
+  if (moves)
+    insert_at(x, c);
+  else
+    put_back(x);
+  return moves;
+}
 
 inline void Domain::neighbours(SiteId, std::vector<SiteId>&) {
   throw geom::Bug("this domain knows no neighbours of a sample");

@@ -43,17 +43,13 @@ fpo::Method method_of(std::int32_t method) {
   throw geom::InputError("there is no method " + std::to_string(method));
 }
 
+static_assert(static_cast<int>(fpo::SizingKind::local_feature_size) == fpo_sizing_lfs &&
+              static_cast<int>(fpo::SizingKind::curvature) == fpo_sizing_curvature &&
+              static_cast<int>(fpo::SizingKind::given) == fpo_sizing_given);
+
 fpo::SizingKind sizing_of(std::int32_t sizing) {
-  switch (sizing) {
-    case fpo_sizing_uniform:
-      return fpo::SizingKind::uniform;
-    case fpo_sizing_lfs:
-      return fpo::SizingKind::local_feature_size;
-    case fpo_sizing_curvature:
-      return fpo::SizingKind::curvature;
-    case fpo_sizing_given:
-      return fpo::SizingKind::given;
-  }
+  for (const fpo::SizingFacts& facts : fpo::sizings())
+    if (static_cast<std::int32_t>(facts.kind) == sizing) return facts.kind;
   throw geom::InputError("there is no sizing " + std::to_string(sizing));
 }
 

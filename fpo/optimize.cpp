@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "fpo/interruption.h"
 #include "geom/check.h"
 #include "geom/rng.h"
 
@@ -32,18 +33,6 @@ class Stopwatch {
 };
 
 }  // namespace
-
-bool move_to_farthest_point(Domain& domain, SiteId x, Scope scope) {
-  if (const std::optional<bool> moved = domain.move_directly(x, scope)) return *moved;
-  domain.remove(x);
-  const Circle c = domain.largest_empty(scope);
-  if (domain.is_farther(c, x)) {
-    domain.insert_at(x, c);
-    return true;
-  }
-  domain.put_back(x);
-  return false;
-}
 
 IterationReport measure(Domain& domain) {
   IterationReport report;
@@ -74,9 +63,6 @@ OptimizeResult optimize(Domain& domain, const OptimizeOptions& options) {
     result.last.seconds = watch.seconds();
     if (options.on_iteration) options.on_iteration(result.last);
   };
-  const auto interrupted = [&] {
-    return options.interrupted && options.interrupted->load(std::memory_order_relaxed);
-  };
 
   if (options.order == VisitOrder::shuffled_once) rng.shuffle(std::span(samples));
   report(0, 0);
@@ -87,14 +73,14 @@ OptimizeResult optimize(Domain& domain, const OptimizeOptions& options) {
     for (std::size_t i = 0; i < order.size(); ++i) {
       const SiteId x = order[i];
       if (i + look_ahead < order.size()) domain.expect(order[i + look_ahead]);
-      if (interrupted()) {
+      if (interrupted(options.interrupted)) {
         report(iteration, moved);
         result.reason = StopReason::interrupted;
         return result;
       }
       if (options.on_move) options.on_move(result.moves);
       try {
-        moved += move_to_farthest_point(domain, x, options.scope);
+        moved += domain.move(x, options.scope);
       } catch (const geom::Bug& bug) {
         throw geom::Bug("move " + std::to_string(result.moves) + ": " + bug.what());
       }

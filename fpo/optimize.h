@@ -53,9 +53,6 @@ OptimizeResult optimize(Domain& domain, const OptimizeOptions& options);
 
 inline constexpr std::size_t look_ahead = 4;  ///< moves between Domain::expect() and the move itself
 
-/// Lines 4 to 9 of Algorithm 1 for one sample. True if it moved.
-bool move_to_farthest_point(Domain& domain, SiteId x, Scope scope);
-
 /// delta and mean delta of the samples as they are (the other fields are 0), those left out that are fixed
 /// unless all are. O(n) spacings.
 IterationReport measure(Domain& domain);

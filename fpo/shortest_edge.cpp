@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "fpo/interruption.h"
 #include "geom/indexed_heap.h"
 
 namespace fpo {
@@ -37,20 +38,15 @@ ShortestEdgeResult remove_shortest_edges(Domain& domain, const ShortestEdgeOptio
   int stayed = 0;  // moves in a row
   const std::size_t most = options.max_moves_per_sample * domain.num_samples();
   while (result.moves < most && !samples.empty()) {
-    if (options.interrupted && options.interrupted->load(std::memory_order_relaxed)) break;
+    if (interrupted(options.interrupted)) break;
     if (options.on_move) options.on_move(result.moves);
     const SiteId x = samples.top().slot;
-    const double d = domain.separation(x);
     domain.neighbours(x, before);
-    domain.remove(x);
-    const Circle c = domain.largest_empty(Scope::global);
     ++result.moves;
-    if (!(c.radius2 > d)) {
-      domain.put_back(x);
+    if (!domain.move(x, Scope::global)) {
       result.converged = true;
       break;
     }
-    domain.insert_at(x, c);
     domain.neighbours(x, after);
     for (const SiteId y : before) refresh(y);
     for (const SiteId y : after) refresh(y);

@@ -4,11 +4,11 @@
 #include <cstdio>
 #include <iterator>
 #include <memory>
+#include <span>
 #include <tuple>
 
-#include "fpo/surface/surface_domain.h"
+#include "fpo/surface/surface_removal.h"
 #include "geom/mesh/scaling.h"
-#include "geom/rng.h"
 #include "io/atomic_file.h"
 #include "io/input_file.h"
 #include "io/mesh_io.h"
@@ -27,7 +27,7 @@ struct Arguments {
 
 Arguments parse(tools::CommandLine& cli) {
   Arguments a;
-  cli.describe("INPUT", "Runs the optimization up to one move, then shows that move step by step.");
+  cli.describe("INPUT", "Runs the optimization up to one move, then shows how that one goes.");
   cli.integer(
       {.name = "count", .letter = 'n', .value = "COUNT", .help = "number of samples", .required = true}, a.n,
       1, 20'000'000);
@@ -76,40 +76,84 @@ Pieces pieces_cut(const Pieces& before, const Pieces& after) {
   return result;
 }
 
-void print_circle(const geom::RestrictedDual& dual, geom::CircleId id) {
-  const geom::EmptyCircle& c = dual.circle(id);
-  std::printf("    circle %d  type %c  radius2 %.9g  in facet %d  sites", id.value,
-              c.place == 0  ? 'C'
-              : c.place < 4 ? 'B'
-                            : 'A',
-              c.radius2, c.facet.value);
+const char* type_of(const geom::EmptyCircle& c) { return c.place == 0 ? "C" : c.place < 4 ? "B" : "A"; }
+
+void print_circle(const geom::EmptyCircle& c) {
+  std::printf("  type %s  radius2 %.9g  in facet %d  sites", type_of(c), c.radius2, c.facet.value);
   for (const SiteId s : c.sites)
     if (s.valid()) std::printf(" %d", s.value);
   std::printf("\n");
 }
 
-void print_change(const fpo::SurfaceDomain& domain, const Pieces& before, const Pieces& after) {
-  const geom::RestrictedDual::Change& change = domain.last_change();
-  print_pieces("erased", pieces_without(before, after));
-  print_pieces("cut or grown", pieces_cut(before, after));
-  print_pieces("created", pieces_without(after, before));
-  std::printf("  circles taken out of the heap: %zu ", change.circles_erased.size());
-  for (const geom::CircleId c : change.circles_erased) std::printf(" %d", c.value);
-  std::printf("\n  circles put into the heap: %zu\n", change.circles_created.size());
-  for (const geom::CircleId c : change.circles_created) print_circle(domain.dual(), c);
+void print_circles(const char* what, const geom::RestrictedDual& dual, std::span<const geom::CircleId> ids) {
+  std::printf("  circles %s: %zu\n", what, ids.size());
+  for (const geom::CircleId c : ids) {
+    std::printf("    circle %d", c.value);
+    print_circle(dual.circle(c));
+  }
 }
 
-/// The moves before the one of interest, as fpo-remesh makes them.
-void advance(fpo::SurfaceDomain& domain, std::size_t moves) {
-  for (std::size_t k = 0; k < moves; ++k) {
-    const SiteId x(k % domain.num_samples());
-    domain.remove(x);
-    const fpo::Circle c = domain.largest_empty(fpo::Scope::global);
-    if (domain.is_farther(c, x))
-      domain.insert_at(x, c);
-    else
-      domain.put_back(x);
+/// Allows every move, and tells one of them as it goes.
+class Narrator final : public fpo::MoveGuard, public fpo::Follower<geom::DualChange> {
+ public:
+  /// From now on. d2: d_x^2 of the sample that will be moved.
+  void listen(fpo::SurfaceDomain& domain, double d2) {
+    domain_ = &domain;
+    d2_ = d2;
+    domain.followers().add(*this);
   }
+
+  bool may_vacate(fpo::SurfaceRemoval& removal, fpo::Scope scope) override {
+    if (!domain_) return true;
+    std::printf("1 remove: %s\n", removal.is_planned() ? "planned, nothing is changed yet" : "carried out");
+    std::printf("  heirs, who win something of the cell:");
+    for (const SiteId y : removal.heirs()) std::printf(" %d", y.value);
+    std::printf("\n");
+    if (removal.is_planned()) {
+      std::printf("  circles that the hole would have: %zu\n", removal.planned_circles().size());
+      for (const geom::EmptyCircle& c : removal.planned_circles()) std::printf("   "), print_circle(c);
+    }
+    std::printf("2 pick\n");
+    const bool can_tell = removal.find_largest(scope);
+    if (!can_tell) {
+      std::printf("  a circle of the sample itself may be the largest: the removal must be carried out\n");
+      return true;
+    }
+    const geom::EmptyCircle* c = removal.largest();
+    if (c) std::printf("   "), print_circle(*c);
+    const bool moves = c && c->radius2 > d2_;
+    std::printf("  r^2 = %.9g %s d_x^2 = %.9g: the sample %s\n", c ? c->radius2 : 0, moves ? ">" : "<=", d2_,
+                moves ? "moves there" : "stays");
+    return true;
+  }
+  bool offers(const geom::EmptyCircle&, const geom::WeightedPoint3&) const override { return true; }
+  bool may_keep(fpo::SurfaceDomain&, SiteId, const geom::EmptyCircle&) override { return true; }
+
+  void follow(const geom::DualChange& change) override {
+    const geom::RestrictedDual& dual = domain_->dual();
+    std::printf("the diagram and the heap change\n");
+    print_circles("vacated, or in conflict with the sample's new place", dual, change.circles_erased);
+    print_circles("moved with their sites", dual, change.circles_moved);
+    print_circles("made", dual, change.circles_created);
+  }
+
+ private:
+  fpo::SurfaceDomain* domain_ = nullptr;
+  double d2_ = 0;
+};
+
+/// How often which way was taken in between.
+void print_way(const geom::RestrictedDual::Ways& before, const geom::RestrictedDual::Ways& after) {
+  std::printf("the way:");
+  const auto print = [](const char* name, std::size_t times) {
+    if (times > 0) std::printf(" %s", name);
+  };
+  print("in place", after.in_place - before.in_place);
+  print("fast-removal", after.fast_removals - before.fast_removals);
+  print("general-removal", after.general_removals - before.general_removals);
+  print("fast-insertion", after.fast_insertions - before.fast_insertions);
+  print("general-insertion", after.general_insertions - before.general_insertions);
+  std::printf("\n");
 }
 
 /// What is printed and drawn has the input's unit of length, so it is not scaled as in fpo-remesh.
@@ -121,48 +165,52 @@ geom::TriMesh read_surface(const std::filesystem::path& path) {
   return geom::scaled_to_unit_box(mesh, 1);
 }
 
+void print_pieces_changed(const Pieces& before, const Pieces& after) {
+  print_pieces("erased", pieces_without(before, after));
+  print_pieces("cut or grown", pieces_cut(before, after));
+  print_pieces("created", pieces_without(after, before));
+}
+
+/// The picture of what the move goes by, even if only planned: the diagram without x, its largest circle.
+tools::TracePicture::Drawing without(const fpo::SurfaceDomain& domain, SiteId x,
+                                     const tools::TracePicture& picture) {
+  fpo::SurfaceDomain copy = domain.rebuilt();
+  copy.remove(x);
+  const fpo::Circle c = copy.largest_empty(fpo::Scope::global);
+  return picture.draw(*copy.diagram(), x, c.id.valid() ? &copy.dual().circle(c.id) : nullptr);
+}
+
 int trace(tools::CommandLine& cli) {
   const Arguments a = parse(cli);
   const geom::TriMesh mesh = read_surface(a.input);
   std::error_code error;
   std::filesystem::create_directories(a.folder, error);
   geom::require(!error, "cannot make " + a.folder.string() + ": " + error.message());
-  fpo::SurfaceDomain domain(mesh, fpo::random_samples(mesh, a.n, cli.seed()), a.surface);
-  advance(domain, a.move);
+  Narrator narrator;
+  const fpo::Sizing sizing = fpo::Sizing::uniform(fpo::hexagonal_spacing(mesh.area(), a.n));
+  fpo::SurfaceDomain domain(mesh, sizing, fpo::random_samples(mesh, a.n, cli.seed()), a.surface, &narrator);
+  for (std::size_t k = 0; k < a.move; ++k) domain.move(SiteId(k % a.n), fpo::Scope::global);
 
   const SiteId x(a.move % a.n);
   const fpo::SurfaceSample old = domain.sample(x);
-  const double d = domain.separation(x);
-  tools::TracePicture picture(mesh, old, 3 * fpo::hexagonal_spacing(mesh.area(), a.n));
+  const double radius = 3 * fpo::hexagonal_spacing(mesh.area(), a.n);
+  const tools::TracePicture picture(mesh, old, radius);
   std::printf("move %zu: sample %d at (%.9g, %.9g, %.9g) in facet %d\n", a.move, x.value, old.position.x(),
               old.position.y(), old.position.z(), old.facet.value);
   std::unique_ptr<geom::RestrictedPower> diagram = domain.diagram();
   const auto before = picture.draw(*diagram, x, nullptr);
-  const Pieces with_x = diagram->canonical();
+  const auto removed = without(domain, x, picture);
+  const Pieces pieces_before = diagram->canonical();
 
-  domain.remove(x);
-  std::printf("1 remove, 2 re-clip, 3 heap\n");
-  diagram = domain.diagram();
-  const Pieces without_x = diagram->canonical();
-  print_change(domain, with_x, without_x);
-  const fpo::Circle c = domain.largest_empty(fpo::Scope::global);
-  std::printf("4 pick\n");
-  if (c.id.valid()) print_circle(domain.dual(), c.id);
-  const bool moves = c.radius2 > d;
-  std::printf("  r^2 = %.9g %s d_x^2 = %.9g: the sample %s\n", c.radius2, moves ? ">" : "<=", d,
-              moves ? "moves there" : "goes back");
-  const auto removed = picture.draw(*diagram, x, c.id.valid() ? &domain.dual().circle(c.id) : nullptr);
-
-  if (moves)
-    domain.insert_at(x, c);
-  else
-    domain.put_back(x);
+  const geom::RestrictedDual::Ways ways = domain.dual().ways();
+  narrator.listen(domain, domain.separation(x));
+  domain.move(x, fpo::Scope::global);
+  print_way(ways, domain.dual().ways());
   const geom::Vec3& p = domain.sample(x).position;
-  std::printf("5 insert at (%.9g, %.9g, %.9g)\n", p.x(), p.y(), p.z());
+  std::printf("3 the sample is at (%.9g, %.9g, %.9g)\n", p.x(), p.y(), p.z());
   diagram = domain.diagram();
-  print_change(domain, without_x, diagram->canonical());
-  const auto after = tools::TracePicture(mesh, domain.sample(x), 3 * fpo::hexagonal_spacing(mesh.area(), a.n))
-                         .draw(*diagram, x, nullptr);
+  print_pieces_changed(pieces_before, diagram->canonical());
+  const auto after = tools::TracePicture(mesh, domain.sample(x), radius).draw(*diagram, x, nullptr);
   before.save(a.folder / "before");
   removed.save(a.folder / "removed");
   after.save(a.folder / "after");

@@ -48,6 +48,29 @@ std::string method_names() {
   return names;
 }
 
+/// "uniform, lfs (local feature size)"
+std::string sizing_names() {
+  std::string names;
+  for (const fpo::SizingFacts& facts : fpo::sizings()) {
+    if (!facts.name) continue;
+    names += (names.empty() ? "" : ", ") + std::string(facts.name);
+    if (*facts.help) names += " (" + std::string(facts.help) + ")";
+  }
+  return names;
+}
+
+void declare_farthest(CommandLine& cli, RemeshArguments& a) {
+  std::vector<std::pair<std::string, fpo::Priority>> words;
+  std::string names, help;
+  for (const fpo::FarthestRule& rule : fpo::farthest_rules()) {
+    words.emplace_back(rule.name, rule.priority);
+    names += (names.empty() ? "" : "|") + std::string(rule.name);
+    help += (help.empty() ? "which empty circle is the farthest point: " : "; ") + std::string(rule.name) +
+            ": " + rule.help;
+  }
+  cli.choice({.name = "farthest", .value = names, .help = help}, a.remesh.surface.farthest, words);
+}
+
 /// "fpo 100, 40 unless the sizing is uniform; cvt 100"
 std::string iterations_by_method() {
   std::string text;
@@ -187,6 +210,7 @@ void parse(CommandLine& cli, RemeshArguments& a) {
               .help = "do not move samples that, like their neighbours, are as far from others as the target "
                       "asks: faster to a delta below .92, smaller mean"},
              choices.rest);
+  declare_farthest(cli, a);
   cli.group("Expert: optimization");
   cli.choice({.name = "corners",
               .value = "c|all",
@@ -210,9 +234,9 @@ void parse(CommandLine& cli, RemeshArguments& a) {
       {.name = "sizing",
        .value = "KIND",
        .help =
-           "wanted edge lengths: uniform, lfs (local feature size), curvature (its radius), or a file: a "
-           "number per vertex of INPUT, a vertex property FILE.ply:NAME (value, if none is named), or a gray "
-           "image (dark is dense) by INPUT's vt; ratios with -n, without it lengths",
+           "wanted edge lengths: " + sizing_names() +
+           ", or a file: a number per vertex of INPUT, a vertex property FILE.ply:NAME (value, if none is "
+           "named), or a gray image (dark is dense) by INPUT's vt; ratios with -n, without it lengths",
        .standard = "uniform"},
       [&](const std::string& text) { set_sizing(a, text); });
   cli.number({.name = "gradation", .value = "G", .help = "the wanted length changes by at most G per length"},

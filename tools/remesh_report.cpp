@@ -43,20 +43,6 @@ std::string number(double value, const char* format = "%.6g") {
   return text;
 }
 
-const char* name_of(fpo::SizingKind kind) {
-  switch (kind) {
-    case fpo::SizingKind::uniform:
-      return "uniform";
-    case fpo::SizingKind::local_feature_size:
-      return "local feature size";
-    case fpo::SizingKind::curvature:
-      return "curvature";
-    case fpo::SizingKind::given:
-      return "given";
-  }
-  return "unknown";
-}
-
 io::HtmlTable run_table(const fpo::RemeshResult& result, const RemeshRun& run) {
   const fpo::OptimizeResult& o = result.optimization;
   io::HtmlTable table;
@@ -66,7 +52,7 @@ io::HtmlTable run_table(const fpo::RemeshResult& result, const RemeshRun& run) {
       {{"input", run.input.string()}},
       {{"method", fpo::facts_of(run.options.method).acronym}},
       {{"samples", std::to_string(result.samples.size())}},
-      {{"sizing", name_of(run.options.sizing)}},
+      {{"sizing", fpo::facts_of(run.options.sizing).title}},
       {{"seed", std::to_string(run.options.seed)}},
       {{"search for farthest points",
         run.options.optimize.scope == fpo::Scope::global ? "everywhere" : "nearby"}},

@@ -111,23 +111,21 @@ void scale_to_shortest(fpo::VertexField& lengths, double shortest) {
 void set_sizing(RemeshArguments& a, const std::string& text) {
   a.sizing_property.clear();
   a.sizing_file.clear();
+  for (const fpo::SizingFacts& facts : fpo::sizings())
+    if (facts.name && text == facts.name) {
+      a.remesh.sizing = facts.kind;
+      return;
+    }
   a.remesh.sizing = fpo::SizingKind::given;
-  if (text == "uniform") {
-    a.remesh.sizing = fpo::SizingKind::uniform;
-  } else if (text == "lfs") {
-    a.remesh.sizing = fpo::SizingKind::local_feature_size;
-  } else if (text == "curvature") {
-    a.remesh.sizing = fpo::SizingKind::curvature;
-  } else {
-    const std::size_t colon = text.rfind(':');
-    std::error_code unknown;
-    const bool names_property = colon != std::string::npos && !std::filesystem::exists(text, unknown);
-    a.sizing_file = text.substr(0, names_property ? colon : std::string::npos);
-    if (names_property) a.sizing_property = text.substr(colon + 1);
-    geom::require(!a.sizing_file.empty(), "a file name cannot be empty");
-    geom::require(!names_property || io::lower_extension(a.sizing_file) == ".ply",
-                  "FILE:PROPERTY is for .ply files");
-  }
+  const std::size_t colon = text.rfind(':');
+  std::error_code unknown;
+  const bool names_property = colon != std::string::npos && !std::filesystem::exists(text, unknown);
+  a.sizing_file = text.substr(0, names_property ? colon : std::string::npos);
+  if (names_property) a.sizing_property = text.substr(colon + 1);
+  geom::require(!a.sizing_file.empty(), "a file name cannot be empty");
+  geom::require(!names_property || io::lower_extension(a.sizing_file) == ".ply",
+                "FILE:PROPERTY is for .ply files");
+}
 }
 
 void settle_sizing(RemeshArguments& a, SurfaceInput& input) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "fpo/interruption.h"
 #include "fpo/optimize.h"
 #include "fpo/surface/sizing.h"
 #include "fpo/surface/surface_sample.h"
@@ -45,8 +46,6 @@ struct BaselineResult {
 IterationReport measure(const BaselineTask& task, std::span<const SurfaceSample> samples);
 
 /// Whether somebody wants the end.
-inline bool interrupted(const OptimizeOptions& options) {
-  return options.interrupted && options.interrupted->load(std::memory_order_relaxed);
-}
+inline bool interrupted(const OptimizeOptions& options) { return interrupted(options.interrupted); }
 
 }  // namespace fpo

@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "fpo/interruption.h"
 #include "fpo/optimize.h"
 
 namespace fpo {
@@ -41,9 +42,10 @@ SmallestAngle smallest_angle(const Regular2& t, const Regular2::Triangle& corner
 }
 
 /// The bad triangles, followed through removals and insertions.
-class BadTriangles {
+class BadTriangles final : public Follower<Regular2::Change> {
  public:
   BadTriangles(PlaneDomain& domain, double smallest) : domain_(domain), smallest_(smallest) {
+    domain.followers().add(*this);
     for (std::size_t t = 0; t < domain.triangulation().simplex_capacity(); ++t)
       if (domain.triangulation().is_live(SimplexId(t))) add(SimplexId(t));
   }
@@ -68,22 +70,20 @@ class BadTriangles {
     return all;
   }
 
+  ~BadTriangles() override { domain_.followers().remove(*this); }
+
   /// Less than at the start if negative.
   std::ptrdiff_t more_hidden() const { return more_hidden_; }
 
-  void remove(SiteId x) {
+  /// Moves x somewhere, which `move` does.
+  template <class Move>
+  void move(SiteId x, Move&& move) {
     more_hidden_ -= domain_.triangulation().is_hidden(x);
-    domain_.remove(x);
-    follow();
-  }
-  void insert(SiteId x, const Vec2& position, double weight_share) {
-    domain_.insert_at(x, position, weight_share);
-    follow();
+    move();
   }
 
  private:
-  void follow() {
-    const Regular2::Change& change = domain_.last_change();
+  void follow(const Regular2::Change& change) override {
     more_hidden_ += std::ssize(change.hidden) - std::ssize(change.exposed);
     for (const SimplexId t : change.destroyed) forget(t);
     for (const SimplexId t : change.created) add(t);
@@ -118,18 +118,11 @@ struct Backup {
   double weight_share;
 };
 
-void put(BadTriangles& bad, const Backup& x) {
-  bad.remove(x.id);
-  bad.insert(x.id, x.position, x.weight_share);
-}
-
-/// Algorithm 1 for one sample: to the farthest point nearby, if that is farther than where it is.
-void resample(PlaneDomain& domain, BadTriangles& bad, SiteId x) {
-  const double d = domain.separation(x), share = domain.weight_share(x);
-  const Vec2 home = domain.triangulation().point(x).position;
-  bad.remove(x);
-  const Circle c = domain.largest_empty(Scope::two_ring);
-  bad.insert(x, c.radius2 > d ? domain.triangulation().center(SimplexId(c.id.value)) : home, share);
+void put(PlaneDomain& domain, BadTriangles& bad, const Backup& x) {
+  bad.move(x.id, [&] {
+    domain.remove(x.id);
+    domain.insert_at(x.id, x.position, x.weight_share);
+  });
 }
 
 /// The spacing of the sample nearest to another among these and their neighbours.
@@ -171,10 +164,11 @@ void carry_out(PlaneDomain& domain, BadTriangles& bad, std::span<const SiteId> s
                AfterStep&& after_step) {
   for (std::size_t i = 1; i < 3 && plan.weight_share < 1; ++i) {
     const Backup now = backups_of(domain, samples.subspan(i, 1))[0];
-    put(bad, {now.id, now.position, plan.weight_share * now.weight_share});
+    put(domain, bad, {now.id, now.position, plan.weight_share * now.weight_share});
   }
   for (std::size_t step = 0; step < plan.steps; ++step) {
-    resample(domain, bad, samples[step % samples.size()]);
+    const SiteId x = samples[step % samples.size()];
+    bad.move(x, [&] { domain.move(x, Scope::two_ring); });
     after_step(step + 1);
   }
 }
@@ -194,7 +188,7 @@ Attempt best_attempt(PlaneDomain& domain, BadTriangles& bad, std::span<const Sit
           least_spacing(domain, samples) >= spacing)
         best = {share, step, bad.penalty()};
     });
-    for (const Backup& x : backups) put(bad, x);
+    for (const Backup& x : backups) put(domain, bad, x);
   }
   return best;
 }
@@ -227,8 +221,8 @@ void restore_weights(PlaneDomain& domain, BadTriangles& bad) {
     if (now.weight_share == 1) continue;
     const double before = bad.penalty();
     const std::ptrdiff_t hidden = bad.more_hidden();
-    put(bad, {now.id, now.position, 1});
-    if (bad.penalty() > before + rounding || bad.more_hidden() > hidden) put(bad, now);
+    put(domain, bad, {now.id, now.position, 1});
+    if (bad.penalty() > before + rounding || bad.more_hidden() > hidden) put(domain, bad, now);
   }
 }
 
@@ -238,13 +232,10 @@ PlaneAngleResult optimize_angles(PlaneDomain& domain, const PlaneAngleOptions& o
   BadTriangles bad(domain, options.smallest);
   PlaneAngleResult result;
   result.bad_before = bad.number();
-  const auto interrupted = [&] {
-    return options.interrupted && options.interrupted->load(std::memory_order_relaxed);
-  };
   const auto one_round = [&](const Limits& limits) {
     const std::size_t mended_before = result.mended;
     for (const auto& [t, corners] : bad.worst_first()) {
-      if (interrupted()) return false;
+      if (interrupted(options.interrupted)) return false;
       if (!bad.contains(t, corners)) continue;
       ++result.tried;
       result.mended += mend(domain, bad, corners, limits);

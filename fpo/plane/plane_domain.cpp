@@ -51,7 +51,7 @@ PlaneDomain::PlaneDomain(const geom::FlatTorus& torus, const PlaneSizing& sizing
                        }
                        return points;
                      }()),
-      circles_(triangulation_) {}
+      circles_(triangulation_, {options.farthest, sizing, edge_length_scale}) {}
 
 double PlaneDomain::weight_at(const Vec2& x) const {
   if (weight_factor_ == 0) return 0;
@@ -75,11 +75,14 @@ void PlaneDomain::remove(SiteId x) {
 /// A sample whose place is in its own cell borders its nearest one, which then is a corner of the triangles
 /// in its hole.
 bool PlaneDomain::is_farther(const Circle& c, SiteId) {
-  if (!owns_its_place_) return c.radius2 > removed_separation_;
+  const SimplexId t(c.id.value);
+  const double most = circles_.priority(triangulation_.center(t), c.radius2);
+  const auto is_nearer = [&](double radius2) { return most > circles_.priority(removed_.position, radius2); };
+  if (!owns_its_place_) return is_nearer(removed_separation_);
   return std::ranges::any_of(last_change_.created, [&](SimplexId t) {
     return std::ranges::any_of(triangulation_.corners(t), [&](SiteId v) {
       const Vec2 d = torus().shortest(triangulation_.point(v).position - removed_.position);
-      return c.radius2 > d.squaredNorm();
+      return is_nearer(d.squaredNorm());
     });
   });
 }
@@ -94,9 +97,7 @@ Circle PlaneDomain::largest_empty(Scope scope) {
 SimplexId PlaneDomain::largest_in_two_ring() {
   SimplexId best;
   const auto consider = [&](SimplexId t, int) {
-    if (!best.valid() || triangulation_.radius2(t) > triangulation_.radius2(best) ||
-        (triangulation_.radius2(t) == triangulation_.radius2(best) && triangulation_.simplex_before(t, best)))
-      best = t;
+    if (!best.valid() || circles_.goes_before(t, best)) best = t;
   };
   ring_.clear();
   if (near_removed_.valid()) ring_.push_back(near_removed_);
@@ -128,6 +129,7 @@ void PlaneDomain::put_back(SiteId x) { apply(triangulation_.insert(x, removed_))
 void PlaneDomain::apply(const Regular2::Change& change) {
   circles_.apply(change);
   last_change_ = change;
+  followers_.tell(last_change_);
 }
 
 /// Loads in three steps, a move apart, for each needs what the one before has loaded: the site, a triangle at

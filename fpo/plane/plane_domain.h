@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "fpo/domain.h"
+#include "fpo/farthest.h"
+#include "fpo/followers.h"
 #include "fpo/optimize.h"
 #include "fpo/plane/circle_queue.h"
 #include "fpo/plane/plane_sizing.h"
@@ -31,6 +33,7 @@ inline double best_plane_weight_factor(Scope scope) { return scope == Scope::glo
 struct PlaneOptions {
   double weight_factor = best_plane_weight_factor(
       Scope::two_ring);  ///< c of w = (c h)^2, the weight of a sample where edges of length h are wanted
+  Priority farthest = by_radius;  ///< which empty circle is the farthest point
 };
 
 // Which start and order? Uniform: a random start and one random order for all iterations reach delta .925
@@ -77,6 +80,8 @@ class PlaneDomain final : public Domain {
   const geom::Regular2& triangulation() const { return triangulation_; }
   /// What the last removal or insertion did.
   const geom::Regular2::Change& last_change() const { return last_change_; }
+  /// Told each change until they are removed.
+  Followers<geom::Regular2::Change>& followers() { return followers_; }
   const geom::FlatTorus& torus() const { return triangulation_.torus(); }
   /// The wanted edge length at a location, and at a sample as fixed when it was inserted.
   double edge_length(const geom::Vec2& x) const { return scale_ * sizing_.rho(x); }
@@ -105,6 +110,7 @@ class PlaneDomain final : public Domain {
   geom::Regular2 triangulation_;
   CircleQueue circles_;
   geom::Regular2::Change last_change_;
+  Followers<geom::Regular2::Change> followers_;
   geom::WeightedPoint2 removed_;    ///< where the sample that is out came from
   bool owns_its_place_ = false;     ///< its place is in its cell for certain; else these two are known:
   double removed_separation_ = 0;   ///< its separation()

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <span>
 
+#include "fpo/interruption.h"
+
 namespace fpo {
 
 using geom::EmptyCircle;
@@ -63,14 +65,11 @@ AngleResult optimize_angles(SurfaceDomain& domain, const AngleOptions& options) 
   resampling.let_slide(options.slides);
   AngleResult result;
   result.bad_before = bad.number();
-  const auto interrupted = [&] {
-    return options.interrupted && options.interrupted->load(std::memory_order_relaxed);
-  };
   const std::size_t most_moves = options.max_moves + 20 * domain.num_samples();
   const std::size_t most_futile = 16 + domain.num_samples() / 100;  // attempts in a row
   std::size_t futile = 0;
   const auto enough = [&] {
-    return resampling.moves() > most_moves || futile > most_futile || interrupted();
+    return resampling.moves() > most_moves || futile > most_futile || interrupted(options.interrupted);
   };
   while (!enough()) {
     const std::size_t mended_before = result.mended;

@@ -127,16 +127,6 @@ std::set<SiteId> neighbourhood(SurfaceDomain& domain, const std::vector<SiteId>&
 
 constexpr double closest = 0.2;  // no sample is brought nearer to another one, in units of h
 
-void move_to_farthest_point_nearby(SurfaceDomain& domain, SiteId x) {
-  if (domain.is_fixed(x)) return;
-  domain.remove(x);
-  const Circle c = domain.largest_empty(Scope::two_ring);
-  if (domain.is_farther(c, x))
-    domain.insert_at(x, c);
-  else
-    domain.put_back(x);
-}
-
 }  // namespace
 
 std::size_t refine_at(SurfaceDomain& domain, const std::vector<Defect>& defects) {
@@ -174,7 +164,8 @@ std::size_t refine_at(SurfaceDomain& domain, const std::vector<Defect>& defects)
     kept.merge(neighbourhood(domain, {donor}, 2));  // no second hole near this one
     domain.remove(donor);
     domain.insert_at(donor, target, 1);
-    for (const SiteId x : around) move_to_farthest_point_nearby(domain, x);
+    for (const SiteId x : around)
+      if (!domain.is_fixed(x)) domain.move(x, Scope::two_ring);
     ++brought;
   }
   return brought;

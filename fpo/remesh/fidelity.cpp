@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "fpo/interruption.h"
 #include "geom/mesh/aabb_tree.h"
 #include "geom/mesh/scaling.h"
 
@@ -99,10 +100,7 @@ FidelityResult improve_fidelity(SurfaceDomain& domain, const AngleOptions& angle
   LocalResampling resampling(domain, {&far, &bad}, options.enough_delta);
   const std::size_t most_moves =
       std::min(options.most_moves, least_moves + iterations * domain.num_samples());
-  const auto enough = [&] {
-    return resampling.moves() > most_moves ||
-           (options.interrupted && options.interrupted->load(std::memory_order_relaxed));
-  };
+  const auto enough = [&] { return resampling.moves() > most_moves || interrupted(options.interrupted); };
   for (bool progress = true; progress && !enough();) {
     progress = false;
     far.try_all_again();

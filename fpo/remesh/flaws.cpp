@@ -23,14 +23,17 @@ constexpr double least_nudge_gain = 1e-3;  // of the penalty
 
 }  // namespace
 
-Flaws::Flaws(const SurfaceDomain& domain, FlawMeasure measure)
+Flaws::Flaws(SurfaceDomain& domain, FlawMeasure measure)
     : domain_(domain), measure_(std::move(measure)), untried_(Order{&domain.dual()}) {
   for (std::size_t i = 0; i < domain.num_samples(); ++i) {
     const SiteId x(i);
     for (const CircleId c : domain.dual().circles_of(x))
       if (domain.dual().circle(c).sites[0] == x) add(c);
   }
+  domain.followers().add(*this);
 }
+
+Flaws::~Flaws() { domain_.followers().remove(*this); }
 
 void Flaws::follow(const geom::RestrictedDual::Change& change) {
   for (const CircleId c : change.circles_erased)
@@ -91,39 +94,10 @@ LocalResampling::LocalResampling(SurfaceDomain& domain, std::vector<Flaws*> flaw
       before_(flaws_.size(), 0.0),
       delta_(std::min(measure(domain).delta, enough)) {}
 
-void LocalResampling::follow() {
-  for (Flaws* flaws : flaws_) flaws->follow(domain_.last_change());
-}
-
 void LocalResampling::move(const Backup& x) {
   ++moves_;
   domain_.remove(x.id);
-  follow();
   domain_.insert_at(x.id, x.place, x.weight_share);
-  follow();
-}
-
-/// resample() at once; false if nothing is done, for there is no plan or the weight is another.
-bool LocalResampling::resample_directly(const Backup& x) {
-  if (domain_.weight_share(x.id) != x.weight_share) return false;
-  const std::optional<bool> moved = domain_.move_directly(x.id, Scope::two_ring);
-  follow();  // who stays may have been out in between
-  return moved.has_value();
-}
-
-/// To the farthest point nearby, if that is farther than where it is.
-void LocalResampling::resample(const Backup& x) {
-  if (domain_.is_fixed(x.id)) return;
-  ++moves_;
-  if (resample_directly(x)) return;
-  const double d = domain_.separation(x.id);
-  SurfaceSample place = domain_.sample(x.id);
-  domain_.remove(x.id);
-  follow();
-  const Circle c = domain_.largest_empty(Scope::two_ring);
-  if (c.radius2 > d) place = {domain_.dual().circle(c.id).center, domain_.dual().circle(c.id).facet};
-  domain_.insert_at(x.id, place, x.weight_share);
-  follow();
 }
 
 bool LocalResampling::better() const {
@@ -148,7 +122,10 @@ bool LocalResampling::settle(std::span<const Backup> samples, std::span<const Ba
   const auto wide = [&](const Backup& x) { return wide_enough(x.id) && is_joined(x.id); };
   for (int pass = 0; pass < passes; ++pass)
     for (const Backup& x : moving) {
-      resample(x);
+      if (!domain_.is_fixed(x.id)) {
+        ++moves_;
+        domain_.move(x.id, Scope::two_ring);
+      }
       if (better() && std::ranges::all_of(samples, wide)) return true;
     }
   for (const Backup& x : samples) move(x);

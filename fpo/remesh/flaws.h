@@ -20,14 +20,15 @@ namespace fpo {
 using FlawMeasure = std::function<double(const geom::EmptyCircle&)>;
 
 /// The bad triangles of the RRT under one measure, followed through removals and insertions.
-class Flaws {
+class Flaws final : public Follower<geom::RestrictedDual::Change> {
  public:
-  /// Keeps a reference to the domain. One measurement a triangle.
-  Flaws(const SurfaceDomain& domain, FlawMeasure measure);
+  /// Keeps a reference to the domain, which must stay where it is. One measurement a triangle.
+  Flaws(SurfaceDomain& domain, FlawMeasure measure);
+  ~Flaws() override;
 
-  /// Takes in what a removal or insertion has changed. What is new is measured when next somebody asks, so
-  /// what exists between a removal and an insertion only costs nothing.
-  void follow(const geom::RestrictedDual::Change& change);
+  /// What is new is measured when next somebody asks, so what exists between a removal and an insertion only
+  /// costs nothing.
+  void follow(const geom::RestrictedDual::Change& change) override;
 
   std::size_t number() { return catch_up(), number_; }
   double penalty() { return catch_up(), penalty_; }            ///< the sum of all measures
@@ -47,7 +48,7 @@ class Flaws {
   void add(CircleId c);
   void forget(CircleId c);
 
-  const SurfaceDomain& domain_;
+  SurfaceDomain& domain_;
   FlawMeasure measure_;
   std::vector<CircleId> unmeasured_;
   geom::IndexedHeap<CircleId, Order> untried_;
@@ -97,10 +98,7 @@ class LocalResampling {
 
   Backup backup(SiteId x) const { return {x, domain_.sample(x), domain_.weight_share(x)}; }
   std::vector<Backup> backups_of(std::span<const SiteId> samples) const;
-  void follow();
   void move(const Backup& x);
-  bool resample_directly(const Backup& x);
-  void resample(const Backup& x);
   bool settle(std::span<const Backup> samples, std::span<const Backup> moving);
   bool better() const;
   bool wide_enough(SiteId x);

@@ -1,7 +1,6 @@
 #include "fpo/remesh/methods.h"
 
 #include <algorithm>
-#include <array>
 
 #include "fpo/baselines/ccst.h"
 #include "fpo/baselines/cps.h"
@@ -16,15 +15,15 @@ namespace fpo {
 
 std::span<const MethodFacts> methods() {
   // By measurement (bench-adaptive) local iterations past 40 change nothing.
-  static constexpr std::array<MethodFacts, 8> table = {
-      {{Method::fpo, "fpo", "FPO", nullptr, 100, 40},
-       {Method::cvt, "cvt", "CVT", centroidal_tessellation, 100, 100},
-       {Method::cps, "cps", "CPS", constrained_poisson_disks, 20, 20},
-       {Method::pps, "pps", "PPS", parallel_poisson_disks, 10, 10},
-       {Method::mps, "mps", "MPS", maximal_poisson_disks, 20, 20},
-       {Method::ccst, "ccst", "CCST", capacity_constrained_triangulation, 4, 4},
-       {Method::vbs, "vbs", "VBS", variational_blue_noise, 100, 100},
-       {Method::hps, "hps", "HPS", hierarchical_poisson_disks, 20, 20}}};
+  static constexpr MethodFacts table[] = {
+      {Method::fpo, "fpo", "FPO", nullptr, 100, 40},
+      {Method::cvt, "cvt", "CVT", centroidal_tessellation, 100, 100},
+      {Method::cps, "cps", "CPS", constrained_poisson_disks, 20, 20},
+      {Method::pps, "pps", "PPS", parallel_poisson_disks, 10, 10},
+      {Method::mps, "mps", "MPS", maximal_poisson_disks, 20, 20},
+      {Method::ccst, "ccst", "CCST", capacity_constrained_triangulation, 4, 4},
+      {Method::vbs, "vbs", "VBS", variational_blue_noise, 100, 100},
+      {Method::hps, "hps", "HPS", hierarchical_poisson_disks, 20, 20}};
   return table;
 }
 

@@ -8,7 +8,8 @@
 
 namespace fpo {
 
-/// How samples are distributed: the paper's way, or one of those it compares with.
+/// How samples are distributed: the paper's way, or one of those it compares with. A line of the table that
+/// no code names needs no name here: Method{8}.
 enum class Method { fpo, cvt, cps, pps, mps, ccst, vbs, hps };
 
 struct MethodFacts {

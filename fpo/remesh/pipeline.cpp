@@ -1,16 +1,13 @@
 #include "fpo/remesh/pipeline.h"
 
-#include <cmath>
 #include <string>
 
 #include "fpo/features/curve_slides.h"
 #include "fpo/features/curve_spacing.h"
 #include "fpo/features/feature_choice.h"
+#include "fpo/interruption.h"
 #include "fpo/remesh/small_loops.h"
-#include "fpo/surface/curvature.h"
-#include "fpo/surface/local_feature_size.h"
 #include "fpo/surface/sheet_levels.h"
-#include "fpo/surface/surface_cover.h"
 #include "geom/check.h"
 #include "geom/mesh/centring.h"
 #include "geom/mesh/scaling.h"
@@ -20,52 +17,6 @@ namespace {
 
 constexpr int futile_mending_rounds = 10;  // in a row, without fewer defects
 constexpr std::size_t least_fidelity_moves = 2000;
-
-/// Some ten surface points a sample. On needles, which have edges but no area, the estimate knows no bound:
-/// there the points lie farther apart.
-double cover_spacing(const geom::TriMesh& surface, std::size_t num_samples, double spacing) {
-  const double most = std::min(
-      20e6, 200 * static_cast<double>(num_samples) + 20 * static_cast<double>(surface.num_vertices()));
-  double result = 0.3 * spacing;
-  while (cover_size(surface, result) > most) result *= 2;
-  return result;
-}
-
-VertexField local_feature_sizes(const geom::TriMesh& surface, std::size_t num_samples, double spacing,
-                                int threads) {
-  LocalFeatureSizeOptions options;
-  options.threads = threads;
-  options.spacing = cover_spacing(surface, num_samples, spacing);
-  VertexField lfs = local_feature_size(surface, options);
-  for (double& value : lfs) value = std::max(value, 1e-6 * spacing);  // 0 is not excluded
-  return lfs;
-}
-
-/// Only the ratios of the wanted lengths count: scaled by a power of two, so that they may be of any size.
-VertexField of_unit_size(VertexField rho) {
-  double most = 0;
-  for (const double value : rho)
-    if (std::isfinite(value)) most = std::max(most, value);
-  int exponent = 0;
-  std::frexp(most, &exponent);
-  for (double& value : rho) value = std::ldexp(value, -exponent);
-  return rho;
-}
-
-VertexField wanted_sizes(const geom::TriMesh& surface, const RemeshOptions& options, double spacing) {
-  switch (options.sizing) {
-    case SizingKind::local_feature_size:
-      return local_feature_sizes(surface, options.num_samples, spacing, options.threads);
-    case SizingKind::curvature:
-      return curvature_size(surface, {.min = 1e-6 * spacing});
-    case SizingKind::given:
-      return of_unit_size(options.rho);
-    case SizingKind::uniform:
-      return {};
-  }
-  geom::ensure(false, "a kind of sizing that nobody knows");
-  return {};
-}
 
 const ThinPartOptions thin;  // how far lengths may change from place to place, and others be stretched
 
@@ -87,12 +38,12 @@ using SizingFor = std::function<Sizing(std::size_t)>;
 
 /// The wanted lengths for any number of samples, were there no features.
 SizingFor plain_sizing(const geom::TriMesh& surface, const RemeshOptions& options) {
-  if (options.sizing == SizingKind::uniform)
+  const auto rho_of = facts_of(options.sizing).rho;
+  if (!rho_of)
     return [&surface](std::size_t n) { return Sizing::uniform(hexagonal_spacing(surface.area(), n)); };
   return [&surface, limits = options.limits,
-          rho = wanted_sizes(surface, options, even_spacing(surface, options))](std::size_t n) {
-    return fit_sizing(surface, rho, n, limits);
-  };
+          rho = rho_of({surface, options.num_samples, even_spacing(surface, options), options.rho,
+                        options.threads})](std::size_t n) { return fit_sizing(surface, rho, n, limits); };
 }
 
 /// What is remeshed: the input, or the same with smaller facets.
@@ -133,9 +84,7 @@ std::vector<SurfaceSample> initial_samples(const geom::TriMesh& surface, const S
   return samples;
 }
 
-bool interrupted(const RemeshOptions& options) {
-  return options.optimize.interrupted && *options.optimize.interrupted;
-}
+bool interrupted(const RemeshOptions& options) { return fpo::interrupted(options.optimize.interrupted); }
 
 AngleOptions angle_options(const RemeshOptions& options) {
   AngleOptions angles = options.angles;

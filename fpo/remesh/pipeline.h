@@ -18,14 +18,11 @@
 #include "fpo/remesh/protect.h"
 #include "fpo/remesh/thin_parts.h"
 #include "fpo/shortest_edge.h"
-#include "fpo/surface/sizing.h"
+#include "fpo/surface/sizing_kinds.h"
 #include "fpo/surface/surface_domain.h"
 #include "fpo/tiles/tiled_optimize.h"
 
 namespace fpo {
-
-/// What the wanted edge lengths are made of.
-enum class SizingKind { uniform, local_feature_size, curvature, given };
 
 /// Its initial values are plain; those of fpo-remesh depend on one another: remesh_defaults.h.
 struct RemeshOptions {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "fpo/surface/surface_removal.h"
 #include "geom/check.h"
 #include "geom/mesh/scaling.h"
 #include "geom/rng.h"
@@ -21,11 +22,6 @@ std::unique_ptr<geom::NeighbourOracle> make_source(Engine engine, const geom::Bo
   return std::make_unique<geom::TriangulationOracle>(box);
 }
 
-/// The heap's order.
-bool larger_circle(const geom::EmptyCircle& a, const geom::EmptyCircle& b) {
-  return a.radius2 > b.radius2 || (a.radius2 == b.radius2 && circle_before(a, b));
-}
-
 }  // namespace
 
 SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, std::span<const SurfaceSample> samples,
@@ -34,28 +30,31 @@ SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, std::span<const SurfaceS
 }
 
 SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,
-                             std::span<const SurfaceSample> samples, const SurfaceOptions& options)
-    : SurfaceDomain(mesh, sizing, samples, geom::Table<SiteId, double>(samples.size(), 1.0), options) {}
+                             std::span<const SurfaceSample> samples, const SurfaceOptions& options,
+                             MoveGuard* guard)
+    : SurfaceDomain(mesh, sizing, {samples, geom::Table<SiteId, double>(samples.size(), 1.0)}, options,
+                    guard) {}
 
 SurfaceDomain SurfaceDomain::rebuilt() const {
-  return SurfaceDomain(mesh_, sizing_, std::span(samples_.data(), samples_.size()), weight_share_, options_);
+  return SurfaceDomain(mesh_, sizing_, {std::span(samples_.data(), samples_.size()), weight_share_}, options_,
+                       guard_);
 }
 
-SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,
-                             std::span<const SurfaceSample> samples,
-                             geom::Table<SiteId, double> weight_shares, const SurfaceOptions& options)
+SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing, Start start,
+                             const SurfaceOptions& options, MoveGuard* guard)
     : mesh_(mesh),
       sizing_(sizing),
       options_(options),
-      samples_(samples.begin(), samples.end()),
-      weight_share_(std::move(weight_shares)),
+      guard_(guard),
+      samples_(start.samples.begin(), start.samples.end()),
+      weight_share_(std::move(start.weight_shares)),
       unweighted_(equal_weights() && std::ranges::count(weight_share_, 1.0) == std::ssize(weight_share_)),
       paper_(mesh.has_levels() ? nullptr : make_source(options.engine, mesh.box())),
       dual_(std::make_unique<geom::RestrictedDual>(mesh, options.corners, paper_.get())),
       circles_(CircleOrder{dual_.get()}) {
-  geom::require(!samples.empty(), "there must be at least one sample");
+  geom::require(!samples_.empty(), "there must be at least one sample");
   std::vector<SiteId> order;
-  for (std::size_t i = 0; i < samples.size(); ++i) order.emplace_back(i);
+  for (std::size_t i = 0; i < samples_.size(); ++i) order.emplace_back(i);
   geom::Rng(options.seed).shuffle(std::span(order));
   std::vector<geom::WeightedPoint3> points;
   points.reserve(samples_.size());
@@ -102,7 +101,39 @@ geom::NeighbourOracle::Nearest SurfaceDomain::nearest_to(SiteId x) const {
 
 double SurfaceDomain::separation(SiteId x) { return nearest_to(x).radius2; }
 
-// One move, forward only: the neighbour source, then the diagram, then the heap.
+// --- the farthest point --------------------------------------------------------------------------
+
+bool SurfaceDomain::goes_before(const geom::EmptyCircle& a, const geom::EmptyCircle& b) const {
+  const double of_a = priority(a), of_b = priority(b);
+  return of_a > of_b || (of_a == of_b && circle_before(a, b));
+}
+
+// --- one move, forward only ----------------------------------------------------------------------
+
+MoveOutcome SurfaceDomain::try_move(SiteId x, Scope scope) {
+  const SurfaceSample old = samples_[x];
+  SurfaceRemoval removal(*this, x);  // line 5
+  const auto may_vacate = [&] { return !guard_ || guard_->may_vacate(removal, scope); };
+  bool allowed = may_vacate();
+  if (allowed && !removal.find_largest(scope)) {  // line 6
+    removal.carry_out();
+    allowed = may_vacate() && removal.find_largest(scope);
+  }
+  const geom::EmptyCircle* farthest = removal.largest();
+  if (!allowed) return removal.cancel(), MoveOutcome::forbidden;
+  if (!farthest || !is_farther(*farthest, x, removal.heirs()))
+    return removal.cancel(), MoveOutcome::stayed;  // line 9
+  const geom::EmptyCircle circle = *farthest;
+  if (!is_offered(circle)) return removal.cancel(), MoveOutcome::forbidden;
+  removal.insert();  // line 7
+  if (!guard_ || guard_->may_keep(*this, x, circle)) return MoveOutcome::moved;
+  remove(x);
+  insert_at(x, old, weight_share_[x]);
+  return MoveOutcome::forbidden;
+}
+
+// Its steps, and those of everybody else, each by itself: the neighbour source, then the diagram, then the
+// heap.
 
 void SurfaceDomain::remove(SiteId x) {
   near_removed_ = SiteId();
@@ -113,7 +144,8 @@ void SurfaceDomain::remove(SiteId x) {
 Circle SurfaceDomain::largest_empty(Scope scope) {
   if (scope == Scope::two_ring) return largest_in_two_ring();
   if (circles_.empty()) return no_circle;
-  return {circles_.top().key, circles_.top().slot};
+  const CircleId top = circles_.top().slot;
+  return {dual_->circle(top).radius2, top};
 }
 
 /// Among the circles on the cells of the removed sample's neighbours: two rings of the RRT around it.
@@ -121,69 +153,30 @@ Circle SurfaceDomain::largest_in_two_ring() {
   CircleId best;
   const auto look_around = [&](SiteId y) {
     for (const CircleId c : dual_->circles_of(y))
-      if (!best.valid() || larger(c, best)) best = c;
+      if (!best.valid() || goes_before(dual_->circle(c), dual_->circle(best))) best = c;
   };
   for (const SiteId y : last_change_->cells) look_around(y);
   if (last_change_->cells.empty() && near_removed_.valid()) look_around(near_removed_);
   return best.valid() ? Circle{dual_->circle(best).radius2, best} : no_circle;
 }
 
-bool SurfaceDomain::larger(CircleId a, CircleId b) const {
-  return larger_circle(dual_->circle(a), dual_->circle(b));
-}
-
 bool SurfaceDomain::is_farther(const Circle& c, SiteId x) {
-  return is_farther(c.radius2, x, last_change_->cells);
+  return c.id.valid() && is_farther(dual_->circle(c.id), x, last_change_->cells);
 }
 
 /// First against the heirs of the removed cell; one that is nearest of all but no heir is rare.
-bool SurfaceDomain::is_farther(double radius2, SiteId x, std::span<const SiteId> heirs) const {
-  const geom::Location3 place(samples_[x].position, dual_->site(x).level);
+bool SurfaceDomain::is_farther(const geom::EmptyCircle& c, SiteId x, std::span<const SiteId> heirs) const {
+  const SurfaceSample& home = samples_[x];
+  const geom::Location3 place(home.position, dual_->site(x).level);
+  const double most = priority(c);
+  const auto is_nearer = [&](double radius2) { return most > priority(home, radius2); };
   for (const SiteId y : heirs)
-    if (radius2 > geom::power(place, dual_->site(y))) return true;
-  return radius2 > dual_->nearest(place, x).radius2;
-}
-
-// --- a move at once ------------------------------------------------------------------------------
-
-std::optional<bool> SurfaceDomain::move_directly(SiteId x, Scope scope) {
-  const std::optional<geom::RestrictedDual::Plan> plan = plan_removal(x);
-  if (!plan) return {};
-  const Planned best = largest_planned(x, *plan, scope);
-  const bool moves = best.circle && is_farther(best.circle->radius2, x, plan->heirs);
-  if (moves)
-    move_planned(x, best);
-  else
-    stay(x);
-  if (!best.circle) return {};
-  return moves;
-}
-
-SurfaceDomain::Planned SurfaceDomain::largest_planned(SiteId x, const geom::RestrictedDual::Plan& plan,
-                                                      Scope scope) const {
-  Planned best;
-  const auto consider = [&](const geom::EmptyCircle& circle, const geom::RestrictedDual::Target& target) {
-    if (!best.circle || larger_circle(circle, *best.circle)) best = {&circle, target};
-  };
-  for (std::size_t i = 0; i < plan.circles.size(); ++i)
-    if (scope == Scope::two_ring || is_offered(plan.circles[i])) consider(plan.circles[i], {i, CircleId()});
-  if (scope == Scope::two_ring) {
-    for (const SiteId y : plan.heirs)
-      for (const CircleId c : dual_->circles_of(y))
-        if (!dual_->circle(c).touches(x)) consider(dual_->circle(c), {0, c});
-  } else if (!circles_.empty()) {
-    consider(dual_->circle(circles_.top().slot), {0, circles_.top().slot});
-  }
-  return best.circle && !best.circle->touches(x) ? best : Planned();
-}
-
-void SurfaceDomain::move_planned(SiteId x, const Planned& place) {
-  samples_[x] = {place.circle->center, place.circle->facet};
-  apply(dual_->move(x, point_of(x), samples_[x].facet, place.target));
+    if (is_nearer(geom::power(place, dual_->site(y)))) return true;
+  return is_nearer(dual_->nearest(place, x).radius2);
 }
 
 bool SurfaceDomain::is_offered(const geom::EmptyCircle& circle) const {
-  return !options_.offers || options_.offers(circle, dual_->site(circle.sites[0]));
+  return !guard_ || guard_->offers(circle, dual_->site(circle.sites[0]));
 }
 
 void SurfaceDomain::insert_at(SiteId x, const Circle& c) {
@@ -211,16 +204,17 @@ void SurfaceDomain::apply(const geom::RestrictedDual::Change& change) {
     if (circles_.contains(c)) circles_.erase(c);
   for (const CircleId c : change.circles_created) {
     const geom::EmptyCircle& circle = dual_->circle(c);
-    if (is_offered(circle)) circles_.push(c, circle.radius2);
+    if (is_offered(circle)) circles_.push(c, priority(circle));
   }
   for (const CircleId c : change.circles_moved) {
     const geom::EmptyCircle& circle = dual_->circle(c);
     const bool listed = circles_.contains(c), offered = is_offered(circle);
-    if (listed && offered) circles_.update(c, circle.radius2);
+    if (listed && offered) circles_.update(c, priority(circle));
     if (listed && !offered) circles_.erase(c);
-    if (!listed && offered) circles_.push(c, circle.radius2);
+    if (!listed && offered) circles_.push(c, priority(circle));
   }
   last_change_ = &change;
+  followers_.tell(change);
 }
 
 double SurfaceDomain::normalized_spacing(SiteId x) {

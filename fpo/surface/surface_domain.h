@@ -7,12 +7,14 @@
 // weight is that of the sample's own place: it changes as the sample moves.
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <span>
 
 #include "fpo/domain.h"
+#include "fpo/farthest.h"
+#include "fpo/followers.h"
 #include "fpo/surface/initial_samples.h"
+#include "fpo/surface/move_guard.h"
 #include "geom/dual/restricted_dual.h"
 #include "geom/indexed_heap.h"
 #include "geom/power/restricted_power.h"
@@ -35,9 +37,7 @@ struct SurfaceOptions {
   std::size_t num_fixed = 0;  ///< the samples with smaller ids stay where they are
   std::uint64_t seed = 1;  ///< of the order in which the oracle is filled (the result does not depend on it)
   int threads = 1;         ///< that build the first diagram; no matter to the result
-  /// If given: only circles for which it is true may be the largest empty one, everywhere. Told the circle
-  /// and its first site; asked once, when the circle comes into being.
-  std::function<bool(const geom::EmptyCircle&, const geom::WeightedPoint3&)> offers{};
+  Priority farthest = by_radius;  ///< which empty circle is the farthest point
 };
 
 class SurfaceDomain final : public Domain {
@@ -45,8 +45,9 @@ class SurfaceDomain final : public Domain {
   /// Keeps a reference to the mesh. Cost: the facets and the fragments of the diagram, times log n
   /// (more if a facet is degenerate: then samples are inserted one by one). Throws InputError if there is no
   /// sample or no facet.
+  /// Keeps the guard, if there is one, who is asked in each move.
   SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing, std::span<const SurfaceSample> samples,
-                const SurfaceOptions& options = {});
+                const SurfaceOptions& options = {}, MoveGuard* guard = nullptr);
   /// With uniform sizing.
   SurfaceDomain(const geom::TriMesh& mesh, std::span<const SurfaceSample> samples,
                 const SurfaceOptions& options = {});
@@ -59,26 +60,10 @@ class SurfaceDomain final : public Domain {
   bool is_farther(const Circle& c, SiteId x) override;
   void insert_at(SiteId x, const Circle& c) override;
   void put_back(SiteId x) override;
-  /// By planning the removal first. None if there is no plan, or the largest circle was one of x's own.
-  std::optional<bool> move_directly(SiteId x, Scope scope) override;
-
-  // A move whose removal is only planned. After plan_removal(x) follows move_planned(x) or stay(x).
-  /// None if there is no plan for x: then nothing is done, and nothing follows.
-  std::optional<geom::RestrictedDual::Plan> plan_removal(SiteId x) { return dual_->plan_removal(x); }
-  /// The same plan with the least bounds.
-  geom::RestrictedDual::Plan plan_exactly(SiteId x) { return dual_->plan_exactly(x); }
-  /// The largest empty circle once x is out; none if that cannot be told: the top of the heap may be at x and
-  /// go with it. Valid until the next step.
-  struct Planned {
-    const geom::EmptyCircle* circle = nullptr;
-    geom::RestrictedDual::Target target;
-  };
-  Planned largest_planned(SiteId x, const geom::RestrictedDual::Plan& plan, Scope scope) const;
-  /// is_farther() for such a circle.
-  bool is_farther(double radius2, SiteId x, std::span<const SiteId> heirs) const;
-  void move_planned(SiteId x, const Planned& place);
-  void stay(SiteId x) { apply(dual_->stay(x)); }
-
+  bool move(SiteId x, Scope scope) override { return try_move(x, scope) == MoveOutcome::moved; }
+  /// The same move, and whether the guard allowed it. What it forbids is as if it had not been tried. The
+  /// removal is planned only if it can be (surface_removal.h): the outcome is that of the steps, to the bit.
+  MoveOutcome try_move(SiteId x, Scope scope);
   /// Distance over h to the nearest sample in space; with weights to the nearest of those that are first in
   /// power or in neighbours(x).
   double normalized_spacing(SiteId x) override;
@@ -109,29 +94,46 @@ class SurfaceDomain final : public Domain {
   const geom::TriMesh& mesh() const { return mesh_; }
   /// What the last removal or insertion changed.
   const geom::RestrictedDual::Change& last_change() const { return *last_change_; }
+  /// Told each change until they are removed.
+  Followers<geom::RestrictedDual::Change>& followers() { return followers_; }
   const Sizing& sizing() const { return sizing_; }
 
  private:
+  friend class SurfaceRemoval;
   struct CircleOrder {
     const geom::RestrictedDual* dual;
     bool operator()(CircleId a, CircleId b) const { return circle_before(dual->circle(a), dual->circle(b)); }
   };
+  struct Start {
+    std::span<const SurfaceSample> samples;
+    geom::Table<SiteId, double> weight_shares;
+  };
 
-  SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing, std::span<const SurfaceSample> samples,
-                geom::Table<SiteId, double> weight_shares, const SurfaceOptions& options);
+  SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing, Start start, const SurfaceOptions& options,
+                MoveGuard* guard);
   void insert(SiteId x, CircleId at = CircleId());
   double weight_at(SiteId x) const;
   geom::WeightedPoint3 point_of(SiteId x) const;
   geom::NeighbourOracle::Nearest nearest_to(SiteId x) const;
   bool equal_weights() const { return sizing_.is_uniform() || !options_.weighted; }
+  double priority(const SurfaceSample& place, double radius2) const {
+    if (options_.farthest == by_radius) return radius2;  // which asks for no wanted length
+    return options_.farthest({place.position, radius2, sizing_.at(place)});
+  }
+  double priority(const geom::EmptyCircle& c) const {
+    return options_.farthest == by_radius ? c.radius2 : priority({c.center, c.facet}, c.radius2);
+  }
+  /// The heap's order.
+  bool goes_before(const geom::EmptyCircle& a, const geom::EmptyCircle& b) const;
   Circle largest_in_two_ring();
-  bool larger(CircleId a, CircleId b) const;
+  bool is_farther(const geom::EmptyCircle& c, SiteId x, std::span<const SiteId> heirs) const;
   bool is_offered(const geom::EmptyCircle& circle) const;
   void apply(const geom::RestrictedDual::Change& change);
 
   const geom::TriMesh& mesh_;
   Sizing sizing_;
   SurfaceOptions options_;
+  MoveGuard* guard_;
   geom::Table<SiteId, SurfaceSample> samples_;
   geom::Table<SiteId, double> weight_share_;
   bool unweighted_;                               ///< all weights are and have always been 0
@@ -140,6 +142,7 @@ class SurfaceDomain final : public Domain {
   geom::IndexedHeap<CircleId, CircleOrder> circles_;
   std::array<SiteId, 3> expected_;  ///< the samples that are next, the last one first
   const geom::RestrictedDual::Change* last_change_ = nullptr;
+  Followers<geom::RestrictedDual::Change> followers_;
   SiteId near_removed_;       ///< a sample near the removed one if that had no cell
   std::vector<SiteId> link_;  // workspace
 };

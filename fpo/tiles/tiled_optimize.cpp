@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "fpo/interruption.h"
 #include "fpo/surface/split_facets.h"
 #include "fpo/tiles/tile_domain.h"
 #include "geom/check.h"
@@ -47,9 +48,7 @@ class TiledRun {
   void report(IterationReport report);
   IterationReport measure_positions() const;
 
-  bool interrupted() const {
-    return options_.interrupted && options_.interrupted->load(std::memory_order_relaxed);
-  }
+  bool interrupted() const { return fpo::interrupted(options_.interrupted); }
   bool is_fixed(SiteId x) const { return x.index() < task_.surface.num_fixed; }
   void announce_move();
   const geom::TriMesh& mesh() const { return split_ ? split_->mesh : task_.mesh; }
@@ -136,12 +135,12 @@ void TiledRun::work_on(const TiledSurface& whole, std::size_t tile, std::uint64_
       for (; times < due; ++times) {
         if (interrupted()) break;
         try {
-          const TileDomain::Outcome outcome = domain.move(x, options_.scope);
-          if (outcome == TileDomain::Outcome::out_of_reach) {
+          const MoveOutcome outcome = domain.move(x, options_.scope);
+          if (outcome == MoveOutcome::forbidden) {
             next_try[static_cast<std::size_t>(i)] = 2 * sweep;
             break;
           }
-          moved += outcome == TileDomain::Outcome::moved;
+          moved += outcome == MoveOutcome::moved;
         } catch (const geom::Bug& bug) {
           throw geom::Bug("tile " + std::to_string(tile) + ", move " + std::to_string(moves) + ": " +
                           bug.what());
@@ -204,7 +203,7 @@ void TiledRun::catch_up(SurfaceDomain& domain) {
       if (i + look_ahead < owed_.size()) domain.expect(SiteId(i + look_ahead));
       announce_move();
       try {
-        moved_ += move_to_farthest_point(domain, SiteId(i), options_.scope);
+        moved_ += domain.move(SiteId(i), options_.scope);
       } catch (const geom::Bug& bug) {
         throw geom::Bug("on the whole surface, sample " + std::to_string(i) + ": " + bug.what());
       }

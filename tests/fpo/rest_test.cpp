@@ -28,7 +28,7 @@ std::vector<SiteId> all(std::size_t n) {
 TEST_CASE("rest: who has the spacing, and neighbours that have it, rests") {
   const geom::TriMesh mesh = fixtures::blob(9);
   SurfaceDomain domain = sphere_domain(mesh, 200);
-  for (int i = 0; i < 400; ++i) move_to_farthest_point(domain, SiteId(i % 200), Scope::global);
+  for (int i = 0; i < 400; ++i) domain.move(SiteId(i % 200), Scope::global);
   const double spacing = measure(domain).mean_delta;
   const std::vector<SiteId> samples = all(200), awake = restless(domain, samples, spacing);
   CHECK(!awake.empty());

@@ -33,21 +33,16 @@ TEST_CASE("flaws: followed through removals, insertions and moves at once, they 
     for (int move = 0; move < 200; ++move) {
       const SiteId x(static_cast<std::size_t>(rng.below(n)));
       const bool asks_between = rng.below(3) == 0;
-      std::optional<bool> moved;
       if (rng.below(2) == 0) {
-        moved = domain.move_directly(x, Scope::global);
-        flaws.follow(domain.last_change());  // who stays may have been out in between
-      }
-      if (!moved) {
+        domain.move(x, Scope::global);
+      } else {
         domain.remove(x);
-        flaws.follow(domain.last_change());
         if (asks_between) CHECK(flaws.number() == Flaws(domain, measure).number());
         const Circle c = domain.largest_empty(Scope::two_ring);
         if (c.id.valid())
           domain.insert_at(x, c);
         else
           domain.put_back(x);
-        flaws.follow(domain.last_change());
       }
       if (rng.below(4) != 0) continue;
       Flaws fresh(domain, measure);
@@ -67,7 +62,7 @@ TEST_CASE("fidelity: triangles come no farther from the surface, and the moves a
   std::vector<std::size_t> tried;
   for (const std::size_t most_moves : {std::size_t{0}, std::size_t{3000}}) {
     SurfaceDomain domain = domain_of(mesh, n);
-    for (std::size_t i = 0; i < 10 * n; ++i) move_to_farthest_point(domain, SiteId(i % n), Scope::global);
+    for (std::size_t i = 0; i < 10 * n; ++i) domain.move(SiteId(i % n), Scope::global);
     FidelityOptions options;
     options.most_moves = most_moves;
     const FidelityResult result = improve_fidelity(domain, AngleOptions(), options);

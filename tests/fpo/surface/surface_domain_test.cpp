@@ -6,6 +6,7 @@
 #include "doctest.h"
 #include "fpo/optimize.h"
 #include "fpo/surface/initial_samples.h"
+#include "fpo/surface/surface_removal.h"
 #include "geom/check.h"
 #include "geom/rng.h"
 #include "tests/fixtures/sizings.h"
@@ -162,7 +163,7 @@ TEST_CASE("surface domain: degenerate facets are borne") {
     SurfaceDomain domain(mesh, random_samples(mesh, 40, 4), options);
     domain.check();
     for (std::size_t move = 0; move < 200; ++move) {
-      move_to_farthest_point(domain, SiteId(move % 40), Scope::global);
+      domain.move(SiteId(move % 40), Scope::global);
       domain.check();
     }
   }
@@ -197,11 +198,38 @@ TEST_CASE("surface domain: both engines go the same way, move by move") {
   }
 }
 
+namespace {
+
+/// Forbids what its fields say.
+class TestGuard final : public MoveGuard {
+ public:
+  bool may_vacate(SurfaceRemoval& removal, Scope) override {
+    asked_of_plans += removal.is_planned();
+    const SurfaceRemoval::Vacancy vacancy = removal.vacancy();
+    CHECK(!vacancy.around.empty());
+    return vacates;
+  }
+  bool offers(const geom::EmptyCircle& c, const geom::WeightedPoint3&) const override {
+    return c.center.x() <= most_x;
+  }
+  bool may_keep(SurfaceDomain&, SiteId, const geom::EmptyCircle&) override { return keeps; }
+
+  double most_x = std::numeric_limits<double>::infinity();
+  bool vacates = true, keeps = true;
+  int asked_of_plans = 0;
+};
+
+/// Lines 5 to 9 of Algorithm 1, each by itself.
+bool move_in_steps(SurfaceDomain& domain, SiteId x, Scope scope) { return domain.Domain::move(x, scope); }
+
+}  // namespace
+
 TEST_CASE("surface domain: a move at once ends where the steps of Algorithm 1 do") {
   for (const auto& [name, mesh] : fixtures::surfaces())
     for (const Scope scope : {Scope::global, Scope::two_ring})
       for (const bool adaptive : {false, true})
         for (const bool offers_half : {false, true}) {
+          if (offers_half && scope == Scope::two_ring) continue;  // steps take what is not offered there
           CAPTURE(name);
           CAPTURE(adaptive);
           CAPTURE(offers_half);
@@ -210,34 +238,57 @@ TEST_CASE("surface domain: a move at once ends where the steps of Algorithm 1 do
                                          : Sizing::uniform(hexagonal_spacing(mesh.area(), n));
           SurfaceOptions options;
           options.engine = adaptive ? Engine::triangulation : Engine::search;
-          const double middle = mesh.box().center().x();
-          if (offers_half)
-            options.offers = [=](const geom::EmptyCircle& c, const geom::WeightedPoint3&) {
-              return c.center.x() <= middle;
-            };
+          TestGuard guard;
+          if (offers_half) guard.most_x = mesh.box().center().x();
           const auto samples = random_samples(mesh, sizing, n, 8);
-          SurfaceDomain at_once(mesh, sizing, samples, options), in_steps(mesh, sizing, samples, options);
-          int direct = 0;
+          SurfaceDomain at_once(mesh, sizing, samples, options, &guard),
+              in_steps(mesh, sizing, samples, options, &guard);
           for (std::size_t i = 0; i < 4 * n; ++i) {
             const SiteId x(i % n);
-            in_steps.remove(x);
-            const Circle c = in_steps.largest_empty(scope);
-            const bool moved = in_steps.is_farther(c, x);
-            if (moved)
-              in_steps.insert_at(x, c);
-            else
-              in_steps.put_back(x);
-            const std::optional<bool> moved_directly = at_once.move_directly(x, scope);
-            direct += moved_directly.has_value();
-            REQUIRE(moved_directly.value_or(moved) == moved);
-            if (!moved_directly) move_to_farthest_point(at_once, x, scope);
+            const bool moved = move_in_steps(in_steps, x, scope);
+            REQUIRE(at_once.move(x, scope) == moved);
             at_once.check();
             REQUIRE(at_once.sample(x).position == in_steps.sample(x).position);
             REQUIRE(at_once.sample(x).facet == in_steps.sample(x).facet);
           }
           CHECK(at_once.diagram()->canonical() == in_steps.diagram()->canonical());
-          CHECK(direct > static_cast<int>(2 * n));
+          CHECK(guard.asked_of_plans > static_cast<int>(2 * n));
         }
+}
+
+TEST_CASE("surface domain: what a guard forbids is as if it had not been tried") {
+  for (const auto& [name, mesh] : fixtures::surfaces())
+    for (const geom::CornerTypes corners : {geom::CornerTypes::c_only, geom::CornerTypes::all}) {
+      CAPTURE(name);
+      constexpr std::size_t n = 40;
+      SurfaceOptions options;
+      options.corners = corners;
+      const Sizing sizing = Sizing::uniform(hexagonal_spacing(mesh.area(), n));
+      const auto samples = random_samples(mesh, n, 3);
+      TestGuard guard;
+      SurfaceDomain domain(mesh, sizing, samples, options, &guard), free(mesh, sizing, samples, options);
+      int forbidden = 0;
+      for (std::size_t i = 0; i < 3 * n; ++i) {
+        const SiteId x(i % n);
+        const Scope scope = i % 2 == 0 ? Scope::global : Scope::two_ring;
+        const SurfaceSample old = domain.sample(x);
+        guard.vacates = i % 3 != 0;
+        guard.keeps = i % 3 != 1;
+        const MoveOutcome outcome = domain.try_move(x, scope);
+        if (outcome == MoveOutcome::forbidden) {
+          ++forbidden;
+          REQUIRE(domain.sample(x).position == old.position);
+          REQUIRE(domain.sample(x).facet == old.facet);
+          REQUIRE(domain.diagram()->canonical() == free.diagram()->canonical());
+        } else {
+          REQUIRE(guard.vacates);
+          REQUIRE(free.move(x, scope) == (outcome == MoveOutcome::moved));
+          REQUIRE(domain.sample(x).position == free.sample(x).position);
+        }
+        domain.check();
+      }
+      CHECK(forbidden > static_cast<int>(n));
+    }
 }
 
 // Of several sites that might inherit something of a cell not all do: the 2-ring is around those that do.
@@ -251,13 +302,8 @@ TEST_CASE("surface domain: a local move at once among many components") {
     SurfaceDomain at_once(mesh, sizing, samples, {}), in_steps(mesh, sizing, samples, {});
     for (std::size_t i = 0; i < 3 * n; ++i) {
       const SiteId x(i % n);
-      in_steps.remove(x);
-      const Circle c = in_steps.largest_empty(Scope::two_ring);
-      if (in_steps.is_farther(c, x))
-        in_steps.insert_at(x, c);
-      else
-        in_steps.put_back(x);
-      move_to_farthest_point(at_once, x, Scope::two_ring);
+      move_in_steps(in_steps, x, Scope::two_ring);
+      at_once.move(x, Scope::two_ring);
       REQUIRE(at_once.sample(x).position == in_steps.sample(x).position);
     }
   }

@@ -31,12 +31,12 @@ std::vector<Move> moves_in(const TiledSurface& whole, std::size_t tile, Scope sc
       SiteId here(0);
       while (domain.whole_id(here) != x) here = SiteId(here.value + 1);
       const double separation = domain.domain().dual().nearest(old.position, here).radius2;
-      const TileDomain::Outcome outcome = domain.move(x, scope);
+      const MoveOutcome outcome = domain.move(x, scope);
       const SurfaceSample now = domain.sample(x);
-      const bool moved = outcome == TileDomain::Outcome::moved;
+      const bool moved = outcome == MoveOutcome::moved;
       if (!moved) CHECK(now.position == old.position);
       if (!moved) CHECK(now.facet == old.facet);
-      if (outcome != TileDomain::Outcome::out_of_reach) moves.push_back({x, separation, moved, now});
+      if (outcome != MoveOutcome::forbidden) moves.push_back({x, separation, moved, now});
     }
   domain.domain().check();
   return moves;

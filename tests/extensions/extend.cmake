@@ -1,0 +1,42 @@
+# extended-remesh: fpo-remesh with a method, a sizing and a rule more, as README says how: the diffs of this folder
+# are applied to copies of the three tables, and these take the places of those in the library.
+
+# extend(DIFF): appends the changed copy to extended_sources. A line with + goes below the one before it in the
+# diff; an #include below the last one.
+function(extend diff)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${diff})
+  file(STRINGS ${diff} lines)
+  set(above "")
+  foreach(line IN LISTS lines)
+    if(line MATCHES "^\\+\\+\\+ .*/([a-z_]+\\.cpp)")
+      set(name ${CMAKE_MATCH_1})
+      file(GLOB_RECURSE source ${PROJECT_SOURCE_DIR}/fpo/${name})
+      set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
+      file(READ ${source} text)
+    elseif(line MATCHES "^\\+(#include.*)")
+      string(REGEX REPLACE "\n\nnamespace" "\n${CMAKE_MATCH_1}\n\nnamespace" text "${text}")
+    elseif(line MATCHES "^\\+( .*)")
+      set(added "${CMAKE_MATCH_1}")
+      string(FIND "${text}" "${above}\n" place)
+      if(place EQUAL -1)
+        message(FATAL_ERROR "${diff}: ${name} has no line '${above}'")
+      endif()
+      string(REPLACE "${above}\n" "${above}\n${added}\n" text "${text}")
+    elseif(line MATCHES "^ (.*)")
+      set(above "${CMAKE_MATCH_1}")
+    endif()
+  endforeach()
+  set(copy ${CMAKE_BINARY_DIR}/generated/extended/${name})
+  file(CONFIGURE OUTPUT ${copy} CONTENT "${text}" @ONLY)
+  set(extended_sources ${extended_sources} ${copy} PARENT_SCOPE)
+endfunction()
+
+foreach(what method sizing rule)
+  extend(${CMAKE_CURRENT_LIST_DIR}/${what}.diff)
+endforeach()
+file(GLOB remesh_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tools/remesh_*.cpp)
+add_executable(extended-remesh EXCLUDE_FROM_ALL ${extended_sources} ${PROJECT_SOURCE_DIR}/tools/fpo-remesh.cpp
+  ${remesh_sources})
+target_link_libraries(extended-remesh PRIVATE tools)
+target_precompile_headers(extended-remesh REUSE_FROM fpo_geom)
+add_dependencies(fpo-tests extended-remesh)
