@@ -53,21 +53,31 @@ class Pieces {
     return diagram_.fragments().find(diagram_.fragments().site(side.fragment), across);
   }
 
-  /// The same edge seen from there; none where the facets run against each other, or nothing fits.
-  std::optional<Side> mate(Side side) {
-    const FragmentId other = beyond(side);
+  /// A place on a border, and which way it is followed: forward is counterclockwise in the fragment.
+  struct Step {
+    Side side;
+    bool forward;
+  };
+  Step ahead(Step at) { return {at.forward ? next(at.side) : before(at.side), at.forward}; }
+
+  /// Around the corner ahead of an inner edge: what follows on the other side of it. Where the two facets run
+  /// the same way (a one-sided surface) the way turns over. None if nothing fits.
+  std::optional<Step> around(Step at) {
+    const FragmentId other = beyond(at.side);
     if (!other.valid()) return {};
-    const EdgeLabel label = corners(side.fragment)[side.corner].edge;
-    EdgeLabel wanted = EdgeLabel::bisector(diagram_.fragments().site(side.fragment));
+    const EdgeLabel label = corners(at.side.fragment)[at.side.corner].edge;
+    EdgeLabel wanted = EdgeLabel::bisector(diagram_.fragments().site(at.side.fragment));
+    bool turned = false;
     if (!label.is_site()) {
-      const int e = mate_edge(diagram_.fragments().facet(side.fragment), label.edge(),
-                              diagram_.fragments().facet(other));
-      if (e < 0) return {};
-      wanted = EdgeLabel::facet_edge(e);
+      const MateEdge mate = mate_edge(diagram_.fragments().facet(at.side.fragment), label.edge(),
+                                      diagram_.fragments().facet(other));
+      if (mate.edge < 0) return {};
+      wanted = EdgeLabel::facet_edge(mate.edge);
+      turned = mate.turned;
     }
     const auto there = corners(other);
     for (std::size_t k = 0; k < there.size(); ++k)
-      if (there[k].edge == wanted) return Side{other, k};
+      if (there[k].edge == wanted) return ahead({{other, k}, at.forward != turned});
     return {};
   }
 
@@ -81,14 +91,21 @@ class Pieces {
   double length(Side side) { return (start(next(side)) - start(side)).norm(); }
 
  private:
-  /// The edge of facet u that is edge e of facet t run through backwards, or -1.
-  int mate_edge(FacetId t, int e, FacetId u) const {
+  struct MateEdge {
+    int edge = -1;  ///< none
+    bool turned = false;
+  };
+  /// The edge of facet u that is edge e of facet t.
+  MateEdge mate_edge(FacetId t, int e, FacetId u) const {
     const TriMesh::Facet &f = diagram_.mesh().facet(t), &g = diagram_.mesh().facet(u);
     const VertexId from = f[static_cast<std::size_t>(e)],
                    to = f[static_cast<std::size_t>(e == 2 ? 0 : e + 1)];
-    for (std::size_t i = 0; i < 3; ++i)
-      if (g[i] == to && g[i == 2 ? 0 : i + 1] == from) return static_cast<int>(i);
-    return -1;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const VertexId a = g[i], b = g[i == 2 ? 0 : i + 1];
+      if (a == to && b == from) return {static_cast<int>(i), false};
+      if (a == from && b == to) return {static_cast<int>(i), true};
+    }
+    return {};
   }
 
   const geom::RestrictedPower& diagram_;
@@ -177,20 +194,20 @@ class Faults {
     while (!untried.empty()) {
       const Side first = *untried.begin();
       Loop loop;
-      Side at = first;
+      Pieces::Step at{first, true};
       bool closed = false;
       for (std::size_t step = 0; step < most_steps; ++step) {
-        if (untried.erase(at) == 1) {
-          loop.length += pieces_.length(at);
-          loop.corners.push_back(pieces_.start(at));
-          at = pieces_.next(at);
-        } else if (at == first) {
+        if (untried.erase(at.side) == 1) {
+          loop.length += pieces_.length(at.side);
+          loop.corners.push_back(pieces_.start(at.side));
+          at = pieces_.ahead(at);
+        } else if (at.side == first) {
           closed = true;
           break;
         } else {
-          const std::optional<Side> mate = pieces_.mate(at);
-          if (!mate) break;
-          at = pieces_.next(*mate);
+          const std::optional<Pieces::Step> next = pieces_.around(at);
+          if (!next) break;
+          at = *next;
         }
       }
       if (closed) loops.push_back(std::move(loop));
@@ -247,7 +264,7 @@ class Faults {
         Meeting& meeting = meetings[{i, j}];
         ++meeting.pieces;
         meeting.corners.push_back(pieces_.start(side));
-        meeting.joints += goes_on(side, j, &Pieces::next) + goes_on(side, j, &Pieces::before);
+        meeting.joints += goes_on(side, j, true) + goes_on(side, j, false);
       }
     for (auto& [pair, meeting] : meetings) {
       if (meeting.pieces - meeting.joints / 2 == 1) continue;
@@ -256,19 +273,18 @@ class Faults {
     }
   }
 
-  /// Does the border with j go on at an end of this piece, on another facet or in another fragment? `step`:
-  /// towards that end.
-  bool goes_on(Side side, SiteId j, Side (Pieces::*step)(Side)) {
-    Side at = (pieces_.*step)(side);
+  /// Does the border with j go on at an end of this piece, on another facet or in another fragment?
+  bool goes_on(Side side, SiteId j, bool forward) {
+    Pieces::Step at = pieces_.ahead({side, forward});
     for (int turns = 0; turns < most_turns; ++turns) {
-      const FragmentId beyond = pieces_.beyond(at);
+      const FragmentId beyond = pieces_.beyond(at.side);
       if (!beyond.valid()) return false;
       const SiteId other = pieces_.owner(beyond);
       if (other == j) return true;
       if (other != pieces_.owner(side.fragment)) return false;
-      const std::optional<Side> mate = pieces_.mate(at);
-      if (!mate) return false;
-      at = (pieces_.*step)(*mate);
+      const std::optional<Pieces::Step> next = pieces_.around(at);
+      if (!next) return false;
+      at = *next;
     }
     return false;
   }

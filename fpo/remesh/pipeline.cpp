@@ -113,7 +113,10 @@ Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const ge
     best = std::move(next);
     futile = 0;
   }
-  return best;
+  if (counts.brought == 0 || !best.type.ok() || !options.optimize_angles) return best;
+  optimize_angles(domain, angle_options(options));  // around the samples brought
+  Dual better = next_dual();
+  return better.type.ok() ? better : best;
 }
 
 SurfaceOptions surface_options(const SharedSizing& shared, const RemeshOptions& options) {

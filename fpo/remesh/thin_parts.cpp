@@ -20,6 +20,8 @@ constexpr double around_a_ring = 3.5;   // samples that make a ring
 constexpr double lowered_to = 0.6;      // of the wanted length where the girth says nothing
 constexpr double least_lowering = 0.3;  // in one round
 constexpr double few = 8;               // samples that make a body
+constexpr int passes = 4;               // through the samples, in search of strays
+constexpr int stray_rounds = 2;
 
 /// What a fault wants: spots, and by how much they lower the length.
 struct Wish {
@@ -97,6 +99,30 @@ double fitting_scale(const SurfaceDomain& domain, const Sizing& base,
   return high;
 }
 
+bool has_triangle(const SurfaceDomain& domain, SiteId x) {
+  return std::ranges::any_of(domain.dual().circles_of(x),
+                             [&](geom::CircleId c) { return domain.dual().circle(c).sites[2].valid(); });
+}
+
+/// Takes samples without a triangle, one after the other around a horn, to the largest empty circles there
+/// are. How many.
+std::size_t call_back_strays(SurfaceDomain& domain) {
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < domain.num_samples(); ++i) {
+    const SiteId x(i);
+    if (domain.is_fixed(x) || has_triangle(domain, x)) continue;
+    domain.remove(x);
+    const Circle c = domain.largest_empty(Scope::global);
+    if (!c.id.valid()) {
+      domain.put_back(x);
+      continue;
+    }
+    domain.insert_at(x, c);
+    ++moved;
+  }
+  return moved;
+}
+
 class RoomMaker {
  public:
   RoomMaker(const SurfaceDomain& domain, const FeatureSamples& features, const geom::SurfaceType& type,
@@ -116,7 +142,7 @@ class RoomMaker {
       auto spots = std::make_shared<Spots>(*spots_);
       for (const Wish& wish : all) spots->add(wish.spots);
       if (spots->size() == spots_->size()) return false;
-      const double scale = fitting_scale(domain, base_, spots, 2 * options_.most_scale);
+      const double scale = fitting_scale(domain, base_, spots, 1.1 * options_.most_scale);
       if (scale > options_.most_scale) continue;
       spots_ = std::move(spots);
       scale_ = scale;
@@ -126,11 +152,15 @@ class RoomMaker {
   }
 
   /// The same samples under the lowered sizing, optimized so many times.
-  std::unique_ptr<SurfaceDomain> optimized(const SurfaceDomain& domain, int iterations, Scope scope) const {
+  std::unique_ptr<SurfaceDomain> optimized(const SurfaceDomain& domain, int iterations, Scope scope,
+                                           bool without_strays = false) const {
     std::vector<SurfaceSample> samples;
     for (std::size_t i = 0; i < domain.num_samples(); ++i) samples.push_back(domain.sample(SiteId(i)));
     const Sizing sizing = base_.lowered(scale_, spots_, domain.mesh());
     auto result = std::make_unique<SurfaceDomain>(domain.mesh(), sizing, samples, options_.diagram);
+    if (without_strays)
+      for (int pass = 0; pass < passes && call_back_strays(*result) > 0; ++pass) {
+      }
     OptimizeOptions optimization;
     optimization.max_iterations = iterations;
     optimization.scope = scope;
@@ -179,6 +209,8 @@ std::unique_ptr<SurfaceDomain> make_room_for_thin_parts(std::unique_ptr<SurfaceD
     if (!room.lower(*last, dual)) break;
     look_at(room.optimized(*last, options.iterations, Scope::global));
   }
+  for (int round = 0; round < stray_rounds && !dual.type.ok() && !interrupted(); ++round)
+    look_at(room.optimized(*last, options.iterations, Scope::global, true));
   if (!dual.type.ok() || interrupted()) return best;
   auto polished = room.optimized(*best, options.polishing, options.scope);
   if (dual_of(*polished, type, false).type.ok()) return polished;

@@ -14,8 +14,8 @@
 namespace fpo {
 
 struct ThinPartOptions {
-  double gradation = 0.3;   ///< of the wanted length about a thin place
-  double most_scale = 1.5;  ///< nothing is lowered that would stretch the edges elsewhere by more
+  double gradation = 0.3;  ///< of the wanted length about a thin place
+  double most_scale = 2;   ///< nothing is lowered that would stretch the edges elsewhere by more
   int rounds = 6;
   int iterations = 10;          ///< of farthest point optimization in each round
   int polishing = 40;           ///< at the end

@@ -1,0 +1,51 @@
+#include "fpo/remesh/small_loops.h"
+
+#include "doctest.h"
+#include "fpo/remesh/pipeline.h"
+#include "fpo/remesh/remesh_defaults.h"
+#include "geom/shapes/shapes.h"
+
+using namespace fpo;
+using geom::TriMesh;
+
+namespace {
+
+SharedSizing shared_for(const TriMesh& mesh, std::size_t n) {
+  return share_sizing(
+      mesh, find_features(mesh, automatic_features()), {}, n,
+      [&](std::size_t count) { return Sizing::uniform(hexagonal_spacing(mesh.area(), count)); }, 1);
+}
+
+}  // namespace
+
+TEST_CASE("small loops: borders of three short edges want short edges around, others nothing") {
+  const TriMesh holes = geom::make_shape("pin-holes", 24), tube = geom::make_shape("tube", 24);
+  const SharedSizing shared = shared_for(holes, 300);
+  const SmallLoops found = make_room_for_small_loops(holes, shared, 300, 0.3, 2);
+  CHECK(found.loops == 5);
+  CHECK(!found.sizing.is_uniform());
+  const double h = shared.sizing.at(geom::VertexId(0));
+  double least = h, most = 0;
+  for (std::size_t v = 0; v < holes.num_vertices(); ++v) {
+    least = std::min(least, found.sizing.at(geom::VertexId(v)));
+    most = std::max(most, found.sizing.at(geom::VertexId(v)));
+  }
+  CHECK(least < 0.5 * h);
+  CHECK(most > h);  // elsewhere samples are fewer
+  CHECK(most < 2 * h);
+
+  CHECK(make_room_for_small_loops(tube, shared_for(tube, 300), 300, 0.3, 2).loops == 0);
+  CHECK(make_room_for_small_loops(tube, shared_for(tube, 300), 300, 0.3, 2).sizing.is_uniform());
+  // With few samples none can be spared.
+  CHECK(make_room_for_small_loops(holes, shared_for(holes, 30), 30, 0.3, 1.01).sizing.is_uniform());
+}
+
+TEST_CASE("small loops: the remesh keeps pin-holes, with good angles around them") {
+  RemeshOptions options = default_options(300, SizingKind::uniform);
+  options.optimize.max_iterations = 20;
+  const RemeshResult result = remesh(geom::make_shape("pin-holes", 12), options);
+  CHECK(result.mesh.num_vertices() == 300);
+  CHECK(result.type.ok());
+  CHECK(geom::topology(result.mesh).boundary_loops == 5);
+  CHECK(result.measures.theta_min > 30);
+}

@@ -1,0 +1,78 @@
+// fpo-remesh where the remesh is of another topological type than the input, or would be.
+
+#include "doctest.h"
+#include "geom/shapes/shapes.h"
+#include "io/mesh_io.h"
+#include "tests/fixtures/program.h"
+#include "tests/io/scratch_folder.h"
+
+using fixtures::ProgramResult;
+using fixtures::ScratchFolder;
+
+namespace {
+
+struct Place {
+  Place() {
+    io::write_mesh(folder / "handle.obj", geom::make_shape("thin-handle", 36));
+    io::write_mesh(folder / "torus.obj", geom::make_shape("torus", 24));
+  }
+  ProgramResult run(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.end(), {"-o", "out.obj", "--iterations", "5", "--features", "none"});
+    return fixtures::run_program("fpo-remesh", arguments, folder.path());
+  }
+  ScratchFolder folder;
+};
+
+bool says(const std::string& text, const std::string& what) { return text.find(what) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE(
+    "fpo-remesh: another topological type is said with places and what to do, --strict makes it code 3") {
+  const Place place;
+  const ProgramResult lost =
+      place.run({"handle.obj", "-n", "120", "--no-mend", "--report", "report.html", "--strict"});
+  CHECK(lost.code == 3);
+  CHECK(says(lost.err, "warning: "));
+  CHECK_MESSAGE(says(lost.err, "at fault, the first at ("), lost.err);
+  CHECK(says(lost.err, "try -n "));
+  CHECK(says(lost.err, "--at-least"));
+  const std::string page = ScratchFolder::read(place.folder / "report.html");
+  CHECK(says(page, "class=\"banner\""));
+  CHECK(says(page, "at fault, the first at ("));
+  CHECK(says(page, "Dots: where it is of another topological type"));
+
+  const ProgramResult sound = place.run({"torus.obj", "-n", "120", "--report", "report.html", "--strict"});
+  CHECK(sound.code == 0);
+  CHECK_MESSAGE(sound.err.find("warning") == std::string::npos, sound.err);
+  CHECK(!says(ScratchFolder::read(place.folder / "report.html"), "class=\"banner\""));
+}
+
+TEST_CASE("fpo-remesh: --at-least takes more samples until the type is right, and says how many") {
+  const Place place;
+  const ProgramResult more = place.run({"handle.obj", "-n", "40", "--at-least", "--strict"});
+  CHECK(more.code == 0);
+  CHECK_MESSAGE(says(more.out, "at_least "), more.out);
+  const geom::TriMesh mesh = io::read_mesh(place.folder / "out.obj");
+  CHECK(mesh.num_vertices() > 40);
+  CHECK(geom::topology(mesh).euler == 0);
+  CHECK(geom::topology(mesh).manifold());
+  const ProgramResult enough = place.run({"torus.obj", "-n", "120", "--at-least"});
+  CHECK(!says(enough.out, "at_least "));
+  CHECK(io::read_mesh(place.folder / "out.obj").num_vertices() == 120);
+}
+
+TEST_CASE("fpo-remesh: delta is that of the mesh in the file") {
+  const Place place;
+  const ProgramResult result = place.run({"torus.obj", "-n", "120"});
+  const ProgramResult measured =
+      fixtures::run_program("fpo-quality", {"out.obj", "--reference", "torus.obj"}, place.folder.path());
+  const auto number = [](const std::string& text, const std::string& name) {
+    const std::size_t at = ("\n" + text).find("\n" + name + " ");
+    REQUIRE(at != std::string::npos);
+    return std::stod(text.substr(at + name.size() + 1));
+  };
+  CHECK(number(result.out, "delta") == doctest::Approx(number(measured.out, "delta")).epsilon(1e-5));
+  CHECK(number(measured.out, "edge_min") == number(measured.out, "delta"));
+  CHECK(number(measured.out, "edge_avg") > number(measured.out, "delta_avg"));
+}
