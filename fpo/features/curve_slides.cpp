@@ -61,10 +61,15 @@ std::vector<SurfaceSample> CurveSlides::places(const SurfaceDomain& domain, Site
 }
 
 bool CurveSlides::has_its_edges(const SurfaceDomain& domain, SiteId x) const {
-  std::vector<SiteId> link;
-  domain.dual().link(x, link);
-  return std::ranges::all_of(std::array{tracks_[x].before, tracks_[x].after},
-                             [&](SiteId y) { return std::ranges::find(link, y) != link.end(); });
+  std::vector<SiteId> around, link;
+  domain.dual().link(x, around);
+  around.push_back(x);
+  return std::ranges::all_of(around, [&](SiteId y) {
+    if (!can_slide(y)) return true;
+    domain.dual().link(y, link);
+    return std::ranges::all_of(std::array{tracks_[y].before, tracks_[y].after},
+                               [&](SiteId z) { return std::ranges::find(link, z) != link.end(); });
+  });
 }
 
 }  // namespace fpo

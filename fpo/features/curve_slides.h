@@ -21,7 +21,8 @@ class CurveSlides {
   /// samples before and after it are neither closer than .6 nor farther than 1.3 of the wanted length, unless
   /// that gets better. Requires can_slide(x). O(length of the curve in mesh edges).
   std::vector<SurfaceSample> places(const SurfaceDomain& domain, SiteId x) const;
-  /// Are the edges from x to the samples before and after it edges of the RRT?
+  /// Are the edges from x to the samples before and after it edges of the RRT, and those from its neighbours
+  /// that can slide likewise?
   bool has_its_edges(const SurfaceDomain& domain, SiteId x) const;
 
  private:

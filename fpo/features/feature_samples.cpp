@@ -46,8 +46,8 @@ std::size_t wanted_edges(double length) {
   return static_cast<std::size_t>(length > longest_edge * edges ? edges + 1 : edges);
 }
 
-/// Two curves leave a corner at an angle a; both have samples at distance 1 and 1 + e from it. The triangle
-/// of the nearer samples and a farther one has, there, the angle b with tan b = sin a / (e + 1 - cos a). The
+/// Two curves leave a corner at an angle a; both have samples at distance 1 and 1 + e from it. The triangle of
+/// the nearer samples and a farther one has, there, the angle b with tan b = sin a / (e + 1 - cos a). The
 /// distance, in units of e, at which b is the least of a and 30 degrees; never below 1.
 double first_gap(double angle) {
   const double wanted = std::tan(std::min(angle, std::numbers::pi / 6));
@@ -217,42 +217,66 @@ std::vector<double> spread(double length, bool loop, std::size_t count, std::uin
   return positions;
 }
 
-/// The distance of the first samples from each corner with a small angle, on all curves that make one: as
-/// many wanted lengths as the densest of these affords.
-std::map<SiteId, double> acute_shells(std::span<const Stretch> stretches,
-                                      std::span<const std::size_t> edges) {
-  std::map<SiteId, double> shells;
-  for (std::size_t i = 0; i < stretches.size(); ++i) {
-    const Stretch& s = stretches[i];
-    double parts = static_cast<double>(edges[i]);
-    for (const double stretch : s.stretch_at_end) parts += stretch > 0 ? stretch - 1 : 0;
-    for (const std::size_t end : {0, 1}) {
-      if (!(s.stretch_at_end[end] > 0) || edges[i] < 2) continue;
-      const double distance = s.length / parts * s.stretch_at_end[end];
-      const auto [at, is_new] = shells.try_emplace(end == 0 ? s.from : s.to, distance);
-      at->second = std::min(at->second, distance);
+/// The first samples beside corners with small angles: on all curves that make one as far from it in space as on
+/// the densest of them.
+class Shells {
+ public:
+  Shells(const Layout& layout, std::span<const std::size_t> edges) : layout_(layout) {
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const Stretch& s = layout.stretches()[i];
+      double parts = static_cast<double>(edges[i]);
+      for (const double stretch : s.stretch_at_end) parts += stretch > 0 ? stretch - 1 : 0;
+      for (const std::size_t end : {0, 1}) {
+        if (!(s.stretch_at_end[end] > 0) || edges[i] < 2) continue;
+        const double radius = distance(s, end, s.length / parts * s.stretch_at_end[end]);
+        const auto [at, is_new] = radius_.try_emplace(corner(s, end), radius);
+        at->second = std::min(at->second, radius);
+      }
     }
   }
-  return shells;
-}
 
-/// Moves the first and last place of a stretch to the shells of its ends and spaces the others evenly
-/// between.
-void keep_shells(const Stretch& s, const std::map<SiteId, double>& shells, std::vector<double>& places) {
-  const bool at_start = s.stretch_at_end[0] > 0 && shells.contains(s.from),
-             at_end = s.stretch_at_end[1] > 0 && shells.contains(s.to);
-  if (places.empty() || (!at_start && !at_end)) return;
-  const double first = at_start ? shells.at(s.from) : 0, last = s.length - (at_end ? shells.at(s.to) : 0);
-  if (places.size() == 1) {
-    places[0] = at_start && at_end ? (first + last) / 2 : at_start ? first : last;
-    return;
+  /// Moves the first and last place of a stretch there and spaces the others evenly between.
+  void keep(const Stretch& s, std::vector<double>& places) const {
+    const bool at_start = has_shell(s, 0), at_end = has_shell(s, 1);
+    if (places.empty() || (!at_start && !at_end)) return;
+    const double first = at_start ? along(s, 0) : 0, last = s.length - (at_end ? along(s, 1) : 0);
+    if (places.size() == 1) {
+      places[0] = at_start && at_end ? (first + last) / 2 : at_start ? first : last;
+      return;
+    }
+    // Between the shells, or from an end without one.
+    const std::size_t gaps = places.size() - 1 + (at_start ? 0 : 1) + (at_end ? 0 : 1);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      places[i] =
+          first + (last - first) * static_cast<double>(i + (at_start ? 0 : 1)) / static_cast<double>(gaps);
   }
-  // Between the shells, or from an end without one.
-  const std::size_t gaps = places.size() - 1 + (at_start ? 0 : 1) + (at_end ? 0 : 1);
-  for (std::size_t i = 0; i < places.size(); ++i)
-    places[i] =
-        first + (last - first) * static_cast<double>(i + (at_start ? 0 : 1)) / static_cast<double>(gaps);
-}
+
+ private:
+  static SiteId corner(const Stretch& s, std::size_t end) { return end == 0 ? s.from : s.to; }
+  bool has_shell(const Stretch& s, std::size_t end) const {
+    return s.stretch_at_end[end] > 0 && radius_.contains(corner(s, end));
+  }
+  /// In space from the corner at an end of the place t from there.
+  double distance(const Stretch& s, std::size_t end, double t) const {
+    const CurveMetric& metric = layout_.metric(s.curve);
+    double at = end == 0 ? s.start + t : s.start + s.length - t;
+    if (at >= metric.length() && s.start + s.length > metric.length()) at -= metric.length();
+    return (metric.at(at).position - layout_.samples()[corner(s, end).index()].position).norm();
+  }
+  /// From the corner to its shell along a stretch, at most half of it.
+  double along(const Stretch& s, std::size_t end) const {
+    double low = 0, high = s.length / 2;
+    const double radius = radius_.at(corner(s, end));
+    for (int step = 0; step < 50; ++step) {
+      const double t = (low + high) / 2;
+      (distance(s, end, t) < radius ? low : high) = t;
+    }
+    return (low + high) / 2;
+  }
+
+  const Layout& layout_;
+  std::map<SiteId, double> radius_;
+};
 
 /// The least stretching, in steps, with which the features take no more than `most` samples.
 std::vector<std::size_t> affordable_edges(const Layout& layout, std::size_t most) {
@@ -292,7 +316,7 @@ FeatureSamples sample_features(const TriMesh& mesh, const Features& features,
                                std::uint64_t seed) {
   const Layout layout(mesh, features, fixed, sizing);
   const std::vector<std::size_t> edges = affordable_edges(layout, most);
-  const std::map<SiteId, double> shells = acute_shells(layout.stretches(), edges);
+  const Shells shells(layout, edges);
   FeatureSamples result{layout.samples(), {}, layout.missing_shares(), layout.samples().size()};
   result.chains.resize(features.curves.size());
   for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -302,7 +326,7 @@ FeatureSamples sample_features(const TriMesh& mesh, const Features& features,
     if (s.from.valid() && chain.empty()) chain.push_back(s.from);
     std::vector<double> places =
         spread(s.length, !s.from.valid(), edges[i] - (s.from.valid() ? 1 : 0), seed + i);
-    keep_shells(s, shells, places);
+    shells.keep(s, places);
     for (const double t : places) {
       chain.emplace_back(result.samples.size());
       result.samples.push_back(

@@ -32,7 +32,7 @@ FeatureChoice chosen_features(const geom::TriMesh& surface, const RemeshOptions&
 }
 
 /// Beside narrow places: steeper than elsewhere, for what is refined there is taken from all others.
-double curve_gradation(const RemeshOptions& options) { return std::max(0.25, options.limits.gradation); }
+double curve_gradation(const RemeshOptions& options) { return std::max(0.18, options.limits.gradation); }
 
 using SizingFor = std::function<Sizing(std::size_t)>;
 
@@ -266,6 +266,9 @@ RemeshResult remesh_task(const Task& task, RemeshOptions options) {
   if (task.narrow && options.sizing == SizingKind::uniform) {
     options.optimize.scope = Scope::two_ring;
     options.surface.weight_factor = best_weight_factor(options.optimize.scope);
+    const MethodFacts& facts = facts_of(options.method);  // unless another number was asked for
+    if (options.optimize.max_iterations == facts.iterations)
+      options.optimize.max_iterations = facts.adaptive_iterations;
   }
   const std::optional<SplitSurface> apart = surface_apart(task, shared, options);
   const geom::TriMesh& surface = apart ? apart->mesh : task.surface();
