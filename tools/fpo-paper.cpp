@@ -23,6 +23,11 @@ int paper(tools::CommandLine& cli) {
             .help = "where index.html and tables.md go",
             .required = true},
            folder);
+  cli.custom({.name = "methods",
+              .value = "NAMES",
+              .help = "only these methods of table 1, separated by commas: cvt,fpo",
+              .standard = "all"},
+             [&](const std::string& text) { options.methods = tools::methods_named(text); });
   cli.integer(
       {.name = "sets", .value = "K", .help = "sets a spectrum of figure 7; half as many in figures 8, 9"},
       options.sets, 1, 1000);

@@ -1,8 +1,10 @@
 #include "tools/paper_methods.h"
 
-#include <vector>
+#include <algorithm>
+#include <set>
 
 #include "fpo/remesh/remesh_defaults.h"
+#include "geom/check.h"
 
 namespace tools {
 namespace {
@@ -25,7 +27,34 @@ std::vector<PaperMethod> in_order_of_paper() {
   return result;
 }
 
+std::string upper(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  return result;
+}
+
+std::string all_names() {
+  std::string names;
+  for (const PaperMethod& m : paper_methods()) names += (names.empty() ? "" : ",") + m.name;
+  return names;
+}
+
 }  // namespace
+
+std::vector<PaperMethod> methods_named(std::string_view names) {
+  std::set<std::string> wanted;
+  for (std::size_t first = 0, last; first <= names.size(); first = last + 1) {
+    last = std::min(names.find(',', first), names.size());
+    wanted.insert(upper(names.substr(first, last - first)));
+  }
+  std::vector<PaperMethod> result;
+  for (const PaperMethod& m : paper_methods())
+    if (wanted.erase(m.name) > 0) result.push_back(m);
+  if (!wanted.empty())
+    throw geom::InputError("there is no method '" + *wanted.begin() + "' in " + all_names());
+  return result;
+}
 
 std::span<const PaperMethod> paper_methods() {
   static const std::vector<PaperMethod> methods = in_order_of_paper();

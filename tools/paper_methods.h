@@ -4,6 +4,8 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "fpo/remesh/pipeline.h"
 
@@ -15,8 +17,11 @@ struct PaperMethod {
   std::function<void(fpo::RemeshOptions&)> set;
 };
 
-/// All of them. A method that is added here gets its rows in all tables where the paper has one, and its
-/// spectra.
+/// All of them. A method that is added here gets its rows in all tables, and its spectra.
 std::span<const PaperMethod> paper_methods();
+
+/// Those with these names, separated by commas, in upper or lower case, in the order of all. Throws
+/// geom::InputError on a name that is none.
+std::vector<PaperMethod> methods_named(std::string_view names);
 
 }  // namespace tools

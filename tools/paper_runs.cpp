@@ -136,6 +136,10 @@ class Experiments {
     std::vector<fpo::PowerSpectrum> sets;
   };
 
+  std::span<const PaperMethod> methods() const {
+    return options_.methods.empty() ? paper_methods() : std::span<const PaperMethod>(options_.methods);
+  }
+
   const geom::TriMesh* surface(const std::string& model) const {
     const auto found = surfaces_.find(model);
     return found == surfaces_.end() ? nullptr : &found->second;
@@ -153,7 +157,7 @@ class Experiments {
   void add_tables() {
     for (const PaperBlock& block : fpo::paper_blocks()) {
       if (!surface(block.model)) continue;
-      for (const PaperMethod& method : paper_methods()) runs_.push_back({block, method.name, {}, 0});
+      for (const PaperMethod& method : methods()) runs_.push_back({block, method.name, {}, 0});
     }
     for (std::size_t i = 0; i < runs_.size(); ++i) {
       const PaperBlock& b = runs_[i].block;
@@ -175,7 +179,7 @@ class Experiments {
   void add_spectra() {
     for (const SpectrumCase& c : spectrum_cases) {
       if (!surface(c.model)) continue;
-      for (const PaperMethod& method : paper_methods())
+      for (const PaperMethod& method : methods())
         if (c.figure != 9 || method.name == "FPO") add_spectrum(c, method);
     }
   }

@@ -21,7 +21,8 @@ struct PaperOptions {
   int threads = 1;
   int sets = 8;       ///< a spectrum of figure 7; half of them for those of figures 8 and 9, which are larger
   double radius = 8;  ///< of the spectra (SpectrumOptions)
-  int iterations = -1;  ///< at most; negative: the methods' own numbers
+  std::vector<PaperMethod> methods;  ///< empty: all
+  int iterations = -1;               ///< at most; negative: the methods' own numbers
   bool tables = true, spectra = true, convergence = true, runtimes = true;
   std::function<void(const std::string&)> progress;  ///< called by any thread, one at a time
 };

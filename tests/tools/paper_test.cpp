@@ -58,19 +58,19 @@ double value(const std::string& output, const std::string& name) {
 TEST_CASE(
     "fpo-paper: our rows are what fpo-remesh and fpo-quality give, beside the paper's; the rest is missing") {
   const Place place("torus");
-  const ProgramResult result = place.run({"--sets", "1", "--radius", "3", "--threads", "2"});
+  const ProgramResult result =
+      place.run({"--sets", "1", "--radius", "3", "--threads", "2", "--methods", "ccst,ser,FPO"});
   REQUIRE_MESSAGE(result.code == 0, result.err);
   CHECK(result.out.find("missing Eight") == std::string::npos);
   for (const char* name :
        {"Venus", "Homer", "Genus", "Bunny", "Kitten", "Elephant", "Triceratops", "Mask", "Joint"})
     CHECK(result.out.find(std::string("missing ") + name + "\n") != std::string::npos);
-  CHECK(result.out.find("rows 9\nspectra 9\n") != std::string::npos);
+  CHECK(result.out.find("rows 3\nspectra 3\n") != std::string::npos);
 
   const std::string page = place.read("out/index.html"), table = place.read("out/tables.md");
   CHECK(fixtures::nesting_fault(page) == "");
   CHECK(fixtures::is_self_contained(page));
-  CHECK(occurrences(page, "<svg ") ==
-        20);  // a remesh and a spectrum of nine methods, all radial means, convergence
+  CHECK(occurrences(page, "<svg ") == 8);  // of each method a remesh and a spectrum; all means; convergence
   CHECK(occurrences(table, "Venus 1700") == 1);  // folded
   CHECK(occurrences(table, "Bunny 6300") == 1);
   CHECK(cells(table, "paper: FPO")[4] == "0.561");
@@ -97,13 +97,24 @@ TEST_CASE(
 TEST_CASE("fpo-paper: any number of threads gives the same rows") {
   const Place place("cube");
   const auto rows = [&](const char* threads) {
-    REQUIRE(place.run({"--no-spectra", "--no-convergence", "--threads", threads}).code == 0);
+    REQUIRE(place.run({"--no-spectra", "--no-convergence", "--methods", "fpo,ser,hps", "--threads", threads})
+                .code == 0);
     const std::string table = place.read("out/tables.md");
     return std::pair(cells(table, "ours: SER"), cells(table, "ours: FPO"));
   };
   const auto once = rows("1");
   CHECK(once.first.size() == 12);
   CHECK(rows("3") == once);
+}
+
+TEST_CASE("fpo-paper: it has the nine methods of table 1; another one is refused in one line") {
+  const Place place("cube");
+  const ProgramResult result = place.run({"--methods", "fpo,lattice"});
+  CHECK(result.code == 2);
+  CHECK(result.lines_on_stderr() == 1);
+  CHECK(result.err.find("'LATTICE'") != std::string::npos);
+  for (const char* name : {"CVT", "CPS", "PPS", "MPS", "CCST", "VBS", "HPS", "SER", "FPO"})
+    CHECK(result.err.find(name) != std::string::npos);
 }
 
 TEST_CASE("fpo-paper: a folder without models or that is not there is refused in one line") {
