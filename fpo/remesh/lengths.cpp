@@ -149,16 +149,49 @@ void set_number_there(const TriMesh& surface, const Lengths& lengths, RemeshOpti
 
 }  // namespace
 
+namespace {
+
+constexpr double h2_by_error_and_radius = 3.5;
+
+/// The distance of a facet's third corner from its edge e.
+double height(const TriMesh& mesh, FacetId t, int e) {
+  const double length = (mesh.corner(t, (e + 1) % 3) - mesh.corner(t, e)).norm();
+  return length > 0 ? mesh.normal(t).norm() / length : 0;
+}
+
+/// Where facets are about as wide as wanted edges, the folds between them are what bends: a fold over the
+/// width of its facets is a curvature. Where they are finer folds may be noise, and the fit knows better.
+void heed_folds(const TriMesh& mesh, double error, VertexField& h) {
+  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
+    for (int e = 0; e < 3; ++e) {
+      const FacetId other = mesh.across(t, e);
+      if (!other.valid() || other < t) continue;
+      int back = 0;
+      while (back < 2 && mesh.across(other, back) != t) ++back;
+      const geom::Vec3 u = mesh.normal(t), v = mesh.normal(other);
+      const double fold = std::atan2(u.cross(v).norm(), u.dot(v));
+      const double width = (height(mesh, t, e) + height(mesh, other, back)) / 2;
+      if (!(fold > 0) || !(width > 0)) continue;
+      const double length = std::max(std::sqrt(h2_by_error_and_radius * error * width / fold), error);
+      if (2 * width < length) continue;
+      for (const FacetId f : {t, other})
+        for (const VertexId x : mesh.facet(f)) h[x] = std::min(h[x], length);
+    }
+}
+
+}  // namespace
+
 VertexField error_size(const TriMesh& surface, const Features& features, double error, double largest) {
-  constexpr double h2_by_error_and_radius = 3.5;
   const OpenedMesh open = opened(surface, features);
   const VertexField radius = curvature_size(open.mesh, {});
+  VertexField there;
+  for (const double r : radius)
+    there.push_back(
+        std::clamp(std::sqrt(h2_by_error_and_radius * error * r), std::min(error, largest), largest));
+  heed_folds(open.mesh, error, there);
   VertexField h(surface.num_vertices(), largest);
-  for (VertexId v(0); v.index() < open.origin.size(); v = VertexId(v.value + 1)) {
-    const double length = std::sqrt(h2_by_error_and_radius * error * radius[v]);
-    double& least = h[open.origin[v]];
-    least = std::min(least, std::clamp(length, std::min(error, largest), largest));
-  }
+  for (VertexId v(0); v.index() < open.origin.size(); v = VertexId(v.value + 1))
+    h[open.origin[v]] = std::min(h[open.origin[v]], there[v]);
   return h;
 }
 
