@@ -8,9 +8,9 @@
 namespace tools {
 
 /// The remesh as a file of a.output's format. With --carry it has the input's vertex colours, scalar vertex
-/// properties (PLY) and texture coordinates (OBJ, PLY), interpolated where each sample lies; each triangle
-/// has the texture coordinates of the chart in which its middle lies, so that none smears over a seam. What
-/// the format cannot hold, and all of it without --carry, is named in a line: `dropped`, empty if nothing is.
+/// properties (PLY) and texture coordinates (OBJ), interpolated where each sample lies; each triangle has the
+/// texture coordinates of the chart in which its middle lies, so that none smears over a seam. What the
+/// format cannot hold, and all of it without --carry, is named in a line: `dropped`, empty if nothing is.
 /// Throws geom::InputError.
 void write_remesh(const RemeshArguments& a, const geom::TriMesh& input, const fpo::RemeshResult& result,
                   std::string& dropped);

@@ -126,7 +126,6 @@ void set_sizing(RemeshArguments& a, const std::string& text) {
   geom::require(!names_property || io::lower_extension(a.sizing_file) == ".ply",
                 "FILE:PROPERTY is for .ply files");
 }
-}
 
 void settle_sizing(RemeshArguments& a, SurfaceInput& input) {
   const bool by_count = a.remesh.num_samples > 0, by_file = a.remesh.sizing == fpo::SizingKind::given;

@@ -25,8 +25,8 @@ struct Lengths {
 
 /// The wanted length at each vertex with which triangles that are inscribed in a surface of that curvature
 /// stay within `error` of it: h^2 = 3.5 error / curvature, at least `error` and at most `largest`. Curvature
-/// (curvature.h) is that of each side of the features, whose folds are none; where facets are about as wide as
-/// h, their folds over their widths count, too. O(F log F).
+/// (curvature.h) is that of each side of the features, whose folds are none; where facets are about as wide
+/// as h, their folds over their widths count, too. O(F log F).
 VertexField error_size(const geom::TriMesh& surface, const Features& features, double error, double largest);
 
 /// Sets the number of samples and, for an error or a given sizing, lengths that sizing and features share. A
