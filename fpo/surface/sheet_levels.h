@@ -14,8 +14,8 @@
 // Between them the level u = (L + U) / 2, with L(v) = max (t_w - g d(v, w)) and U(v) = min (t_w + g d(v, w))
 // over all places w where level t_w is wanted, d the distance along edges. It is t where the wishes allow,
 // and nowhere steeper than g: opposite places of a thin plate, d from each other around its rim, differ by
-// min(height, g d). Steeper levels would part more near rims, but a triangle is shorter in space than in four
-// coordinates by up to sqrt(1 + g^2) along the gradient.
+// about min(height, g d). Steeper levels would part more near rims, but a triangle is shorter in space than
+// in four coordinates by up to sqrt(1 + g^2) along the gradient.
 //
 // A component of the surface that is in conflict with another one gets a level of its own, all of it.
 
