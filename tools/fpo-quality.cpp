@@ -44,7 +44,8 @@ std::vector<std::pair<std::string, double>> faults_of(const geom::TriMesh& mesh,
           {"self_intersections", count(d.intersections->pairs)},
           {"self_intersections_all", d.intersections->all ? 1.0 : 0.0},
           {"stray_facets", count(d.stray_facets)},
-          {"tiny_components", count(d.tiny_parts)}};
+          {"tiny_components", count(d.tiny_parts)},
+          {"doubled_components", count(d.copies)}};
 }
 
 int quality(tools::CommandLine& cli) {

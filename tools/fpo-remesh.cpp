@@ -67,24 +67,37 @@ void write_outputs(const tools::RemeshArguments& a, const geom::TriMesh& input,
 
 void warn(const std::string& line) { std::fprintf(stderr, "warning: %s\n", line.c_str()); }
 
+/// Where most samples have no triangle, most of the surface is missing: what is left is no remesh.
+void refuse_remnant(const geom::TriMesh& mesh) {
+  const geom::Topology t = geom::topology(mesh);
+  geom::require(2 * t.unreferenced_vertices <= mesh.num_vertices(),
+                "the surface is thinner than the spacing of " + std::to_string(mesh.num_vertices()) +
+                    " samples: only " + std::to_string(t.vertices) + " of them have a triangle");
+}
+
 /// Complaints name the input.
 fpo::AtLeastResult remesh_named(const tools::SurfaceInput& input, const tools::RemeshArguments& a) try {
-  if (a.at_least) return fpo::remesh_at_least(input.mesh, a.remesh);
-  return {fpo::remesh(input.mesh, a.remesh)};
+  tools::refuse_soup(input, a.remesh.num_samples);
+  fpo::AtLeastResult result;
+  if (a.at_least)
+    result = fpo::remesh_at_least(input.mesh, a.remesh);
+  else
+    result.remesh = fpo::remesh(input.mesh, a.remesh);
+  refuse_remnant(result.remesh.mesh);
+  return result;
 } catch (const geom::InputError& error) {
   throw geom::InputError(io::display_name(a.input) + ": " + error.what() +
                          (input.faults.empty() ? "" : "; the input has " + input.faults));
 }
 
 int remesh(tools::CommandLine& cli) {
-  tools::interrupt_flag();
   tools::RemeshArguments a = tools::parse_remesh_arguments(cli);
+  tools::NothingToSave nothing_to_save(cli.program());
   tools::SurfaceInput read = tools::read_surface(a.input, a.repair);
   const geom::TriMesh& input = read.mesh;
   tools::read_files(a, input);
   tools::mark_features(a, read);
   tools::settle_sizing(a, read);
-  tools::stop_if_interrupted();
 
   std::string log = "iteration,moved,delta,mean_delta,seconds\n";
   tools::RemeshRun run{cli.command(), a.input, a.remesh, {}, 0, cli.threads(), cli.quiet()};
@@ -93,10 +106,12 @@ int remesh(tools::CommandLine& cli) {
   double delta = 0;
   a.remesh.optimize.interrupted = &tools::interrupt_flag();
   a.remesh.optimize.on_move = [&](std::size_t move) {
+    nothing_to_save.end();
     tools::print_notes(read);  // now nothing is refused any more
     progress.update(double(move) / total_moves, delta);
   };
   a.remesh.optimize.on_iteration = [&](const fpo::IterationReport& r) {
+    nothing_to_save.end();
     delta = r.delta;
     if (r.iteration == 0) {  // with --at-least there may be several runs: the last one counts
       run.iterations.clear();
@@ -112,6 +127,7 @@ int remesh(tools::CommandLine& cli) {
   const fpo::AtLeastResult found = remesh_named(read, a);
   const fpo::RemeshResult& result = found.remesh;
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  nothing_to_save.end();
   progress.erase();
   tools::print_notes(read);
 

@@ -10,7 +10,6 @@
 #include "io/atomic_file.h"
 #include "io/extension.h"
 #include "io/input_file.h"
-#include "io/mesh_io.h"
 #include "io/points.h"
 #include "io/values.h"
 #include "tools/interrupt.h"
@@ -18,6 +17,7 @@
 #include "tools/spectrum_arguments.h"
 #include "tools/spectrum_warnings.h"
 #include "tools/summary.h"
+#include "tools/surface_input.h"
 
 namespace {
 
@@ -44,7 +44,7 @@ GivenSurface at_unit_size(const std::filesystem::path& path, const geom::TriMesh
 
 GivenSurface read_surface(const SpectrumArguments& a) {
   if (a.surface.empty()) return {};
-  const geom::TriMesh mesh = io::read_mesh(a.surface);
+  const geom::TriMesh mesh = tools::read_cleaned(a.surface);
   GivenSurface given = at_unit_size(a.surface, mesh);
   if (!a.sizes.empty())
     for (const double h : io::read_positive_values(a.sizes, mesh.num_vertices()))
@@ -76,7 +76,7 @@ PowerSpectrum surface_spectrum(const SpectrumArguments& a, const GivenSurface& g
     points = io::read_points3(input);
   } else {
     geom::require(extension != ".xyz", "points in space need --surface");
-    const geom::TriMesh mesh = io::read_mesh(input);
+    const geom::TriMesh mesh = tools::read_cleaned(input);
     for (const geom::Vec3& x : mesh.vertices()) points.push_back({x, 0});
     if (!given.surface) own = at_unit_size(input, mesh);
   }

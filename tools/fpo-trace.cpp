@@ -11,8 +11,8 @@
 #include "geom/mesh/scaling.h"
 #include "io/atomic_file.h"
 #include "io/input_file.h"
-#include "io/mesh_io.h"
 #include "tools/cli.h"
+#include "tools/surface_input.h"
 #include "tools/trace_picture.h"
 
 namespace {
@@ -23,6 +23,7 @@ struct Arguments {
   std::filesystem::path input, folder;
   std::size_t n = 0, move = 0;
   fpo::SurfaceOptions surface;
+  tools::RepairArguments repair;
 };
 
 Arguments parse(tools::CommandLine& cli) {
@@ -44,7 +45,9 @@ Arguments parse(tools::CommandLine& cli) {
   cli.choice({.name = "engine", .value = "search|triangulation", .help = "as in fpo-remesh"},
              a.surface.engine,
              {{"search", fpo::Engine::search}, {"triangulation", fpo::Engine::triangulation}});
+  tools::declare_repair(cli, a.repair);
   a.input = cli.parse(1, 1).front();
+  tools::check_repair(a.repair);
   a.surface.seed = cli.seed();
   return a;
 }
@@ -157,11 +160,14 @@ void print_way(const geom::RestrictedDual::Ways& before, const geom::RestrictedD
 }
 
 /// What is printed and drawn has the input's unit of length, so it is not scaled as in fpo-remesh.
-geom::TriMesh read_surface(const std::filesystem::path& path) {
-  const geom::TriMesh mesh = io::read_mesh(path);
+geom::TriMesh read_surface(const Arguments& a) {
+  const std::filesystem::path& path = a.input;
+  tools::SurfaceInput input = tools::read_surface(path, a.repair);
+  const geom::TriMesh& mesh = input.mesh;
   const double size = mesh.box().min().cwiseAbs().cwiseMax(mesh.box().max().cwiseAbs()).maxCoeff();
   geom::require(size >= 0x1p-40 && size <= 0x1p40,
                 io::display_name(path) + ": the largest coordinate must be between 1e-12 and 1e12 here");
+  tools::print_notes(input);
   return geom::scaled_to_unit_box(mesh, 1);
 }
 
@@ -182,7 +188,7 @@ tools::TracePicture::Drawing without(const fpo::SurfaceDomain& domain, SiteId x,
 
 int trace(tools::CommandLine& cli) {
   const Arguments a = parse(cli);
-  const geom::TriMesh mesh = read_surface(a.input);
+  const geom::TriMesh mesh = read_surface(a);
   std::error_code error;
   std::filesystem::create_directories(a.folder, error);
   geom::require(!error, "cannot make " + a.folder.string() + ": " + error.message());

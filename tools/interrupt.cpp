@@ -1,17 +1,32 @@
 #include "tools/interrupt.h"
 
+#include <unistd.h>
+
+#include <array>
 #include <csignal>
 
 #include "geom/check.h"
+#include "tools/cli.h"
 
 namespace tools {
 namespace {
 
 // A signal handler can reach nothing but a variable of static storage.
 std::atomic<bool> interrupted = false;
+std::atomic<bool> at_once = false;
+std::array<char, 200> last_words;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
+/// Only what a signal handler may do. Where it is written to may be closed or full: it ends even so.
+[[noreturn]] void end_here() {
+  std::size_t length = 0;
+  while (length < last_words.size() && last_words[length] != 0) ++length;
+  if (::write(STDERR_FILENO, last_words.data(), length) < 0) ::_exit(exit_interrupted);
+  ::_exit(exit_interrupted);
+}
+
 extern "C" void note_signal(int signal) {
+  if (at_once) end_here();
   if (!interrupted.exchange(true)) return;
   std::signal(signal, SIG_DFL);
   std::raise(signal);
@@ -29,6 +44,16 @@ const std::atomic<bool>& interrupt_flag() {
   static_cast<void>(installed);
   return interrupted;
 }
+
+NothingToSave::NothingToSave(const std::string& program) {
+  const std::string words = program + ": " + geom::Interrupted().what() + ": nothing is written\n";
+  words.copy(last_words.data(), last_words.size() - 1);
+  interrupt_flag();
+  at_once = true;
+  stop_if_interrupted();
+}
+
+void NothingToSave::end() { at_once = false; }
 
 void stop_if_interrupted() {
   if (interrupt_flag()) throw geom::Interrupted();

@@ -2,6 +2,7 @@
 // Ctrl-C that lets the move in hand finish. SIGTERM is the same.
 
 #include <atomic>
+#include <string>
 
 namespace tools {
 
@@ -11,6 +12,18 @@ const std::atomic<bool>& interrupt_flag();
 
 /// Throws geom::Interrupted if one has.
 void stop_if_interrupted();
+
+/// While there is nothing to save, there is nothing to wait for either: from its making to end() or its own
+/// end the first signal ends the program at once, with the line and the exit code of geom::Interrupted,
+/// whatever it is at. One at a time; no output may be open.
+class NothingToSave {
+ public:
+  explicit NothingToSave(const std::string& program);
+  ~NothingToSave() { end(); }
+  NothingToSave(const NothingToSave&) = delete;
+  NothingToSave& operator=(const NothingToSave&) = delete;
+  void end();
+};
 
 inline constexpr const char* interrupt_help =
     "Ctrl-C (SIGINT, SIGTERM) ends the run with the result so far and exit code 130, a second one at once.";

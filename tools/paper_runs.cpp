@@ -16,8 +16,8 @@
 #include "geom/mesh/scaling.h"
 #include "geom/parallel.h"
 #include "io/extension.h"
-#include "io/mesh_io.h"
 #include "io/mesh_picture.h"
+#include "tools/surface_input.h"
 
 namespace tools {
 namespace {
@@ -270,7 +270,7 @@ PaperResults run_paper(const PaperOptions& options) {
   std::vector<PaperModel> models = find_models(options.models);
   Surfaces surfaces;
   for (const PaperModel& model : models)
-    if (!model.file.empty()) surfaces.emplace(model.name, io::read_mesh(model.file));
+    if (!model.file.empty()) surfaces.emplace(model.name, read_cleaned(model.file));
   geom::require(!surfaces.empty(), options.models.string() + ": none of the paper's models is there");
   Experiments experiments(options, surfaces);
   experiments.run();

@@ -1,10 +1,13 @@
 #include "tools/surface_input.h"
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 
+#include "geom/mesh/scaling.h"
 #include "geom/repair/clean.h"
 #include "geom/repair/diagnosis.h"
+#include "geom/repair/parts.h"
 #include "geom/repair/repair.h"
 #include "io/input_file.h"
 #include "io/mesh_io.h"
@@ -21,10 +24,10 @@ std::string repeated_in_words(std::size_t repeated) {
          (repeated == 1 ? " facet that names a vertex twice" : " facets that name a vertex twice");
 }
 
-geom::RepairSteps steps_for(const RepairArguments& repair, const geom::TriMesh& mesh) {
-  const geom::RepairSteps all = geom::all_steps(mesh);
+geom::RepairSteps steps_for(const RepairArguments& repair) {
+  const geom::RepairSteps all = geom::all_steps();
   geom::RepairSteps steps = repair.all ? all : geom::RepairSteps();
-  if (repair.weld) steps.weld = *repair.weld < 0 ? all.weld : repair.weld;
+  if (repair.weld) steps.weld = repair.weld;
   if (repair.holes) steps.holes = repair.holes;
   if (repair.crumbs) steps.crumbs = repair.crumbs;
   // A hole is filled between facets that agree and edges that are none of three facets.
@@ -37,7 +40,7 @@ SurfaceInput cleaned(const geom::TriMesh& mesh, const std::string& name, std::si
   geom::Cleaned result = geom::cleaned(mesh);
   std::string done = geom::in_words(result.done);
   if (repeated > 0) done += (done.empty() ? "" : ", ") + repeated_in_words(repeated);
-  SurfaceInput input{std::move(result.mesh), {}, {}};
+  SurfaceInput input{std::move(result.mesh), {}, {}, 0};
   if (!done.empty())
     input.notes.push_back("repaired: " + name + ": " + done + " (--no-repair takes it as it is)");
   return input;
@@ -45,8 +48,8 @@ SurfaceInput cleaned(const geom::TriMesh& mesh, const std::string& name, std::si
 
 SurfaceInput repaired(const geom::TriMesh& mesh, const std::string& name, std::size_t repeated,
                       const RepairArguments& repair) try {
-  geom::Repaired result = geom::repaired(mesh, steps_for(repair, mesh));
-  SurfaceInput input{std::move(result.mesh), {}, {}};
+  geom::Repaired result = geom::repaired(mesh, steps_for(repair));
+  SurfaceInput input{std::move(result.mesh), {}, {}, 0};
   if (repeated > 0) result.lines.insert(result.lines.begin(), repeated_in_words(repeated));
   for (const std::string& line : result.lines) input.notes.push_back("repaired: " + name + ": " + line);
   return input;
@@ -54,14 +57,18 @@ SurfaceInput repaired(const geom::TriMesh& mesh, const std::string& name, std::s
   throw geom::InputError(name + ": " + error.what());
 }
 
-std::string faults_of(const geom::TriMesh& mesh) try {
-  return geom::warning(geom::diagnosis(mesh, false));
+void diagnose(SurfaceInput& input, bool is_repaired) try {
+  const geom::Diagnosis found = geom::diagnosis(input.mesh, false);
+  const std::string faults = geom::in_words(found);
+  if (!faults.empty())
+    input.faults =
+        faults + (is_repaired ? " (left by --repair; --weld=TOL welds within more)" : " (--repair mends it)");
+  input.parts = found.parts;
 } catch (const geom::InputError&) {  // who computes with it will say so
-  return "";
 }
 
 SurfaceInput read(const std::filesystem::path& path, const std::string& name, const RepairArguments& repair) {
-  if (repair.none) return {io::read_mesh(path), {}, {}};
+  if (repair.none) return {io::read_mesh(path), {}, {}, 0};
   std::size_t repeated = 0;
   const geom::TriMesh mesh = io::read_mesh(path, repeated);
   return repair.any_step() ? repaired(mesh, name, repeated, repair) : cleaned(mesh, name, repeated);
@@ -83,7 +90,7 @@ void declare_repair(CommandLine& cli, RepairArguments& repair) {
   cli.custom_or_none({.name = "weld",
                       .value = "TOL",
                       .help = "weld borders nearer than TOL to one another, zip T-junctions",
-                      .standard = "1e-6 diagonals"},
+                      .standard = "1e-6 diagonals, more in a soup"},
                      [&repair](const std::string& text) {
                        repair.weld = text.empty() ? by_default : parse_number(text, 0, 1e300);
                      });
@@ -110,9 +117,31 @@ void check_repair(const RepairArguments& repair) {
 SurfaceInput read_surface(const std::filesystem::path& path, const RepairArguments& repair) {
   const std::string name = io::display_name(path);
   SurfaceInput input = read(path, name, repair);
-  input.faults = faults_of(input.mesh);
+  diagnose(input, repair.all);
   if (!input.faults.empty()) input.notes.push_back("warning: " + name + ": " + input.faults);
   return input;
+}
+
+geom::TriMesh read_cleaned(const std::filesystem::path& path) {
+  std::size_t repeated = 0;
+  const geom::TriMesh mesh = io::read_mesh(path, repeated);
+  geom::Cleaned result = geom::cleaned(mesh);
+  std::string done = geom::in_words(result.done);
+  if (repeated > 0) done += (done.empty() ? "" : ", ") + repeated_in_words(repeated);
+  if (!done.empty()) std::fprintf(stderr, "repaired: %s: %s\n", io::display_name(path).c_str(), done.c_str());
+  return std::move(result.mesh);
+}
+
+void refuse_soup(const SurfaceInput& input, std::size_t num_samples) {
+  constexpr std::size_t few_parts = 8;
+  constexpr double least_samples = 4, most_share = 0.5;
+  if (input.parts <= few_parts) return;
+  const double factor = geom::factor_to_unit_box(input.mesh);
+  const geom::TriMesh unit = geom::scaled_to_unit_box(input.mesh, factor);
+  const double share = geom::share_of_small_parts(unit, static_cast<double>(num_samples), least_samples);
+  geom::require(share <= most_share, "the surface is in " + std::to_string(input.parts) +
+                                         " pieces, most of them too small for " + "four of " +
+                                         std::to_string(num_samples) + " samples each");
 }
 
 void print_notes(SurfaceInput& input) {

@@ -33,6 +33,7 @@ struct SurfaceInput {
   geom::TriMesh mesh;
   std::vector<std::string> notes;  ///< "repaired: ..." for what was done, "warning: ..." for what is left
   std::string faults;              ///< those that matter, with the option that mends them; empty: none
+  std::size_t parts = 0;           ///< facets joined by edges
 };
 
 /// The mesh of a file. Unless it is taken as it is, facets that name a vertex twice are dropped and the
@@ -40,6 +41,14 @@ struct SurfaceInput {
 /// faults that are left in another. Nothing is printed: should the input be refused, one line says why.
 /// Throws geom::InputError.
 SurfaceInput read_surface(const std::filesystem::path& path, const RepairArguments& repair);
+
+/// INPUT of a tool that has no such options: cleaned, and what was done is printed at once, a line a file.
+/// Throws geom::InputError.
+geom::TriMesh read_cleaned(const std::filesystem::path& path);
+
+/// Refuses an input of which so many samples can make no surface: most of it lies in parts that get fewer than
+/// four of them. What can be done is said. Throws geom::InputError.
+void refuse_soup(const SurfaceInput& input, std::size_t num_samples);
 
 /// Prints the notes on stderr, and forgets them.
 void print_notes(SurfaceInput& input);

@@ -38,6 +38,7 @@ bool mend(const SurfaceDomain& domain, LocalResampling& resampling, CircleId tri
   const std::array<SiteId, 3> corners{circle.sites[worst], circle.sites[(worst + 1) % 3],
                                       circle.sites[(worst + 2) % 3]};
   if (in_growing_sets(domain, corners, [&](std::span<const SiteId> samples) {
+        if (interrupted(options.interrupted)) return false;
         return resampling.attempt(samples, 1) || std::ranges::any_of(options.weight_shares, [&](double c) {
                  return resampling.attempt(samples, c);
                });

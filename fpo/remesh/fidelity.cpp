@@ -69,10 +69,11 @@ class Distances {
 };
 
 bool mend(const SurfaceDomain& domain, LocalResampling& resampling, const Distances& distances,
-          CircleId triangle) {
+          CircleId triangle, const FidelityOptions& options) {
   const EmptyCircle circle = domain.dual().circle(triangle);
   const SurfaceSample below = distances.farthest(circle).below;
   return in_growing_sets(domain, circle.sites, [&](std::span<const SiteId> samples) {
+    if (interrupted(options.interrupted)) return false;
     if (resampling.attempt(samples, 1)) return true;
     std::vector<SiteId> turned(samples.begin(), samples.end());
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -87,6 +88,7 @@ bool mend(const SurfaceDomain& domain, LocalResampling& resampling, const Distan
 
 FidelityResult improve_fidelity(SurfaceDomain& domain, const AngleOptions& angles,
                                 const FidelityOptions& options) {
+  if (interrupted(options.interrupted)) return {};
   const Distances distances(domain);
   FidelityResult result;
   result.largest_before = distances.largest();
@@ -107,7 +109,7 @@ FidelityResult improve_fidelity(SurfaceDomain& domain, const AngleOptions& angle
     std::size_t futile = 0;  // in a row
     for (CircleId c; futile < patience && !enough() && (c = far.take_worst()).valid(); ++result.tried) {
       resampling.require_gain(least_gain * far.penalty(c));
-      const bool mended = mend(domain, resampling, distances, c);
+      const bool mended = mend(domain, resampling, distances, c, options);
       result.mended += mended;
       futile = mended ? 0 : futile + 1;
       progress |= mended;

@@ -7,6 +7,7 @@
 #include "fpo/features/feature_choice.h"
 #include "fpo/interruption.h"
 #include "fpo/remesh/small_loops.h"
+#include "fpo/remesh/stand_in.h"
 #include "fpo/surface/sheet_levels.h"
 #include "geom/check.h"
 #include "geom/mesh/centring.h"
@@ -140,6 +141,47 @@ void remove_short_edges(SurfaceDomain& domain, const RemeshOptions& options, Rem
   result.shortest_edges = remove_shortest_edges(domain, removal);
 }
 
+RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options);
+
+/// Where the surface is made of needles: puts samples in the place of the random ones that come from the
+/// remesh of a coarser surface. False where it is not, or none could be had.
+bool optimize_on_stand_in(const geom::TriMesh& surface, std::size_t num_fixed, const RemeshOptions& options,
+                          std::vector<SurfaceSample>& samples, OptimizeResult& run) try {
+  const double spacing = hexagonal_spacing(surface.area(), options.num_samples);
+  if (options.optimize.max_iterations == 0 || !has_needles(surface, options.num_samples, spacing))
+    return false;
+  const geom::TriMesh coarse = stand_in(surface, spacing);
+  if (has_needles(coarse, options.num_samples, spacing)) return false;
+  RemeshOptions there = options;
+  there.fixed.clear();
+  there.keep_cells = false;
+  if (options.sizing == SizingKind::given && there.rho.size() != coarse.num_vertices()) return false;
+  if (options.features && !options.features->marked.empty()) return false;
+  RemeshResult result = remesh_in_unit_box(coarse, there);
+  run = result.optimization;
+  const auto first = result.samples.begin() + static_cast<std::ptrdiff_t>(result.feature_samples);
+  const std::size_t some =
+      std::min(samples.size() - num_fixed, static_cast<std::size_t>(result.samples.end() - first));
+  const std::vector<SurfaceSample> inner =
+      brought_to(surface, std::vector<SurfaceSample>(first, first + static_cast<std::ptrdiff_t>(some)));
+  std::ranges::copy(inner, samples.begin() + static_cast<std::ptrdiff_t>(num_fixed));
+  return true;
+} catch (const geom::InputError&) {  // what can be done on the coarser surface only is not asked for
+  return false;
+}
+
+/// What is left to do where they are brought to: the features are its own, and may have pushed them aside.
+SurfaceDomain settled_samples(SurfaceDomain domain, OptimizeOptions options, OptimizeResult& run) {
+  options.max_iterations = 1;
+  options.on_iteration = {};
+  const OptimizeResult last = optimize(domain, options);
+  run.moves += last.moves;
+  run.last.delta = last.last.delta;
+  run.last.mean_delta = last.last.mean_delta;
+  if (last.reason == StopReason::interrupted) run.reason = last.reason;
+  return domain;
+}
+
 /// Farthest point optimization.
 SurfaceDomain optimized_samples(const geom::TriMesh& surface, const SharedSizing& shared,
                                 const RemeshOptions& options, RemeshResult& result) {
@@ -148,6 +190,9 @@ SurfaceDomain optimized_samples(const geom::TriMesh& surface, const SharedSizing
   optimization.order = VisitOrder::in_turn;  // the initial samples are in random order already
   const SurfaceOptions diagram = surface_options(shared, options);
   std::vector<SurfaceSample> samples = initial_samples(surface, shared, options);
+  result.stood_in = optimize_on_stand_in(surface, diagram.num_fixed, options, samples, result.optimization);
+  if (result.stood_in)
+    return settled_samples({surface, shared.sizing, samples, diagram}, optimization, result.optimization);
   if (options.tile_samples == 0 || samples.size() <= options.tile_samples || surface.has_levels()) {
     SurfaceDomain domain(surface, shared.sizing, samples, diagram);
     remove_short_edges(domain, options, result);
@@ -245,7 +290,7 @@ void count_creases(const Features& features, const FeatureSamples& samples, Reme
 void improve(SurfaceDomain& domain, const SharedSizing& shared, const AngleOptions& angles,
              const RemeshOptions& options, RemeshResult& result) {
   if (options.optimize_angles) result.angles = optimize_angles(domain, angles);
-  if (!options.improve_fidelity) return;
+  if (!options.improve_fidelity || result.stood_in) return;
   FidelityOptions fidelity;
   fidelity.enough_delta = options.angles.enough_delta;
   fidelity.interrupted = options.optimize.interrupted;

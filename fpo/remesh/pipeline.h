@@ -70,6 +70,7 @@ struct RemeshResult {
   std::size_t broken_feature_edges = 0;  ///< those that are no edges of the mesh
   ShortestEdgeResult shortest_edges;
   OptimizeResult optimization;
+  bool stood_in = false;         ///< the surface is of needles: most was done on a coarser one (stand_in.h)
   double radius_factor = 0;      ///< methods with disks: their radius in units of the wanted edge length
   std::vector<Reached> reached;  ///< the measures that another method than fpo has of itself
   AngleResult angles;

@@ -18,8 +18,8 @@ class Border {
     });
     used_.assign(edges_.size(), 0);
     for (std::size_t i = 0; i < edges_.size(); ++i) {
-      leaving_[edges_[i].from()].push_back(i);
-      arriving_[edges_[i].to()].push_back(i);
+      leaving_[edges_[i].from()].edges.push_back(i);
+      arriving_[edges_[i].to()].edges.push_back(i);
     }
   }
 
@@ -40,16 +40,29 @@ class Border {
  private:
   /// Along an edge that leaves, or, if facets disagree, against one that arrives.
   VertexId step(VertexId at) {
-    for (const std::size_t i : leaving_[at])
-      if (!used_[i]) return used_[i] = 1, edges_[i].to();
-    for (const std::size_t i : arriving_[at])
-      if (!used_[i]) return used_[i] = 1, edges_[i].from();
+    if (const HalfEdge* edge = take_from(leaving_[at])) return edge->to();
+    if (const HalfEdge* edge = take_from(arriving_[at])) return edge->from();
     return VertexId();
+  }
+
+  /// Edges at a vertex; those before `first` are used.
+  struct AtVertex {
+    std::vector<std::size_t> edges;
+    std::size_t first = 0;
+  };
+
+  /// The first that is not used, or none.
+  const HalfEdge* take_from(AtVertex& list) {
+    for (; list.first < list.edges.size(); ++list.first) {
+      const std::size_t i = list.edges[list.first];
+      if (!used_[i]) return used_[i] = 1, &edges_[i];
+    }
+    return nullptr;
   }
 
   std::vector<HalfEdge> edges_;
   std::vector<char> used_;
-  std::map<VertexId, std::vector<std::size_t>> leaving_, arriving_;
+  std::map<VertexId, AtVertex> leaving_, arriving_;
 };
 
 BorderLoop measured(std::vector<VertexId> cycle, bool simple, const Table<VertexId, Vec3>& vertices) {

@@ -7,6 +7,7 @@
 
 #include "geom/mesh/half_edges.h"
 #include "geom/mesh/scaling.h"
+#include "geom/repair/copies.h"
 #include "geom/repair/flat_facets.h"
 #include "geom/repair/holes.h"
 #include "geom/repair/orient.h"
@@ -53,6 +54,7 @@ void look_at_parts(const TriMesh& unit, Diagnosis& found) {
   found.inverted_facets = turned.inverted;
   found.inside_out_parts = turned.parts_turned;
   found.one_sided_parts = turned.one_sided;
+  found.copies = drop_copies(unit.vertices(), facets, usual_copy_distance * unit.diagonal());
 }
 
 }  // namespace
@@ -74,7 +76,7 @@ Diagnosis diagnosis(const TriMesh& mesh, bool with_intersections) {
   return found;
 }
 
-std::string warning(const Diagnosis& found) {
+std::string in_words(const Diagnosis& found) {
   std::string text;
   const auto add = [&](std::size_t count, const char* one, const char* many) {
     if (count > 0)
@@ -88,8 +90,9 @@ std::string warning(const Diagnosis& found) {
   if (!in_pieces) add(found.holes, "hole", "holes");
   add(found.split_vertices, "split vertex", "split vertices");
   add(found.tiny_parts, "crumb", "crumbs");
+  add(found.copies, "part that lies on another", "parts that lie on another");
   add(found.one_sided_parts > 0 ? 0 : found.inverted_facets, "inverted facet", "inverted facets");
-  return text.empty() ? text : text + " (--repair mends it)";
+  return text;
 }
 
 }  // namespace geom

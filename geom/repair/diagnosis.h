@@ -23,14 +23,15 @@ struct Diagnosis {
   std::size_t parts = 0;                       ///< facets joined by edges
   std::size_t stray_facets = 0;                ///< without a neighbour
   std::size_t tiny_parts = 0;                  ///< that --repair would drop (parts.h)
+  std::size_t copies = 0;                      ///< parts that lie on another one (copies.h)
   std::optional<Intersections> intersections;  ///< if they were asked for
 };
 
-/// O(F log F).
+/// O(F log F), and what copies.h says.
 Diagnosis diagnosis(const TriMesh& mesh, bool with_intersections);
 
-/// What of it makes a remesh other than the user expects, and the option that mends it; empty if nothing
-/// does: "3 non-manifold edges; --repair splits sheets, fills holes, ...". One line.
-std::string warning(const Diagnosis& found);
+/// What of it makes a remesh other than the user expects; empty if nothing does: "3 non-manifold edges, 1
+/// crumb". One line.
+std::string in_words(const Diagnosis& found);
 
 }  // namespace geom

@@ -1,5 +1,6 @@
 #include "geom/repair/fill_polygon.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -102,17 +103,20 @@ class Ears {
 
   /// Whether few enough corners are left.
   bool cut(std::vector<Triangle>& triangles) {
+    if (corners_.size() <= most_at_once) return true;
+    for (std::size_t i = 0; i < corners_.size(); ++i) costs_.push_back(cost_of(i));
     while (corners_.size() > most_at_once) {
-      std::size_t best = corners_.size();
-      double least = infinite;
-      for (std::size_t i = 0; i < corners_.size(); ++i)
-        if (const double cost = cost_of(i); cost < least) least = cost, best = i;
-      if (best == corners_.size()) return false;
+      const auto least = std::ranges::min_element(costs_);
+      if (!(*least < infinite)) return false;
+      const auto best = static_cast<std::size_t>(least - costs_.begin());
       const Triangle ear = {corners_[before(best)], corners_[best], corners_[after(best)]};
       triangles.push_back(ear);
       across_[before(best)] = normal_of(ear);
       across_.erase(across_.begin() + static_cast<std::ptrdiff_t>(best));
       corners_.erase(corners_.begin() + static_cast<std::ptrdiff_t>(best));
+      costs_.erase(least);
+      const std::size_t next = best < corners_.size() ? best : 0;
+      for (const std::size_t i : {before(next), next}) costs_[i] = cost_of(i);
     }
     return true;
   }
@@ -138,6 +142,7 @@ class Ears {
   const Rim& rim_;
   std::vector<std::size_t> corners_;
   std::vector<Vec3> across_;
+  std::vector<double> costs_;  ///< of the ear at each corner
 };
 
 }  // namespace

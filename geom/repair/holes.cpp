@@ -21,6 +21,8 @@ class Filler {
     for (const HalfEdge& h : sorted_half_edges(facets)) {
       ++count_[h.ends()];
       facet_at_[h.ends()] = h.facet;
+      if (h.edge == 0)
+        for (const VertexId v : facets[h.facet]) at_vertex_[v].push_back(h.facet);
     }
     for (TriMesh::Facet f : facets) {
       std::ranges::sort(f);
@@ -39,12 +41,24 @@ class Filler {
       if (known_.contains(f)) return false;  // a triangle all by itself, not a hole
     }
     for (const TriMesh::Facet& f : triangles) facets_.push_back(f);
-    if (rim.size() > 3) refine_patch(vertices_, facets_, first);
+    if (rim.size() > 3) refine_patch(vertices_, facets_, first, facets_beside(first));
     for (FacetId t = first; t.index() < facets_.size(); t = FacetId(t.value + 1)) remember(t);
     return true;
   }
 
  private:
+  /// Those before `first` that have a vertex with those from there on in common.
+  std::vector<FacetId> facets_beside(FacetId first) const {
+    std::vector<FacetId> result;
+    for (FacetId t = first; t.index() < facets_.size(); t = FacetId(t.value + 1))
+      for (const VertexId v : facets_[t])
+        if (const auto known = at_vertex_.find(v); known != at_vertex_.end())
+          result.insert(result.end(), known->second.begin(), known->second.end());
+    std::ranges::sort(result);
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
   static Ends ends(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
 
   /// Sides that the facets across run through the same way as the rim, less those they run through as they
@@ -90,6 +104,7 @@ class Filler {
       ++count_[edge];
       facet_at_[edge] = t;
     }
+    for (const VertexId v : f) at_vertex_[v].push_back(t);
     std::ranges::sort(f);
     known_.insert(f);
   }
@@ -99,6 +114,7 @@ class Filler {
   std::map<Ends, int> count_;
   std::map<Ends, FacetId> facet_at_;  ///< the last one
   std::set<TriMesh::Facet> known_;    ///< corners ascending
+  std::map<VertexId, std::vector<FacetId>> at_vertex_;
 };
 
 }  // namespace

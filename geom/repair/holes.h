@@ -26,7 +26,7 @@ bool is_hole(const BorderLoop& loop, const HoleLimits& limits);
 
 /// Closes holes by the triangles that bend least (fill_polygon.h), refined to the size of the edges around
 /// (patch.h). A filling adds no edge that is there already. Facets next to a hole should agree in orientation
-/// (orient.h). Cost: that of those, and O(F) for each hole that needs new vertices.
+/// (orient.h). Cost: that of those, and O(F log F).
 HoleFilling fill_holes(Table<VertexId, Vec3>& vertices, Table<FacetId, TriMesh::Facet>& facets,
                        const HoleLimits& limits);
 

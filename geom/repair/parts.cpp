@@ -29,6 +29,14 @@ std::vector<MeshPart> mesh_parts(const Table<VertexId, Vec3>& vertices,
   return parts;
 }
 
+double share_of_small_parts(const TriMesh& mesh, double n, double least) {
+  const std::vector<MeshPart> parts = mesh_parts(mesh.vertices(), mesh.facets());
+  double area = 0, small = 0;
+  for (const MeshPart& part : parts) area += part.area;
+  for (const MeshPart& part : parts) small += n * part.area < least * area ? part.area : 0;
+  return area > 0 ? small / area : 0;
+}
+
 std::size_t drop_crumbs(const Table<VertexId, Vec3>& vertices, Table<FacetId, TriMesh::Facet>& facets,
                         const CrumbLimits& limits) {
   const std::vector<MeshPart> parts = mesh_parts(vertices, facets);

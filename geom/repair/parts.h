@@ -15,6 +15,9 @@ struct MeshPart {
 std::vector<MeshPart> mesh_parts(const Table<VertexId, Vec3>& vertices,
                                  const Table<FacetId, TriMesh::Facet>& facets);
 
+/// The share of the area in parts that get fewer than `least` of n samples spread evenly. O(F log F).
+double share_of_small_parts(const TriMesh& mesh, double n, double least);
+
 /// What is too small to be meant.
 struct CrumbLimits {
   double open_share = 0.01;    ///< of the area, or of the facets: an open part with less is a crumb

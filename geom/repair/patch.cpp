@@ -21,9 +21,9 @@ constexpr double density = 1.4142135623730951;  // Liepa's factor
 /// A patch under refinement.
 class Patch {
  public:
-  Patch(Table<VertexId, Vec3>& vertices, Facets& facets, FacetId first)
+  Patch(Table<VertexId, Vec3>& vertices, Facets& facets, FacetId first, std::span<const FacetId> beside)
       : vertices_(vertices), facets_(facets), first_(first), first_new_(vertices.size()) {
-    measure_rim();
+    measure_rim(beside);
   }
 
   std::size_t run() {
@@ -41,13 +41,13 @@ class Patch {
   bool is_new(VertexId v) const { return v >= first_new_; }
 
   /// The wanted length at each vertex of the patch: the mean of the edges there that are not of the patch.
-  void measure_rim() {
+  void measure_rim(std::span<const FacetId> beside) {
     std::set<VertexId> rim;
     for (FacetId t = first_; t.index() < facets_.size(); t = FacetId(t.value + 1))
       rim.insert(facets_[t].begin(), facets_[t].end());
     std::map<VertexId, double> counts;
     std::set<std::pair<VertexId, VertexId>> seen;
-    for (FacetId t(0); t < first_; t = FacetId(t.value + 1)) {
+    for (const FacetId t : beside) {
       for (std::size_t e = 0; e < 3; ++e) {
         const VertexId a = facets_[t][e], b = facets_[t][(e + 1) % 3];
         if ((!rim.contains(a) && !rim.contains(b)) || !seen.insert(std::minmax(a, b)).second) continue;
@@ -163,8 +163,9 @@ class Patch {
 
 }  // namespace
 
-std::size_t refine_patch(Table<VertexId, Vec3>& vertices, Facets& facets, FacetId first) {
-  return Patch(vertices, facets, first).run();
+std::size_t refine_patch(Table<VertexId, Vec3>& vertices, Facets& facets, FacetId first,
+                         std::span<const FacetId> beside) {
+  return Patch(vertices, facets, first, beside).run();
 }
 
 }  // namespace geom

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "geom/check.h"
 #include "geom/disjoint_sets.h"
 #include "geom/mesh/half_edges.h"
 
@@ -12,6 +13,8 @@ namespace geom {
 namespace {
 
 using Cell = std::array<double, 3>;  // whole numbers
+
+constexpr std::size_t most_pairs = 30'000'000;
 
 /// Vertices by the cubes of a grid in which they lie.
 class Grid {
@@ -83,7 +86,10 @@ std::vector<Pair> pairs_within(double tolerance, const Table<VertexId, Vec3>& ve
   for (const VertexId a : some)
     grid.near(vertices[a], tolerance, [&](VertexId b) {
       const double distance = (vertices[a] - vertices[b]).norm();
-      if (a < b && distance <= tolerance) pairs.push_back({distance, a, b});
+      if (!(a < b && distance <= tolerance)) return;
+      require(pairs.size() < most_pairs,
+              "borders are welded over too many vertices: the tolerance is too large");
+      pairs.push_back({distance, a, b});
     });
   std::ranges::sort(pairs);
   return pairs;

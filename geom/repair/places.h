@@ -12,7 +12,7 @@ Places exact_places(const Table<VertexId, Vec3>& vertices);
 
 /// Likewise, but border vertices (those of an edge with one facet) whose distance is at most `tolerance`
 /// share a place too, nearest pairs first, unless a facet would then have two corners at one place. O(V log
-/// V) unless the tolerance reaches over many vertices.
+/// V) unless the tolerance reaches over many vertices; throws InputError if it does so for most.
 Places near_places(const Table<VertexId, Vec3>& vertices, const Table<FacetId, TriMesh::Facet>& facets,
                    double tolerance);
 

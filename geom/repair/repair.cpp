@@ -5,6 +5,7 @@
 #include "geom/check.h"
 #include "geom/mesh/scaling.h"
 #include "geom/repair/clean.h"
+#include "geom/repair/copies.h"
 #include "geom/repair/flat_facets.h"
 #include "geom/repair/holes.h"
 #include "geom/repair/orient.h"
@@ -17,8 +18,6 @@
 namespace geom {
 namespace {
 
-constexpr double weld_share = 1e-6;  // of the diagonal
-
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
@@ -30,10 +29,11 @@ class Work {
       : vertices_(mesh.vertices()), facets_(mesh.facets()), factor_(factor) {}
 
   void run(const RepairSteps& steps) {
-    if (steps.weld) weld(factor_ * *steps.weld);
+    if (steps.weld) weld(*steps.weld < 0 ? usual_tolerance(vertices_, facets_) : factor_ * *steps.weld);
     if (steps.split) split(Fans::keep_open);
     if (steps.crumbs) drop_crumbs(*steps.crumbs);
     if (steps.orient) orient();
+    if (steps.copies) drop_copies();
     if (steps.holes) fill_holes(*steps.holes);
     if (steps.split) split(Fans::split);
   }
@@ -105,14 +105,25 @@ class Work {
       lines.push_back(counted(done.one_sided, "part is", "parts are") + " one-sided and cannot be oriented");
   }
 
-  void fill_holes(double length) {
-    double area = 0;
-    for (const MeshPart& part : mesh_parts(vertices_, facets_)) area += part.area;
+  void drop_copies() {
+    const double distance = usual_copy_distance * diagonal();
+    const std::size_t parts = geom::drop_copies(vertices_, facets_, distance);
+    if (parts > 0)
+      lines.push_back("dropped " + counted(parts, "part that lies", "parts that lie") + " on another");
+  }
+
+  double diagonal() const {
     Box3 box;
     for (const TriMesh::Facet& f : facets_)
       for (const VertexId v : f) box.extend(vertices_[v]);
+    return facets_.empty() ? 0 : box.diagonal().norm();
+  }
+
+  void fill_holes(double length) {
+    double area = 0;
+    for (const MeshPart& part : mesh_parts(vertices_, facets_)) area += part.area;
     HoleLimits limits{factor_ * length, 0};
-    if (length < 0) limits = usual_holes(box.diagonal().norm(), area);
+    if (length < 0) limits = usual_holes(diagonal(), area);
     const HoleFilling done = geom::fill_holes(vertices_, facets_, limits);
     if (done.filled > 0)
       lines.push_back("filled " + counted(done.filled, "hole", "holes") + " with " +
@@ -133,11 +144,7 @@ class Work {
 
 }  // namespace
 
-RepairSteps all_steps(const TriMesh& mesh) {
-  const double factor = factor_to_unit_box(mesh);
-  const double diagonal = (factor * mesh.box().sizes()).norm();
-  return {weld_share * diagonal / factor, true, -1, true, -1};
-}
+RepairSteps all_steps() { return {-1, true, -1, true, true, -1}; }
 
 Repaired repaired(const TriMesh& mesh, const RepairSteps& steps) {
   const double factor = factor_to_unit_box(mesh);

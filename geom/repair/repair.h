@@ -11,15 +11,18 @@ namespace geom {
 
 /// Steps, in this order; first of all the mesh is cleaned (clean.h). Lengths are the mesh's own.
 struct RepairSteps {
-  std::optional<double> weld;    ///< border edges whose ends are at most so far apart; T-junctions are zipped
-  bool split = false;            ///< sheets where more than two facets meet, and vertices where they touch
+  std::optional<double> weld;  ///< border edges whose ends are at most so far apart; T-junctions are zipped;
+                               ///< negative: usual_tolerance() of weld.h
+  bool split = false;          ///< sheets where more than two facets meet, and vertices where they touch
   std::optional<double> crumbs;  ///< drop parts of less than this share of the area; negative: parts.h
   bool orient = false;
+  bool copies = false;          ///< drop parts that lie on another one (copies.h)
   std::optional<double> holes;  ///< close borders up to this length; negative: those of all_steps()
 };
 
-/// All of them: welding within 1e-6 diagonals, crumbs as in parts.h, holes as in holes.h.
-RepairSteps all_steps(const TriMesh& mesh);
+/// All of them, each with its usual limits: crumbs as in parts.h, copies as in copies.h, holes
+/// as in holes.h.
+RepairSteps all_steps();
 
 struct Repaired {
   TriMesh mesh;  ///< with the vertices that its facets name only, if any step changed anything

@@ -17,6 +17,7 @@ using Facets = Table<FacetId, TriMesh::Facet>;
 using Sides = std::span<const HalfEdge>;  ///< of one edge
 
 constexpr int most_rounds = 32;
+constexpr std::size_t most_sides = 64;  // of an edge of which all pairs are looked at
 
 /// How well two facets at an edge go together: the smaller, the better.
 struct Match {
@@ -104,15 +105,40 @@ class Sheets {
     return std::minmax({sheets_.find(g.facet.index()), sheets_.find(h.facet.index())});
   }
 
+  /// The pairs of sides, a < b, that may be joined: all, or, of very many, those next to each other around
+  /// the edge or of one sheet.
+  std::vector<std::pair<std::size_t, std::size_t>> candidates(const Sides& sides) {
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    if (sides.size() <= most_sides) {
+      for (std::size_t a = 0; a < sides.size(); ++a)
+        for (std::size_t b = a + 1; b < sides.size(); ++b) pairs.emplace_back(a, b);
+      return pairs;
+    }
+    const Vec3 u = inward(sides[0]), v = (vertices_[sides[0].high] - vertices_[sides[0].low]).cross(u);
+    std::vector<std::pair<double, std::size_t>> around, by_sheet;
+    for (std::size_t a = 0; a < sides.size(); ++a) {
+      const Vec3 d = inward(sides[a]);
+      around.emplace_back(std::atan2(d.dot(v.normalized()), d.dot(u)), a);
+      by_sheet.emplace_back(static_cast<double>(sheets_.find(sides[a].facet.index())), a);
+    }
+    for (auto* order : {&around, &by_sheet}) {
+      std::ranges::sort(*order);
+      for (std::size_t i = 0; i < order->size(); ++i)
+        pairs.push_back(std::minmax({(*order)[i].second, (*order)[(i + 1) % order->size()].second}));
+    }
+    std::ranges::sort(pairs);
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
+  }
+
   void survey(const Sides& sides) {
     const double length = (vertices_[sides[0].high] - vertices_[sides[0].low]).norm();
-    for (std::size_t a = 0; a < sides.size(); ++a)
-      for (std::size_t b = a + 1; b < sides.size(); ++b) {
-        Seam& seam = seams_[sheets_of(sides[a], sides[b])];
-        seam.length += length;
-        seam.bend += length * bend(sides[a], sides[b]);
-        if (sides[a].ascending == sides[b].ascending) seam.misoriented += length;
-      }
+    for (const auto& [a, b] : candidates(sides)) {
+      Seam& seam = seams_[sheets_of(sides[a], sides[b])];
+      seam.length += length;
+      seam.bend += length * bend(sides[a], sides[b]);
+      if (sides[a].ascending == sides[b].ascending) seam.misoriented += length;
+    }
   }
 
   Match match(const Sides& sides, std::size_t a, std::size_t b) {
@@ -126,8 +152,7 @@ class Sheets {
   /// The best match first.
   void pair_up(const Sides& sides) {
     std::vector<Match> matches;
-    for (std::size_t a = 0; a < sides.size(); ++a)
-      for (std::size_t b = a + 1; b < sides.size(); ++b) matches.push_back(match(sides, a, b));
+    for (const auto& [a, b] : candidates(sides)) matches.push_back(match(sides, a, b));
     std::ranges::sort(matches, {}, &Match::key);
     std::vector<char> paired(sides.size(), 0);
     for (const Match& m : matches) {

@@ -21,7 +21,8 @@ enum class Fans {
 /// least, of which the whole seam between the same sheets decides; so the sheets have as few borders as can
 /// be, and a fin keeps its own. Then each vertex whose facets are not joined around it becomes several at the
 /// same place. Where two pairs at an edge share both ends even so, one gets a new vertex in the middle. With
-/// Fans::split the result is a manifold. O(F log F) a round, few rounds.
+/// Fans::split the result is a manifold. O(F log F) a round, few rounds. (Of more than 64 facets
+/// at an edge, those next to each other are looked at only.)
 Splitting split_sheets(Table<VertexId, Vec3>& vertices, Table<FacetId, TriMesh::Facet>& facets, Fans fans);
 
 }  // namespace geom

@@ -12,6 +12,8 @@ namespace {
 
 using Facets = Table<FacetId, TriMesh::Facet>;
 
+constexpr int most_rounds = 64;  // then nothing is welded: there is no end in sight
+
 /// An edge of one facet, by the places of its ends.
 struct BorderEdge {
   VertexId low, high;        ///< places, ascending
@@ -83,6 +85,33 @@ std::set<VertexId> conflicts(const Facets& before, const Facets& after, const Pl
   return result;
 }
 
+/// The borders of a mesh and what is left of them when they are welded.
+struct Borders {
+  std::size_t edges = 0, all = 0;  ///< with one facet; of any number
+  double median = 0;               ///< their length
+};
+
+Borders borders_of(const Table<VertexId, Vec3>& vertices, const Facets& facets) {
+  Borders result;
+  std::vector<double> lengths;
+  const std::vector<HalfEdge> half_edges = sorted_half_edges(facets);
+  for_each_edge(half_edges, [&](auto first, auto last) {
+    ++result.all;
+    if (last - first == 1) lengths.push_back((vertices[first->low] - vertices[first->high]).norm());
+  });
+  result.edges = lengths.size();
+  if (lengths.empty()) return result;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  result.median = *middle;
+  return result;
+}
+
+std::size_t borders_left(const Table<VertexId, Vec3>& vertices, Facets facets, double tolerance) {
+  weld_borders(near_places(vertices, facets, tolerance), facets, Crowds::weld);
+  return borders_of(vertices, facets).edges;
+}
+
 }  // namespace
 
 // Pairs weld ends, and ends that are welded may make one edge of two that lie between them. Then nothing is
@@ -90,7 +119,9 @@ std::set<VertexId> conflicts(const Facets& before, const Facets& after, const Pl
 Welding weld_borders(const Places& places, Facets& facets, Crowds crowds) {
   const std::vector<BorderEdge> edges = border_edges(sorted_half_edges(facets), places);
   std::set<VertexId> blocked;
-  for (;;) {
+  for (int round = 0;; ++round) {
+    if (round == most_rounds)
+      for (const BorderEdge& e : edges) blocked.insert({e.low, e.high});
     Facets trial = facets;
     const Welding result = welded(edges, blocked, crowds, places.size(), trial);
     if (result.pairs == 0) return result;
@@ -102,6 +133,24 @@ Welding weld_borders(const Places& places, Facets& facets, Crowds crowds) {
     facets = std::move(trial);
     return result;
   }
+}
+
+double usual_tolerance(const Table<VertexId, Vec3>& vertices, const Facets& facets) {
+  Box3 box;
+  for (const TriMesh::Facet& f : facets)
+    for (const VertexId v : f) box.extend(vertices[v]);
+  const Borders borders = borders_of(vertices, facets);
+  if (borders.edges == 0) return 1e-6 * box.diagonal().norm();
+  double tolerance = std::min(1e-6 * box.diagonal().norm(), 0.01 * borders.median);
+  if (10 * borders.edges <= borders.all) return tolerance;
+  std::size_t left = borders_left(vertices, facets, tolerance);
+  while (10 * left > borders.all && 10 * tolerance < 0.1 * borders.median) {
+    const std::size_t next = borders_left(vertices, facets, 10 * tolerance);
+    if (2 * next > left) break;
+    tolerance *= 10;
+    left = next;
+  }
+  return tolerance;
 }
 
 }  // namespace geom

@@ -35,7 +35,7 @@ TEST_CASE("fuzz: what exporters spoil is repaired to a closed manifold") {
     CAPTURE(seed);
     const fuzz::Mutant mutant = fuzz::export_fault(seed);
     const geom::TriMesh input = io::read_mesh(folder.write(mutant.name, mutant.bytes));
-    const geom::Topology t = geom::topology(geom::repaired(input, geom::all_steps(input)).mesh);
+    const geom::Topology t = geom::topology(geom::repaired(input, geom::all_steps()).mesh);
     CHECK(t.manifold());
     CHECK(t.boundary_edges == 0);
     CHECK(t.misoriented_edges == 0);
@@ -52,7 +52,7 @@ TEST_CASE("fuzz: any soup can be repaired to manifold sheets, or is refused in o
     const std::string fault = fixtures::complaint([&] {
       std::size_t repeated = 0;
       const geom::TriMesh input = io::read_mesh(path, repeated);
-      result = geom::repaired(input, geom::all_steps(input));
+      result = geom::repaired(input, geom::all_steps());
     });
     CHECK(fault.find('\n') == fault.npos);
     if (fault.empty()) CHECK(geom::topology(result.mesh).manifold());

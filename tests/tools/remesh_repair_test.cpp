@@ -58,9 +58,48 @@ TEST_CASE(
     const ProgramResult raw = place.remesh(name, {"--no-repair"});
     CHECK(raw.code == 2);
     CHECK(raw.lines_on_stderr() == 1);
-    CHECK(contains(raw.err, "samples are too few"));
-    CHECK(contains(raw.err, "facets without a neighbour"));
+    CHECK(contains(raw.err, "too small for four of 200 samples each"));
+    CHECK(contains(raw.err, "facets without a neighbour (--repair mends it)"));
   }
+  CHECK(place.remesh("soup.ply", {"--no-repair", "-n", "40000", "--iterations", "0"}).code == 0);
+}
+
+TEST_CASE("fpo-remesh: a surface thinner than the spacing is refused, for little of it would be left") {
+  const Place place;
+  const TriMesh thread = geom::mapped(
+      place.torus, [](const geom::Vec3& p) { return geom::Vec3(1e-6 * p.x(), 1e-6 * p.y(), p.z()); });
+  place.write("thread.ply", thread);
+  const ProgramResult result = place.remesh("thread.ply", {"--features", "none"});
+  CHECK(result.code == 2);
+  CHECK(result.lines_on_stderr() == 1);
+  CHECK(contains(result.err, "thinner than the spacing of 200 samples"));
+  CHECK(!std::filesystem::exists(place.folder / "out.obj"));
+}
+
+TEST_CASE("fpo-trace, fpo-spectrum: read files as fpo-remesh does") {
+  const Place place;
+  geom::Rng rng(1);
+  place.write("soup.ply", fixtures::split_vertices(place.torus, 0, rng));
+  const auto trace = [&](const std::string& input, std::vector<std::string> more = {}) {
+    std::vector<std::string> arguments{input, "-n", "100", "--move", "120", "-o", "drawings"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return fixtures::run_program("fpo-trace", arguments, place.folder.path());
+  };
+  const ProgramResult sound = trace("torus.ply"), cleaned = trace("soup.ply");
+  CHECK(sound.err == "");
+  CHECK(cleaned.err.starts_with("repaired: soup.ply: welded "));
+  CHECK(cleaned.code == 0);
+  CHECK(trace("soup.ply", {"--no-repair"}).err.starts_with("warning: "));
+  REQUIRE(place.remesh("torus.ply", {"--points", "out.xyz"}).code == 0);
+  const auto spectrum = [&](const std::string& surface) {
+    return fixtures::run_program(
+        "fpo-spectrum", {"out.xyz", "--surface", surface, "--radius", "4", "-o", "s"}, place.folder.path());
+  };
+  const ProgramResult a = spectrum("torus.ply"), b = spectrum("soup.ply");
+  CHECK(a.code == 0);
+  CHECK(b.code == 0);
+  CHECK(b.err.starts_with("repaired: soup.ply: welded "));
+  CHECK(b.out == a.out);
 }
 
 TEST_CASE("fpo-remesh: a facet that names a vertex twice is dropped, with --no-repair refused") {
@@ -86,7 +125,6 @@ TEST_CASE(
   const Place place;
   for (std::size_t way = 0; way < fixtures::ways_to_spoil.size(); ++way) {
     const std::string name = fixtures::ways_to_spoil[way];
-    if (name == "copy") continue;  // two sheets nearer than samples
     CAPTURE(name);
     place.write("bad.ply", fixtures::spoilt(place.torus, way));
     const ProgramResult result =
@@ -110,7 +148,8 @@ TEST_CASE(
 TEST_CASE("fpo-remesh: without --repair a warning names the fault and the option") {
   const Place place;
   const std::pair<std::size_t, const char*> faults[] = {
-      {2, "hole"}, {3, "inverted facet"}, {5, "non-manifold edge"}, {6, "hole"}, {7, "non-manifold vert"}};
+      {2, "hole"}, {3, "inverted facet"},    {5, "non-manifold edge"},
+      {6, "hole"}, {7, "non-manifold vert"}, {8, "part that lies on another"}};
   for (const auto& [way, fault] : faults) {
     CAPTURE(fixtures::ways_to_spoil[way]);
     place.write("bad.ply", fixtures::spoilt(place.torus, way));

@@ -108,3 +108,20 @@ TEST_CASE("split: any triangles become manifold sheets; places and facets stay")
     CHECK(sheets.num_facets() >= mesh.num_facets());
   }
 }
+
+TEST_CASE("split: a book of thousands of pages comes apart into as few sheets as there can be") {
+  for (const int pages : {65, 3000}) {
+    CAPTURE(pages);
+    MeshArrays book;
+    const VertexId low = book.add(Vec3(0, 0, 0)), high = book.add(Vec3(0, 0, 1));
+    for (int i = 0; i < pages; ++i) {
+      const double turn = 6 * static_cast<double>(i) / pages;
+      const VertexId tip = book.add(Vec3(std::cos(turn), std::sin(turn), 0.5));
+      book.add_triangle(low, high, tip);
+    }
+    const geom::Topology t = geom::topology(split(book.take()));
+    CHECK(t.manifold());
+    CHECK(t.components == static_cast<std::size_t>((pages + 1) / 2));
+    CHECK(t.nonmanifold_edges == 0);
+  }
+}

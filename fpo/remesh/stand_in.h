@@ -1,0 +1,31 @@
+#pragma once
+// A coarser surface to optimize on where the given one is made of needles.
+//
+// A facet that is longer than a cell is wide is clipped to many cells, and where thousands of such facets lie
+// side by side (a disk of needles, a sphere by latitude and longitude stretched a thousand times) each cell
+// is made of hundreds of pieces: a move costs milliseconds. What is finer than the spacing across the needles
+// matters nothing to where samples go. So they are optimized on a surface without it and brought back.
+
+#include <cstddef>
+#include <vector>
+
+#include "fpo/surface/surface_sample.h"
+#include "geom/mesh/trimesh.h"
+
+namespace fpo {
+
+/// Whether n cells of that spacing are cut by needles: facets more than two spacings long count with their
+/// length, and there must be more than 100 spacings of them a cell. Well-shaped facets are never so many, for
+/// there is no room for them.
+bool has_needles(const geom::TriMesh& surface, std::size_t n, double spacing);
+
+/// The surface with edges much shorter than the spacing collapsed into one of their ends, where the surface
+/// stays near (1/50 of the spacing), of the same type and on its side, borders on themselves. Vertices keep
+/// their ids and places, some are left without a facet. O(F) a pass over the edges, some passes.
+/// Deterministic.
+geom::TriMesh stand_in(const geom::TriMesh& surface, double spacing);
+
+/// The points of the surface that are nearest to the samples of another one.
+std::vector<SurfaceSample> brought_to(const geom::TriMesh& surface, std::vector<SurfaceSample> samples);
+
+}  // namespace fpo
