@@ -46,8 +46,8 @@ std::size_t wanted_edges(double length) {
   return static_cast<std::size_t>(length > longest_edge * edges ? edges + 1 : edges);
 }
 
-/// Two curves leave a corner at an angle a; both have samples at distance 1 and 1 + e from it. The triangle of
-/// the nearer samples and a farther one has, there, the angle b with tan b = sin a / (e + 1 - cos a). The
+/// Two curves leave a corner at an angle a; both have samples at distance 1 and 1 + e from it. The triangle
+/// of the nearer samples and a farther one has, there, the angle b with tan b = sin a / (e + 1 - cos a). The
 /// distance, in units of e, at which b is the least of a and 30 degrees; never below 1.
 double first_gap(double angle) {
   const double wanted = std::tan(std::min(angle, std::numbers::pi / 6));
@@ -217,8 +217,8 @@ std::vector<double> spread(double length, bool loop, std::size_t count, std::uin
   return positions;
 }
 
-/// The first samples beside corners with small angles: on all curves that make one as far from it in space as on
-/// the densest of them.
+/// The first samples beside corners with small angles: on all curves that make one as far from it in space as
+/// on the densest of them.
 class Shells {
  public:
   Shells(const Layout& layout, std::span<const std::size_t> edges) : layout_(layout) {

@@ -17,8 +17,8 @@ struct PartType {
 };
 
 /// Parts are facets joined by edges, in the order of their first facets. Where a mesh is no manifold the
-/// numbers are those of its facets, edges and vertices as they are; what is not manifold counts as
-/// orientable.
+/// numbers are those of its facets, edges and vertices as they are, and edges of more than two facets are
+/// left out of the question which side is left.
 struct SurfaceType {
   std::vector<PartType> parts;
   Table<FacetId, std::size_t> part_of;

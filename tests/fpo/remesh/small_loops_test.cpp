@@ -11,9 +11,12 @@ using geom::TriMesh;
 namespace {
 
 SharedSizing shared_for(const TriMesh& mesh, std::size_t n) {
-  return share_sizing(
-      mesh, find_features(mesh, automatic_features()), {}, n,
-      [&](std::size_t count) { return Sizing::uniform(hexagonal_spacing(mesh.area(), count)); }, 1);
+  FeatureOptions options = automatic_features();
+  options.turn_scale = hexagonal_spacing(mesh.area(), n) / 2;
+  const auto sizing_for = [&](std::size_t count) {
+    return Sizing::uniform(hexagonal_spacing(mesh.area(), count));
+  };
+  return share_sizing(mesh, find_features(mesh, options), {}, n, sizing_for, 1);
 }
 
 }  // namespace
@@ -47,5 +50,8 @@ TEST_CASE("small loops: the remesh keeps pin-holes, with good angles around them
   CHECK(result.mesh.num_vertices() == 300);
   CHECK(result.type.ok());
   CHECK(geom::topology(result.mesh).boundary_loops == 5);
-  CHECK(result.measures.theta_min > 30);
+  options.mend = false;
+  const double without = remesh(geom::make_shape("pin-holes", 12), options).measures.theta_min;
+  CHECK(result.measures.theta_min > 27);
+  CHECK(without < 25);
 }
