@@ -15,6 +15,8 @@ namespace {
 
 constexpr double turn_scale = 0.5, collapsed = 0.5, fading = 2, long_as_closed = 20;  // in spacings
 
+constexpr double cos_side_by_side = 0.9;  // 26 degrees
+
 double length_of(const TriMesh& mesh, const FeatureCurve& curve) {
   double sum = 0;
   for (std::size_t i = 0; i < curve.facets.size(); ++i)
@@ -71,6 +73,37 @@ class Collapse {
     });
   }
 
+  /// From an end of a curve to its first vertex farther than `reach`, or its last one.
+  geom::Vec3 direction(const FeatureCurve& curve, bool from_end) const {
+    const std::size_t n = curve.vertices.size();
+    const auto at = [&](std::size_t i) -> const geom::Vec3& {
+      return mesh_.position(curve.vertices[from_end ? n - 1 - i : i]);
+    };
+    std::size_t i = 1;
+    while (i + 1 < n && (at(i) - at(0)).norm() < reach_) ++i;
+    return (at(i) - at(0)).normalized();
+  }
+  /// Of curves that are not short.
+  std::vector<geom::Vec3> directions(VertexId v, std::size_t but) const {
+    std::vector<geom::Vec3> result;
+    for (std::size_t i = 0; i < features_.curves.size(); ++i)
+      for (const bool end : {false, true}) {
+        const FeatureCurve& curve = features_.curves[i];
+        if (i != but && !curve.loop && lengths_[i] >= reach_ &&
+            (end ? curve.vertices.back() : curve.vertices.front()) == v)
+          result.push_back(direction(curve, end));
+      }
+    return result;
+  }
+  /// Do long curves run side by side from both its ends? The strip between them would end in nothing.
+  bool ends_strip(std::size_t c) const {
+    const FeatureCurve& curve = features_.curves[c];
+    for (const geom::Vec3& u : directions(curve.vertices.front(), c))
+      for (const geom::Vec3& v : directions(curve.vertices.back(), c))
+        if (u.dot(v) > cos_side_by_side) return true;
+    return false;
+  }
+
   void remove(std::size_t c) {
     features_.curves.erase(features_.curves.begin() + static_cast<std::ptrdiff_t>(c));
     lengths_.erase(lengths_.begin() + static_cast<std::ptrdiff_t>(c));
@@ -81,7 +114,7 @@ class Collapse {
     FeatureCurve bridge = features_.curves[c];
     const VertexId first = bridge.vertices.front(), last = bridge.vertices.back();
     const double length = lengths_[c];
-    if (!is_movable(first) && !is_movable(last)) {
+    if ((!is_movable(first) && !is_movable(last)) || ends_strip(c)) {
       lengths_[c] = reach_;  // it stays
       return;
     }

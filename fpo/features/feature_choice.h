@@ -24,7 +24,8 @@ struct FeatureChoice {
 };
 
 /// The features of a mesh. Turns are seen at half the spacing. Curves on creases that are shorter than that
-/// collapse: their ends become one corner, to which the other curves there are led.
+/// collapse: their ends become one corner, to which the other curves there are led. Not so if curves run side
+/// by side from both ends: at the end of a strip.
 ///
 /// If the features are `yielding`: creases that fade out count as closed from twenty spacings on, and are
 /// dropped if shorter than two; all creases are dropped if with them the features would need more than half
@@ -33,7 +34,7 @@ struct FeatureChoice {
 FeatureChoice choose_features(const geom::TriMesh& mesh, FeatureOptions options, const SamplingPlan& plan);
 
 /// Joins the ends of curves that are shorter than `reach`, the shortest first; `features` is of that mesh.
-/// Borders and non-manifold edges stay as they are. What closes to a loop shorter than three times that goes.
+/// Ends of strips, borders and non-manifold edges stay as they are. What closes to a loop shorter than three times that goes.
 /// O(curves^2) if many are short.
 Features with_short_curves_collapsed(const geom::TriMesh& mesh, Features features, double reach);
 

@@ -380,13 +380,11 @@ RemeshResult remesh_with(const geom::TriMesh& surface, const FeatureChoice& choi
   return result;
 }
 
-/// Of the input's type, with a triangle at each sample and no angle that is next to nothing.
+/// Of the input's type, with a triangle at each sample.
 bool is_sound(const geom::TriMesh& input, const RemeshResult& result) {
-  constexpr double least_angle = 5;
   const geom::Topology in = geom::topology(input), out = geom::topology(result.mesh);
   return out.manifold() && out.unreferenced_vertices == 0 && in.euler == out.euler &&
-         in.components == out.components && in.boundary_loops == out.boundary_loops &&
-         quality(result.mesh, input.area()).theta_min >= least_angle;
+         in.components == out.components && in.boundary_loops == out.boundary_loops;
 }
 
 /// Creases that nobody asked for are kept unless that alone does harm.
@@ -400,7 +398,7 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
   RemeshResult plain = remesh_with(surface, chosen_features(surface, without), without);
   if (interrupted(options) || !is_sound(surface, plain)) return result;
   plain.given_up = "creases dropped: with these " + std::to_string(result.crease_curves) +
-                   " curves kept the remesh would be flawed; --features 45 keeps them";
+                   " curves kept the remesh would be of another type; --features 45 keeps them";
   return plain;
 }
 

@@ -33,8 +33,8 @@ struct RemeshOptions {
   VertexField rho;      ///< if given: wanted edge lengths up to a factor, per vertex of the input
   SizingLimits limits;  ///< unless uniform
   /// If given: features are found, chosen (feature_choice.h, which overrules lengths), sampled and kept. If
-  /// they are yielding and the remesh is none of the input's type or has angles below 5 degrees with creases,
-  /// but not without, creases are not kept.
+  /// they are yielding and the remesh is of the input's type without creases, but not with them, then creases
+  /// are not kept.
   std::optional<FeatureOptions> features;
   std::vector<geom::Vec3> fixed;       ///< points of the surface, which become vertices exactly
   SurfaceOptions surface;              ///< its seed, threads and number of fixed samples are overruled

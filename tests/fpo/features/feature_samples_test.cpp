@@ -109,3 +109,54 @@ TEST_CASE("feature samples: components of very different size keep their number"
   CHECK(topology.components == 2);
   CHECK(topology.euler == 4);
 }
+
+TEST_CASE("feature samples: around a corner with a small angle the first samples are on a sphere") {
+  for (const char* name : {"wedge", "star"}) {
+    CAPTURE(name);
+    const TriMesh mesh = geom::make_shape(name);
+    const Features features = find_features(mesh);
+    const Sizing sizing = Sizing::uniform(mesh.diagonal() / 40);
+    const FeatureSamples samples = sample_features(mesh, features, {}, sizing, 5000, 1);
+    std::size_t acute = 0;
+    for (std::size_t c = 0; c < features.curves.size(); ++c)
+      for (std::size_t d = 0; d < c; ++d)
+        for (const bool c_ends : {false, true})
+          for (const bool d_ends : {false, true}) {
+            const auto &p = samples.chains[c], &q = samples.chains[d];
+            const geom::SiteId corner = c_ends ? p.back() : p.front();
+            if (corner != (d_ends ? q.back() : q.front())) continue;
+            const auto first = [&](const std::vector<geom::SiteId>& chain, bool ends) -> Vec3 {
+              const geom::SiteId x = ends ? chain[chain.size() - 2] : chain[1];
+              return samples.samples[x.index()].position - samples.samples[corner.index()].position;
+            };
+            const Vec3 u = first(p, c_ends), v = first(q, d_ends);
+            if (u.dot(v) <= 0.5 * u.norm() * v.norm()) continue;
+            ++acute;
+            CHECK(u.norm() == doctest::Approx(v.norm()).epsilon(1e-9));
+            CHECK(u.norm() < 1.5 * sizing.at(geom::VertexId(0)));
+          }
+    CHECK(acute == (name == std::string("wedge") ? 2u : 10u));
+  }
+}
+
+TEST_CASE("feature samples: machined shapes keep all edges and have no angle below those of their corners") {
+  struct Case {
+    const char* name;
+    std::size_t n;
+    double least_angle;
+  };
+  for (const Case& shape : {Case{"wedge", 250, 14.9}, Case{"star", 400, 20}}) {
+    CAPTURE(shape.name);
+    RemeshOptions options;
+    options.num_samples = shape.n;
+    options.optimize.max_iterations = 10;
+    options.features = automatic_features();
+    const TriMesh mesh = geom::make_shape(shape.name);
+    const RemeshResult result = remesh(mesh, options);
+    CHECK(result.broken_feature_edges == 0);
+    CHECK(result.crease_edges == result.feature_edges);
+    CHECK(geom::topology(result.mesh).manifold());
+    CHECK(geom::topology(result.mesh).euler == 2);
+    CHECK(quality(result.mesh, mesh.area()).theta_min >= shape.least_angle);
+  }
+}
