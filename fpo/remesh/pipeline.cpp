@@ -211,15 +211,19 @@ SurfaceDomain optimized_samples(const geom::TriMesh& surface, const SharedSizing
                            result.optimization);
 }
 
-/// The domain, or one with the samples moved on until they are a maximal set.
-std::unique_ptr<SurfaceDomain> made_maximal(const SurfaceDomain& domain, const SharedSizing& shared,
-                                            const RemeshOptions& options, RemeshResult& result) {
+/// Moves samples on until they are a maximal set. All others keep their weights.
+void move_until_maximal(SurfaceDomain& domain, const SharedSizing& shared, const RemeshOptions& options,
+                        RemeshResult& result) {
   std::vector<SurfaceSample> samples = samples_of(domain);
   result.maximal =
       make_maximal(domain.mesh(), domain.sizing(), samples,
                    {shared.features.samples.size(), options.threads, options.optimize.interrupted});
-  return std::make_unique<SurfaceDomain>(domain.mesh(), domain.sizing(), samples,
-                                         surface_options(shared, options));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const SiteId x(i);
+    if (samples[i].position == domain.sample(x).position) continue;
+    domain.remove(x);
+    domain.insert_at(x, samples[i], 1);
+  }
 }
 
 /// Another method. Its disks have their squared radii as weights; without disks the cells are Voronoi cells.
@@ -318,15 +322,15 @@ RemeshResult remesh_task(const Task& task, RemeshOptions options) {
   const std::optional<SplitSurface> apart = surface_apart(task, shared, options);
   const geom::TriMesh& surface = apart ? apart->mesh : task.surface();
   const geom::SurfaceType type = geom::surface_type(task.input);
-  std::unique_ptr<SurfaceDomain> samples = samples_with_room(surface, shared, type, options, result);
-  const Sizing sizing = samples->sizing();
+  const std::unique_ptr<SurfaceDomain> samples = samples_with_room(surface, shared, type, options, result);
+  SurfaceDomain& domain = *samples;
+  const Sizing& sizing = domain.sizing();
   AngleOptions angles = angle_options(options);
   std::optional<CurveSlides> slides;
   if (!shared.features.chains.empty() && !apart)
     angles.slides = &slides.emplace(surface, task.features, shared.features, sizing);
-  improve(*samples, shared, angles, options, result);
-  if (options.maximal) samples = made_maximal(*samples, shared, options, result);
-  SurfaceDomain& domain = *samples;
+  improve(domain, shared, angles, options, result);
+  if (options.maximal) move_until_maximal(domain, shared, options, result);
   result.hidden = domain.num_hidden();
   Dual dual = mended_dual(domain, shared.features, type, options, result);
   result.type = dual.type;

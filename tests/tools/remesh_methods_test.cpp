@@ -63,6 +63,26 @@ TEST_CASE("fpo-remesh --method: angle optimization on request; options of fpo al
   CHECK(place.run({"-n", "1", "--method=mps"}).code == 2);
 }
 
+TEST_CASE("fpo-remesh --maximal: fpo-quality finds no room for another sample; threads do not matter") {
+  const Place place;
+  std::set<std::string> meshes;
+  for (const std::string threads : {"1", "3"}) {
+    const ProgramResult result = place.run(
+        {"-n", "400", "--sizing", "curvature", "--method", "ccst", "--maximal", "--threads", threads});
+    CHECK(result.code == 0);
+    CHECK(result.out.find("\nmaximal 1\n") != std::string::npos);
+    CHECK(result.out.find("\nmaximal_moves 0\n") == std::string::npos);
+    meshes.insert(ScratchFolder::read(place.folder / "out.ply"));
+  }
+  CHECK(meshes.size() == 1);
+  const ProgramResult quality =
+      fixtures::run_program("fpo-quality", {"out.ply", "--reference", "torus.obj"}, place.folder.path());
+  const std::string name = "covering_local ";
+  const std::size_t at = quality.out.find(name);
+  REQUIRE(at != std::string::npos);
+  CHECK(std::stod(quality.out.substr(at + name.size())) <= 1 + 1e-6);
+}
+
 TEST_CASE("fpo-remesh --method: interrupted, each writes a mesh, or says that there is none yet") {
   const Place place;
   for (const std::string method : {"cvt", "mps", "cps", "pps", "hps", "ccst", "vbs"}) {
