@@ -34,8 +34,8 @@ struct FeatureChoice {
 FeatureChoice choose_features(const geom::TriMesh& mesh, FeatureOptions options, const SamplingPlan& plan);
 
 /// Joins the ends of curves that are shorter than `reach`, the shortest first; `features` is of that mesh.
-/// Ends of strips, borders and non-manifold edges stay as they are. What closes to a loop shorter than three times that goes.
-/// O(curves^2) if many are short.
+/// Ends of strips, borders and non-manifold edges stay as they are. What closes to a loop shorter than three
+/// times that goes. O(curves^2) if many are short.
 Features with_short_curves_collapsed(const geom::TriMesh& mesh, Features features, double reach);
 
 }  // namespace fpo
