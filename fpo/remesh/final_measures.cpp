@@ -76,7 +76,7 @@ FinalMeasures final_measures(const TriMesh& mesh, const VertexField& wanted, std
 namespace {
 
 /// A fault, and how many times the samples would mend it.
-struct Place {
+struct FaultPlace {
   SurfaceSample at;
   double factor;
 };
@@ -87,9 +87,9 @@ double factor_for(double girth, double h) {
   return std::clamp(ratio * ratio, least_factor, most_factor);
 }
 
-std::vector<Place> places_of(const Dual& dual, const TriMesh& surface, const geom::SurfaceType& type,
-                             const Sizing& sizing) {
-  std::vector<Place> places;
+std::vector<FaultPlace> places_of(const Dual& dual, const TriMesh& surface, const geom::SurfaceType& type,
+                                  const Sizing& sizing) {
+  std::vector<FaultPlace> places;
   for (const CellFault& fault : dual.cell_faults) {
     const SurfaceSample& at = dual.samples[fault.cell.index()];
     places.push_back({at, factor_for(fault.other.valid() ? 0 : fault.girth, sizing.at(at))});
@@ -112,7 +112,7 @@ TypeAdvice type_advice(const Dual& dual, const TriMesh& surface, const geom::Sur
   TypeAdvice advice;
   if (dual.type.ok()) return advice;
   double factor = least_factor;
-  for (const Place& place : places_of(dual, surface, type, sizing)) {
+  for (const FaultPlace& place : places_of(dual, surface, type, sizing)) {
     factor = std::max(factor, place.factor);
     const double near = 2 * sizing.at(place.at);
     const bool known = std::ranges::any_of(
