@@ -49,7 +49,10 @@ struct Scene {
 
 struct Surface {
   explicit Surface(TriMesh surface)
-      : mesh(std::move(surface)), tree(mesh, facets_along_curve(mesh)), sheets(mesh, tree) {}
+      : mesh(std::move(surface)),
+        tree(mesh, facets_along_curve(mesh)),
+        levels(mesh),
+        sheets(mesh, tree, levels) {}
 
   Vec3 location(FacetId t, Rng& rng) const {
     const double s = rng.uniform(), r = rng.uniform() * (1 - s);
@@ -73,6 +76,7 @@ struct Surface {
 
   TriMesh mesh;
   FacetTree tree;
+  FacetLevels levels;
   Sheets sheets;
 };
 

@@ -26,10 +26,14 @@ namespace {
 /// A surface, and what is asked about it.
 struct Place {
   explicit Place(TriMesh surface)
-      : mesh(std::move(surface)), facets(mesh, facets_along_curve(mesh)), sheets(mesh, facets) {}
+      : mesh(std::move(surface)),
+        facets(mesh, facets_along_curve(mesh)),
+        levels(mesh),
+        sheets(mesh, facets, levels) {}
   bool is_graph(const Vec3& p, double radius) { return sheets.sheet_in(p, radius).width >= 0; }
   TriMesh mesh;
   FacetTree facets;
+  FacetLevels levels;
   Sheets sheets;
 };
 
@@ -357,23 +361,23 @@ TEST_CASE("sheets: those of a site are kept, and made anew where they do not do"
   Place sphere(make_shape("sphere", 6));
   Rng rng(5);
   const SiteId p(3);
-  CHECK(!sphere.sheets.known(p));
+  CHECK(!sphere.sheets.known(p, 0));
   for (int step = 0; step < 300; ++step) {
     const Vec3 x = Vec3(0.3 + rng.uniform(-0.1, 0.1), 0.5, 0.9).normalized();
     const double distance = rng.uniform(0.05, 0.25);
-    const Sheet* const before = sphere.sheets.known(p);
+    const Sheet* const before = sphere.sheets.known(p, 0);
     const bool will_do = before && before->covers(x, distance);
     const Vec3 center = before ? before->center : Vec3(0, 0, 0);
     const Sheet* const sheet = sphere.sheets.around(p, x, distance);
     REQUIRE(sheet);
     CHECK(sheet->covers(x, distance));
     CHECK(sheet->center == (will_do ? center : x));
-    CHECK(sphere.sheets.known(p) == sheet);
-    CHECK(!sphere.sheets.known(SiteId(4)));
+    CHECK(sphere.sheets.known(p, 0) == sheet);
+    CHECK(!sphere.sheets.known(SiteId(4), 0));
   }
   // Where there is none it is not made up, and afterwards again found where there is one.
   CHECK(!sphere.sheets.around(p, Vec3(0, 0, 1), 3.0));
-  CHECK(sphere.sheets.known(p));  // the one that there was
+  CHECK(sphere.sheets.known(p, 0));  // the one that there was
   CHECK(!sphere.sheets.around(p, Vec3(0, 0, 1), 2.9));
   CHECK(sphere.sheets.around(p, Vec3(0, 0, 1), 0.1));
 }
