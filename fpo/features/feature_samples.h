@@ -35,7 +35,7 @@ std::vector<SurfaceSample> points_on_surface(const geom::TriMesh& mesh, std::spa
 /// all. Between two fixed ones there is at least what makes the curves a simplicial complex: a loop has three
 /// edges, and only one of several curves between the same two corners may be a single edge. `fixed` points on
 /// a curve divide it. Where curves leave a corner at an angle a below 60 degrees, all of these have their
-/// first sample at the same distance, and that is longer than later gaps by as much as it takes for triangles
+/// first sample at the same distance from it, longer than later gaps by as much as it takes for triangles
 /// between the curves to have angles of min(30, a). Throws InputError, naming the least number, if that is
 /// more than `most`. Deterministic.
 FeatureSamples sample_features(const geom::TriMesh& mesh, const Features& features,
