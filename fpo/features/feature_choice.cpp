@@ -191,7 +191,7 @@ FeatureChoice choose_features(const TriMesh& mesh, FeatureOptions options, const
     result.given_up += disorder ? "cross each other everywhere"
                                 : "would take at least " + std::to_string(least) + " of " +
                                       std::to_string(plan.num_samples) + " samples";
-    result.given_up += "; --features 45 keeps them";
+    if (least <= plan.num_samples) result.given_up += "; --features 45 keeps them";
   }
   if (options.yielding && needed() > plan.num_samples) {
     options.corner_turn = 180;
