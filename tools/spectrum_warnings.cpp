@@ -23,7 +23,7 @@ double quantile(std::vector<double> values, double share) {
 void warn_if_adaptive(const std::filesystem::path& input, std::span<const geom::WeightedPoint3> samples,
                       const fpo::SpectrumSurface& surface) {
   constexpr std::size_t least_samples = 100;  // fewer are near a border, most of them
-  constexpr double most_ratio = 1.7;          // of spacings; 1.4 for white noise, by 24 neighbours
+  constexpr double most_ratio = 1.6;          // of spacings; 1.4 for white noise, by 24 neighbours
   if (samples.size() < least_samples) return;
   std::vector<fpo::SpectrumPoint> points;
   for (const geom::WeightedPoint3& s : samples) points.push_back(surface.place(s.position));
@@ -36,7 +36,7 @@ void warn_if_adaptive(const std::filesystem::path& input, std::span<const geom::
     for (const fpo::SpacingTree::Neighbour& y : near) farthest2 = std::max(farthest2, y.distance2);
     distances.push_back(std::sqrt(farthest2));
   }
-  const double ratio = quantile(distances, 0.9) / quantile(distances, 0.1);
+  const double ratio = quantile(distances, 0.95) / quantile(distances, 0.05);
   if (ratio > most_ratio)
     std::fprintf(
         stderr,
