@@ -166,6 +166,35 @@ TEST_CASE("fpo::remesh: callbacks, and an end before the first move") {
   CHECK_THROWS_AS(fpo::remesh(input.V, input.F, options), geom::Interrupted);
 }
 
+TEST_CASE("fpo::remesh and C: lengths instead of a count, and how long") {
+  const Input input("cube");
+  fpo::Options options;
+  options.edge_length = 0.2;
+  options.quality = fpo::Effort::draft;
+  const fpo::Remesh remesh = fpo::remesh(input.V, input.F, options);
+  CHECK(remesh.measures.optimization.last.iteration == 5);
+  double sum = 0;
+  for (Eigen::Index t = 0; t < remesh.F.rows(); ++t)
+    for (int e = 0; e < 3; ++e)
+      sum += (remesh.V.row(remesh.F(t, e)) - remesh.V.row(remesh.F(t, (e + 1) % 3))).norm();
+  CHECK(sum / static_cast<double>(3 * remesh.F.rows()) == doctest::Approx(0.2).epsilon(0.05));
+  options.count = 100;
+  CHECK(complaint(input.V, input.F, options) == "count and lengths exclude each other");
+
+  PlainInput c(input);
+  fpo_options same;
+  fpo_default_options(&same);
+  same.edge_length = 0.2;
+  same.quality = fpo_quality_draft;
+  fpo_result result;
+  REQUIRE(c.remesh(same, result) == fpo_done);
+  CHECK(result.num_vertices == remesh.V.rows());
+  CHECK(result.iterations == 5);
+  fpo_free(&result);
+  same.quality = 7;
+  CHECK(c.remesh(same, result) == fpo_bad_input);
+}
+
 TEST_CASE("fpo_remesh in C: the same as in C++") {
   const Input input("cube");
   PlainInput c(input);
