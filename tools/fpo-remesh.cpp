@@ -67,10 +67,11 @@ void write_outputs(const tools::RemeshArguments& a, const geom::TriMesh& input,
 
 void warn(const std::string& line) { std::fprintf(stderr, "warning: %s\n", line.c_str()); }
 
-/// Where most samples have no triangle, most of the surface is missing: what is left is no remesh.
+/// Where more than a quarter of the samples have no triangle, much of the surface is missing: what is left is
+/// no remesh.
 void refuse_remnant(const geom::TriMesh& mesh) {
   const geom::Topology t = geom::topology(mesh);
-  geom::require(2 * t.unreferenced_vertices <= mesh.num_vertices(),
+  geom::require(4 * t.unreferenced_vertices <= mesh.num_vertices(),
                 "the surface is thinner than the spacing of " + std::to_string(mesh.num_vertices()) +
                     " samples: only " + std::to_string(t.vertices) + " of them have a triangle");
 }

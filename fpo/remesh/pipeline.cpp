@@ -143,42 +143,63 @@ void remove_short_edges(SurfaceDomain& domain, const RemeshOptions& options, Rem
 
 RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options);
 
-/// Where the surface is made of needles: puts samples in the place of the random ones that come from the
-/// remesh of a coarser surface. False where it is not, or none could be had.
-bool optimize_on_stand_in(const geom::TriMesh& surface, std::size_t num_fixed, const RemeshOptions& options,
-                          std::vector<SurfaceSample>& samples, OptimizeResult& run) try {
+/// Where the surface is made of needles: the remesh of a coarser one, its samples brought to the surface.
+/// None where it is not, or none can be had.
+std::optional<RemeshResult> remesh_of_stand_in(const geom::TriMesh& surface,
+                                               const RemeshOptions& options) try {
   const double spacing = hexagonal_spacing(surface.area(), options.num_samples);
-  if (options.optimize.max_iterations == 0 || !has_needles(surface, options.num_samples, spacing))
-    return false;
+  if (options.method != Method::fpo || options.optimize.max_iterations == 0) return {};
+  if (!has_needles(surface, options.num_samples, spacing)) return {};
   const geom::TriMesh coarse = stand_in(surface, spacing);
-  if (has_needles(coarse, options.num_samples, spacing)) return false;
+  if (has_needles(coarse, options.num_samples, spacing)) return {};
   RemeshOptions there = options;
   there.fixed.clear();
   there.keep_cells = false;
-  if (options.sizing == SizingKind::given && there.rho.size() != coarse.num_vertices()) return false;
-  if (options.features && !options.features->marked.empty()) return false;
+  if (options.features && !options.features->marked.empty()) return {};
   RemeshResult result = remesh_in_unit_box(coarse, there);
-  run = result.optimization;
-  const auto first = result.samples.begin() + static_cast<std::ptrdiff_t>(result.feature_samples);
-  const std::size_t some =
-      std::min(samples.size() - num_fixed, static_cast<std::size_t>(result.samples.end() - first));
-  const std::vector<SurfaceSample> inner =
-      brought_to(surface, std::vector<SurfaceSample>(first, first + static_cast<std::ptrdiff_t>(some)));
-  std::ranges::copy(inner, samples.begin() + static_cast<std::ptrdiff_t>(num_fixed));
-  return true;
+  result.samples = brought_to(surface, std::move(result.samples));
+  result.stood_in = true;
+  return result;
 } catch (const geom::InputError&) {  // what can be done on the coarser surface only is not asked for
-  return false;
+  return {};
+}
+
+/// Its samples but for those on features in the place of random ones.
+void take_inner(const RemeshResult& coarse, std::size_t num_fixed, std::vector<SurfaceSample>& samples) {
+  const auto first = coarse.samples.begin() + static_cast<std::ptrdiff_t>(coarse.feature_samples);
+  const auto some =
+      std::min(std::ssize(samples) - static_cast<std::ptrdiff_t>(num_fixed), coarse.samples.end() - first);
+  std::copy(first, first + some, samples.begin() + static_cast<std::ptrdiff_t>(num_fixed));
+}
+
+/// It as the result, for there is no time for another one.
+RemeshResult on_surface(RemeshResult coarse, const geom::TriMesh& surface, const Sizing& sizing) {
+  geom::Table<geom::VertexId, geom::Vec3> positions;
+  for (const SurfaceSample& x : coarse.samples) positions.push_back(x.position);
+  coarse.mesh = geom::TriMesh(std::move(positions), coarse.mesh.facets());
+  coarse.sizing.clear();
+  for (std::size_t v = 0; v < surface.num_vertices(); ++v)
+    coarse.sizing.push_back(sizing.at(geom::VertexId(v)));
+  return coarse;
 }
 
 /// What is left to do where they are brought to: the features are its own, and may have pushed them aside.
-SurfaceDomain settled_samples(SurfaceDomain domain, OptimizeOptions options, OptimizeResult& run) {
-  options.max_iterations = 1;
-  options.on_iteration = {};
-  const OptimizeResult last = optimize(domain, options);
-  run.moves += last.moves;
-  run.last.delta = last.last.delta;
-  run.last.mean_delta = last.last.mean_delta;
-  if (last.reason == StopReason::interrupted) run.reason = last.reason;
+SurfaceDomain settled_samples(const geom::TriMesh& surface, const SharedSizing& shared,
+                              const RemeshResult& coarse, const RemeshOptions& options,
+                              RemeshResult& result) {
+  std::vector<SurfaceSample> samples = initial_samples(surface, shared, options);
+  take_inner(coarse, shared.features.samples.size(), samples);
+  SurfaceDomain domain(surface, shared.sizing, samples, surface_options(shared, options));
+  OptimizeOptions once = options.optimize;
+  once.max_iterations = 1;
+  once.on_iteration = {};
+  const OptimizeResult last = optimize(domain, once);
+  result.stood_in = true;
+  result.optimization = coarse.optimization;
+  result.optimization.moves += last.moves;
+  result.optimization.last.delta = last.last.delta;
+  result.optimization.last.mean_delta = last.last.mean_delta;
+  if (last.reason == StopReason::interrupted) result.optimization.reason = last.reason;
   return domain;
 }
 
@@ -190,9 +211,6 @@ SurfaceDomain optimized_samples(const geom::TriMesh& surface, const SharedSizing
   optimization.order = VisitOrder::in_turn;  // the initial samples are in random order already
   const SurfaceOptions diagram = surface_options(shared, options);
   std::vector<SurfaceSample> samples = initial_samples(surface, shared, options);
-  result.stood_in = optimize_on_stand_in(surface, diagram.num_fixed, options, samples, result.optimization);
-  if (result.stood_in)
-    return settled_samples({surface, shared.sizing, samples, diagram}, optimization, result.optimization);
   if (options.tile_samples == 0 || samples.size() <= options.tile_samples || surface.has_levels()) {
     SurfaceDomain domain(surface, shared.sizing, samples, diagram);
     remove_short_edges(domain, options, result);
@@ -267,11 +285,10 @@ void return_to(const SplitSurface& apart, RemeshResult& result) {
   for (CellPolygon& cell : result.cells) cell.facet = apart.parents[cell.facet];
 }
 
-/// The samples by the method wanted, more of them where the surface is thin.
-std::unique_ptr<SurfaceDomain> samples_with_room(const geom::TriMesh& surface, const SharedSizing& shared,
-                                                 const geom::SurfaceType& type, const RemeshOptions& options,
-                                                 RemeshResult& result) {
-  auto domain = std::make_unique<SurfaceDomain>(distributed_samples(surface, shared, options, result));
+/// More samples where the surface is thin.
+std::unique_ptr<SurfaceDomain> with_room(std::unique_ptr<SurfaceDomain> domain, const SharedSizing& shared,
+                                         const geom::SurfaceType& type, const RemeshOptions& options,
+                                         RemeshResult& result) {
   if (!options.mend) return domain;
   result.protection = protect_chains(*domain, shared.features);
   if (options.method != Method::fpo || !type.manifold) return domain;
@@ -319,10 +336,19 @@ RemeshResult remesh_task(const Task& task, RemeshOptions options) {
     if (options.optimize.max_iterations == facts.iterations)
       options.optimize.max_iterations = facts.adaptive_iterations;
   }
-  const std::optional<SplitSurface> apart = surface_apart(task, shared, options);
+  std::optional<RemeshResult> coarse;
+  if (!task.narrow) coarse = remesh_of_stand_in(task.input, options);
+  if (coarse && interrupted(options) && options.fixed.empty() && !options.keep_cells)
+    return on_surface(std::move(*coarse), task.input, shared.sizing);
+  std::optional<SplitSurface> apart;
+  if (!coarse) apart = surface_apart(task, shared, options);
   const geom::TriMesh& surface = apart ? apart->mesh : task.surface();
   const geom::SurfaceType type = geom::surface_type(task.input);
-  const std::unique_ptr<SurfaceDomain> samples = samples_with_room(surface, shared, type, options, result);
+  auto distributed =
+      std::make_unique<SurfaceDomain>(coarse ? settled_samples(surface, shared, *coarse, options, result)
+                                             : distributed_samples(surface, shared, options, result));
+  const std::unique_ptr<SurfaceDomain> samples =
+      with_room(std::move(distributed), shared, type, options, result);
   SurfaceDomain& domain = *samples;
   const Sizing& sizing = domain.sizing();
   AngleOptions angles = angle_options(options);

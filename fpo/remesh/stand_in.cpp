@@ -100,7 +100,7 @@ class Collapsing {
         at_[a], [&](FacetId t) { return !gone_[t] && std::ranges::find(facets_[t], b) != facets_[t].end(); });
   }
 
-  /// The facets at v are a disk or a fan of a border that the edge belongs to, and no vertex is a neighbour
+  /// The facets at v are a disk, or a fan at a border that the edge belongs to, and no vertex is a neighbour
   /// of both but those across the edge.
   bool keeps_type(VertexId v, const Neighbour& to) const {
     std::ptrdiff_t border = 0, crowded = 0;

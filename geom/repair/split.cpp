@@ -160,8 +160,11 @@ class Sheets {
       paired[m.a] = paired[m.b] = 1;
       join(sides[m.a], sides[m.b]);
     }
+    std::vector<std::size_t> left;  // more than one only if not all pairs were candidates
     for (std::size_t a = 0; a < sides.size(); ++a)
-      if (!paired[a]) mark_open(sides[a]);
+      if (!paired[a]) left.push_back(a);
+    for (std::size_t i = 0; i + 1 < left.size(); i += 2) join(sides[left[i]], sides[left[i + 1]]);
+    if (left.size() % 2 == 1) mark_open(sides[left.back()]);
   }
 
   const Table<VertexId, Vec3>& vertices_;

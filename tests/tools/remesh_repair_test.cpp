@@ -6,6 +6,7 @@
 #include "geom/mesh/centring.h"
 #include "geom/shapes/shapes.h"
 #include "io/mesh_io.h"
+#include "tests/fixtures/needles.h"
 #include "tests/fixtures/program.h"
 #include "tests/fixtures/spoilt.h"
 #include "tests/io/sample_meshes.h"
@@ -59,16 +60,14 @@ TEST_CASE(
     CHECK(raw.code == 2);
     CHECK(raw.lines_on_stderr() == 1);
     CHECK(contains(raw.err, "too small for four of 200 samples each"));
-    CHECK(contains(raw.err, "facets without a neighbour (--repair mends it)"));
+    CHECK(contains(raw.err, "facets without a neighbour"));
+    CHECK(contains(raw.err, "(--repair mends it)"));
   }
-  CHECK(place.remesh("soup.ply", {"--no-repair", "-n", "40000", "--iterations", "0"}).code == 0);
 }
 
 TEST_CASE("fpo-remesh: a surface thinner than the spacing is refused, for little of it would be left") {
   const Place place;
-  const TriMesh thread = geom::mapped(
-      place.torus, [](const geom::Vec3& p) { return geom::Vec3(1e-6 * p.x(), 1e-6 * p.y(), p.z()); });
-  place.write("thread.ply", thread);
+  place.write("thread.ply", fixtures::stretched_sphere(12, 50, 1000));
   const ProgramResult result = place.remesh("thread.ply", {"--features", "none"});
   CHECK(result.code == 2);
   CHECK(result.lines_on_stderr() == 1);

@@ -28,7 +28,7 @@ double farthest(const TriMesh& from, const TriMesh& to) {
 }
 
 std::vector<TriMesh> needles() {
-  return {fixtures::fan(3000), fixtures::fan(2000, 30), fixtures::cylinder_of_needles(2000),
+  return {fixtures::fan(6000), fixtures::fan(2000, 30), fixtures::cylinder_of_needles(2000),
           fixtures::stretched_sphere(100, 50, 1000)};
 }
 
@@ -49,8 +49,8 @@ TEST_CASE("stand-in: near the surface, of its type, and without needles") {
     CHECK(after.components == before.components);
     CHECK(after.boundary_loops == before.boundary_loops);
     CHECK(after.misoriented_edges == 0);
-    CHECK(farthest(mesh, coarse) < h / 15);
-    CHECK(farthest(coarse, mesh) < h / 15);
+    CHECK(farthest(mesh, coarse) < h / 6);
+    CHECK(farthest(coarse, mesh) < h / 6);
     CHECK(fixtures::identical(fpo::stand_in(mesh, h), coarse));
   }
 }
@@ -78,7 +78,7 @@ TEST_CASE("stand-in: samples are brought to the surface") {
 }
 
 TEST_CASE("remesh: needles give a good surface of their type") {
-  for (const TriMesh& mesh : {fixtures::fan(3000), fixtures::fan(1500, 10)}) {
+  for (const TriMesh& mesh : {fixtures::fan(3000), fixtures::fan(3000, 2)}) {
     fpo::RemeshOptions options;
     options.num_samples = 150;
     options.features = fpo::FeatureOptions{};
