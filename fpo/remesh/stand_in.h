@@ -20,9 +20,9 @@ namespace fpo {
 bool has_needles(const geom::TriMesh& surface, std::size_t n, double spacing);
 
 /// The surface with edges much shorter than the spacing collapsed into one of their ends, where the surface
-/// stays near (each time within 1/50 of the spacing), of the same type and on its side, borders on themselves. Vertices keep
-/// their ids and places, some are left without a facet. O(F) a pass over the edges, some passes.
-/// Deterministic.
+/// stays near (each time within 1/50 of the spacing), of the same type and on its side, borders on
+/// themselves. Vertices keep their ids and places, some are left without a facet. O(F) a pass over the edges,
+/// some passes. Deterministic.
 geom::TriMesh stand_in(const geom::TriMesh& surface, double spacing);
 
 /// The points of the surface that are nearest to the samples of another one.
