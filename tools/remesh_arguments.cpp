@@ -303,15 +303,13 @@ void parse(CommandLine& cli, RemeshArguments& a) {
               .help = "mend triangles that are far from the surface",
               .standard = "on with fpo"},
              choices.improve_fidelity);
-  cli.custom({.name = "sheets",
-              .value = "apart|together",
-              .help = "sheets nearer than samples: apart, or as the paper's diagram has them",
-              .standard = "together"},
-             [&](const std::string& text) {
-               geom::require(text == "apart" || text == "together",
-                             "--sheets: apart or together, not '" + text + "'");
-               a.remesh.sheets_apart = text == "apart";
-             });
+  cli.choice(
+      {.name = "sheets",
+       .value = "auto|apart|together",
+       .help = "sheets nearer than samples: apart, as the paper's diagram has them, or apart where that "
+               "mends the type or small angles"},
+      a.remesh.sheets,
+      {{"auto", fpo::Sheets::automatic}, {"apart", fpo::Sheets::apart}, {"together", fpo::Sheets::together}});
   cli.flag(
       {.name = "maximal",
        .help = "in the end move samples until the disks that reach to their neighbours cover the surface"},

@@ -1,6 +1,7 @@
 #include "fpo/remesh/pipeline.h"
 
 #include <string>
+#include <tuple>
 
 #include "fpo/features/curve_slides.h"
 #include "fpo/features/curve_spacing.h"
@@ -53,6 +54,7 @@ struct Task {
   const SizingFor& plain;
   const NarrowSurface* narrow;  ///< null: where curves are nowhere close to each other
   Features features;
+  bool only_apart = false;  ///< there is nothing to do without sheets that are near each other
   const geom::TriMesh& surface() const { return narrow ? narrow->split.mesh : input; }
 };
 
@@ -273,7 +275,7 @@ SurfaceDomain distributed_samples(const geom::TriMesh& surface, const SharedSizi
 /// The surface with its sheets apart, if it has some that are near each other and that is wanted.
 std::optional<SplitSurface> surface_apart(const Task& task, SharedSizing& shared,
                                           const RemeshOptions& options) {
-  if (!options.sheets_apart || facts_of(options.method).distribute) return {};
+  if (options.sheets != Sheets::apart || facts_of(options.method).distribute) return {};
   std::optional<SplitSurface> apart = sheets_apart(task.surface(), shared.sizing, shared.features.samples);
   if (apart && !apart->h.empty()) shared.sizing = Sizing(apart->mesh, apart->h);
   return apart;
@@ -342,6 +344,7 @@ RemeshResult remesh_task(const Task& task, RemeshOptions options) {
     return on_surface(std::move(*coarse), task.input, shared.sizing);
   std::optional<SplitSurface> apart;
   if (!coarse) apart = surface_apart(task, shared, options);
+  if (task.only_apart && !apart) return result;
   const geom::TriMesh& surface = apart ? apart->mesh : task.surface();
   const geom::SurfaceType type = geom::surface_type(task.input);
   auto distributed =
@@ -393,40 +396,55 @@ std::optional<NarrowSurface> helpful_narrow_surface(const geom::TriMesh& surface
   return narrow;
 }
 
+/// `only_apart`: no mesh if there are no sheets to be set apart.
 RemeshResult remesh_with(const geom::TriMesh& surface, const FeatureChoice& choice,
-                         const RemeshOptions& options) {
+                         const RemeshOptions& options, bool only_apart = false) {
   const SizingFor plain = plain_sizing(surface, options);
   const std::optional<NarrowSurface> narrow =
       helpful_narrow_surface(surface, choice.features, plain, options);
   RemeshResult result;
   if (narrow) {
     const Features features = chosen_features(narrow->split.mesh, options).features;
-    result = remesh_task({surface, plain, &*narrow, features}, options);
+    result = remesh_task({surface, plain, &*narrow, features, only_apart}, options);
     return_to(narrow->split, result);
   } else {
-    result = remesh_task({surface, plain, nullptr, choice.features}, options);
+    result = remesh_task({surface, plain, nullptr, choice.features, only_apart}, options);
   }
   result.given_up = choice.given_up;
   return result;
 }
 
-/// Of the input's type, with a triangle at each sample.
-bool is_sound(const geom::TriMesh& input, const RemeshResult& result) {
-  const geom::Topology in = geom::topology(input), out = geom::topology(result.mesh);
-  return out.manifold() && out.unreferenced_vertices == 0 && in.euler == out.euler &&
-         in.components == out.components && in.boundary_loops == out.boundary_loops;
+/// Sheets that are left to us are together unless that does harm and being apart helps.
+RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& choice,
+                           const RemeshOptions& options) {
+  constexpr double small_angle = 30;
+  const auto is_fine = [](const RemeshResult& r) {
+    return r.type.ok() && r.measures.theta_min >= small_angle;
+  };
+  RemeshResult together = remesh_with(surface, choice, options);
+  if (options.sheets != Sheets::automatic || options.method != Method::fpo || interrupted(options) ||
+      is_fine(together))
+    return together;
+  RemeshOptions with_levels = options;
+  with_levels.sheets = Sheets::apart;
+  RemeshResult apart = remesh_with(surface, choice, with_levels, true);
+  if (!apart.has_levels || interrupted(options)) return together;
+  const auto rank = [](const RemeshResult& r) {
+    return std::tuple(r.type.ok(), -static_cast<long>(r.broken_feature_edges), r.measures.theta_min);
+  };
+  return rank(apart) > rank(together) ? apart : together;
 }
 
 /// Creases that nobody asked for are kept unless that alone does harm.
 RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {
-  RemeshResult result = remesh_with(surface, chosen_features(surface, options), options);
+  RemeshResult result = remesh_sheets(surface, chosen_features(surface, options), options);
   if (result.crease_curves == 0 || !options.features->yielding || options.method != Method::fpo ||
-      interrupted(options) || !geom::topology(surface).manifold() || is_sound(surface, result))
+      interrupted(options) || !geom::topology(surface).manifold() || result.type.ok())
     return result;
   RemeshOptions without = options;
   without.features->crease_angle = without.features->weak_crease_angle = 180;
-  RemeshResult plain = remesh_with(surface, chosen_features(surface, without), without);
-  if (interrupted(options) || !is_sound(surface, plain)) return result;
+  RemeshResult plain = remesh_sheets(surface, chosen_features(surface, without), without);
+  if (interrupted(options) || !plain.type.ok()) return result;
   plain.given_up = "creases dropped: with these " + std::to_string(result.crease_curves) +
                    " curves kept the remesh would be of another type; --features 45 keeps them";
   return plain;

@@ -24,6 +24,10 @@
 
 namespace fpo {
 
+/// Sheets nearer to each other than samples: as the paper's diagram has them, apart (sheet_levels.h), or
+/// apart if without that the remesh is of another type or has angles below 30 degrees, and it helps.
+enum class Sheets { together, apart, automatic };
+
 /// Its initial values are plain; those of fpo-remesh depend on one another: remesh_defaults.h.
 struct RemeshOptions {
   Method method = Method::fpo;
@@ -45,7 +49,7 @@ struct RemeshOptions {
   double disk_radius = 0;        ///< mps, cps: of the disks, if the sizing is uniform; 0: by num_samples
   std::size_t tile_samples = 0;  ///< in a tile (tiled_optimize.h), if there are more; 0: no tiles
   int threads = 1;               ///< no matter to the result
-  bool sheets_apart = false;     ///< near sheets do not see each other (sheet_levels.h)
+  Sheets sheets = Sheets::automatic;
   bool mend = true;              ///< bring samples to where the remesh is no surface, or of another type
   bool optimize_angles = true;   ///< afterwards (section 5)
   AngleOptions angles;           ///< wanted then; its interruption is overruled

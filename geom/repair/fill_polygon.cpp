@@ -38,7 +38,7 @@ double bend(const Vec3& m, const Vec3& n) { return std::round((1 - m.dot(n)) / b
 /// The polygon of some corners, in order.
 class Filling {
  public:
-  Filling(const Rim& rim, std::vector<std::size_t> corners, std::vector<Vec3> across)
+  Filling(const PolygonRim& rim, std::vector<std::size_t> corners, std::vector<Vec3> across)
       : rim_(rim), corners_(std::move(corners)), across_(std::move(across)), n_(corners_.size()) {}
 
   std::vector<Triangle> run() {
@@ -86,7 +86,7 @@ class Filling {
     collect(j, k, triangles);
   }
 
-  const Rim& rim_;
+  const PolygonRim& rim_;
   std::vector<std::size_t> corners_;
   std::vector<Vec3> across_;
   std::size_t n_;
@@ -96,7 +96,7 @@ class Filling {
 /// Cuts ears off a long polygon: those that are shortest across and do not bend much.
 class Ears {
  public:
-  explicit Ears(const Rim& rim) : rim_(rim), across_(rim.across.begin(), rim.across.end()) {
+  explicit Ears(const PolygonRim& rim) : rim_(rim), across_(rim.across.begin(), rim.across.end()) {
     corners_.resize(rim.corners.size());
     std::iota(corners_.begin(), corners_.end(), std::size_t{0});
   }
@@ -139,7 +139,7 @@ class Ears {
     return (1 + worst) * (rim_.corners[ear[2]] - rim_.corners[ear[0]]).norm();
   }
 
-  const Rim& rim_;
+  const PolygonRim& rim_;
   std::vector<std::size_t> corners_;
   std::vector<Vec3> across_;
   std::vector<double> costs_;  ///< of the ear at each corner
@@ -147,7 +147,7 @@ class Ears {
 
 }  // namespace
 
-std::vector<std::array<std::size_t, 3>> filled(const Rim& rim) {
+std::vector<std::array<std::size_t, 3>> filled(const PolygonRim& rim) {
   std::vector<Triangle> triangles;
   Ears ears(rim);
   if (!ears.cut(triangles)) return {};

@@ -12,7 +12,7 @@ namespace geom {
 
 /// A hole's rim: its corners in order, the outer normals (of unit length, or 0 if there is none) of the
 /// facets across its sides (side i joins corners i and i + 1), and which corners must not be joined.
-struct Rim {
+struct PolygonRim {
   std::span<const Vec3> corners;
   std::span<const Vec3> across;
   std::function<bool(std::size_t, std::size_t)> forbidden;
@@ -22,6 +22,6 @@ struct Rim {
 /// one another and the facets across (the sharpest bend counts, in steps), and among those have the least
 /// area (Liepa, Filling holes in meshes, 2003). Up to 200 corners by dynamic programming, O(n^3); beyond, the
 /// ear that fits best is cut off until few enough are left, O(n^2). Empty if forbidden edges leave no way.
-std::vector<std::array<std::size_t, 3>> filled(const Rim& rim);
+std::vector<std::array<std::size_t, 3>> filled(const PolygonRim& rim);
 
 }  // namespace geom

@@ -36,7 +36,7 @@ RemeshOptions options_for(std::size_t n) {
   options.features.reset();
   options.optimize.max_iterations = 12;
   options.improve_fidelity = false;
-  options.sheets_apart = true;
+  options.sheets = Sheets::apart;
   return options;
 }
 
