@@ -22,7 +22,7 @@ double quantile(std::vector<double> values, double share) {
 
 void warn_if_adaptive(const std::filesystem::path& input, std::span<const geom::WeightedPoint3> samples,
                       const fpo::SpectrumSurface& surface) {
-  constexpr std::size_t least_samples = 100;  // fewer are near a border, most of them
+  constexpr std::size_t least_samples = 300;  // of fewer the spacings say little
   constexpr double most_ratio = 1.6;          // of spacings; 1.4 for white noise, by 24 neighbours
   if (samples.size() < least_samples) return;
   std::vector<fpo::SpectrumPoint> points;

@@ -171,6 +171,7 @@ class Layout {
     for (const auto& [corner, leaving] : at_corner)
       for (std::size_t i = 0; i < leaving.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
+          if (leaving[i].stretch == leaving[j].stretch) continue;  // a loop with one corner
           const Vec3 &u = leaving[i].direction, &v = leaving[j].direction;
           const double angle = std::atan2(u.cross(v).norm(), u.dot(v));
           if (!(angle < std::numbers::pi / 3)) continue;

@@ -276,9 +276,7 @@ SurfaceDomain distributed_samples(const geom::TriMesh& surface, const SharedSizi
 std::optional<SplitSurface> surface_apart(const Task& task, SharedSizing& shared,
                                           const RemeshOptions& options) {
   if (options.sheets != Sheets::apart || facts_of(options.method).distribute) return {};
-  std::optional<SplitSurface> apart = sheets_apart(task.surface(), shared.sizing, shared.features.samples);
-  if (apart && !apart->h.empty()) shared.sizing = Sizing(apart->mesh, apart->h);
-  return apart;
+  return sheets_apart(task.surface(), shared.sizing, shared.features.samples);
 }
 
 /// The samples become those of the old surface again.
@@ -345,8 +343,9 @@ RemeshResult remesh_task(const Task& task, RemeshOptions options) {
   std::optional<SplitSurface> apart;
   if (!coarse) apart = surface_apart(task, shared, options);
   if (task.only_apart && !apart) return result;
+  if (apart && !apart->h.empty()) shared.sizing = Sizing(apart->mesh, apart->h);
   const geom::TriMesh& surface = apart ? apart->mesh : task.surface();
-  const geom::SurfaceType type = geom::surface_type(task.input);
+  const geom::SurfaceType type = geom::surface_type(surface);
   auto distributed =
       std::make_unique<SurfaceDomain>(coarse ? settled_samples(surface, shared, *coarse, options, result)
                                              : distributed_samples(surface, shared, options, result));

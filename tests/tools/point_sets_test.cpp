@@ -49,7 +49,7 @@ TEST_CASE("fpo-spectrum: adaptive sets without sizes and surfaces of others are 
     REQUIRE(fixtures::run_program("fpo-remesh", extra, folder.path()).code == 0);
   };
   remesh({"-o", "even.obj", "--points", "even.ply"});
-  remesh({"-o", "graded.obj", "--points", "graded.ply", "--sizing", "sizes.txt"});
+  remesh({"-o", "graded.obj", "--points", "graded.ply", "--sizing", "sizes.txt", "--gradation", "1"});
   const auto said = [&](const std::string& points, const std::string& surface) {
     const ProgramResult result = fixtures::run_program(
         "fpo-spectrum", {points, "--surface", surface, "--radius", "3", "-o", "out"}, folder.path());

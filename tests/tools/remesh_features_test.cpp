@@ -80,7 +80,8 @@ TEST_CASE("fpo-remesh: fixed points are kept bit for bit, the map gives back eve
 
 TEST_CASE("fpo-remesh: another topology is a warning, with --strict exit code 3; the mesh is written") {
   const Place place;
-  const std::vector<std::string> crude{"thin-plate.obj", "-n", "300", "--features", "none", "--no-mend"};
+  const std::vector<std::string> crude{"thin-plate.obj", "-n",        "300",      "--features",
+                                       "none",           "--no-mend", "--sheets", "together"};
   const ProgramResult lenient = place.run(crude);
   REQUIRE(lenient.err.find("warning: ") != std::string::npos);
   CHECK(lenient.code == 0);

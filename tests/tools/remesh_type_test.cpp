@@ -52,13 +52,13 @@ TEST_CASE("fpo-remesh: --at-least takes more samples until the type is right, an
   const Place place;
   const ProgramResult more = place.run({"torus.obj", "-n", "9", "--at-least", "--strict"});
   CHECK(more.code == 0);
-  CHECK_MESSAGE(says(more.out, "at_least "), more.out);
+  CHECK_MESSAGE(says(more.out, "not_enough_samples "), more.out);
   const geom::TriMesh mesh = io::read_mesh(place.folder / "out.obj");
   CHECK(mesh.num_vertices() > 9);
   CHECK(geom::topology(mesh).euler == 0);
   CHECK(geom::topology(mesh).manifold());
   const ProgramResult enough = place.run({"torus.obj", "-n", "120", "--at-least"});
-  CHECK(!says(enough.out, "at_least "));
+  CHECK(!says(enough.out, "not_enough_samples "));
   CHECK(io::read_mesh(place.folder / "out.obj").num_vertices() == 120);
 }
 

@@ -117,7 +117,11 @@ TEST_CASE("pipeline: a closed smooth surface keeps its topology, and delta grows
 
 TEST_CASE("pipeline: a plate thinner than the spacing of its samples is closed and of genus 0") {
   const geom::TriMesh plate = fixtures::box(geom::Vec3(1, 1, 0.05), 6);
-  const RemeshResult result = run(plate, 150, Engine::search);
+  RemeshOptions options;
+  options.num_samples = 150;
+  options.optimize.max_iterations = 5;
+  options.sheets = Sheets::together;
+  const RemeshResult result = remesh(plate, options);
   const geom::Topology t = geom::topology(result.mesh);
   CHECK(result.localization.orphans > 0);
   CHECK(result.localization.remaining == 0);
