@@ -38,18 +38,18 @@ TEST_CASE("fpo-plane: its triangulation covers one period, each triangle once") 
 
 TEST_CASE("fpo-spectrum: adaptive sets without sizes and surfaces of others are warned of, no others") {
   const ScratchFolder folder;
-  io::write_mesh(folder / "torus.obj", geom::make_shape("torus"));
+  const geom::TriMesh torus = geom::make_shape("torus");
+  io::write_mesh(folder / "torus.obj", torus);
   io::write_mesh(folder / "sphere.obj", geom::make_shape("sphere"));
   std::string sizes;
-  for (const geom::Vec3& x : geom::make_shape("torus").vertices())
-    sizes += std::to_string(x.x() > 0 ? 1.0 : 0.2) + "\n";
+  for (const geom::Vec3& x : torus.vertices()) sizes += std::to_string(x.x() > 0 ? 1.0 : 0.2) + "\n";
   folder.write("sizes.txt", sizes);
   const auto remesh = [&](std::vector<std::string> extra) {
     extra.insert(extra.begin(), {"torus.obj", "-n", "500", "--iterations", "5"});
     REQUIRE(fixtures::run_program("fpo-remesh", extra, folder.path()).code == 0);
   };
   remesh({"-o", "even.obj", "--points", "even.ply"});
-  remesh({"-o", "graded.obj", "--points", "graded.ply", "--sizing", "sizes.txt", "--gradation", "1"});
+  remesh({"-o", "graded.obj", "--points", "graded.ply", "--sizing", "sizes.txt"});
   const auto said = [&](const std::string& points, const std::string& surface) {
     const ProgramResult result = fixtures::run_program(
         "fpo-spectrum", {points, "--surface", surface, "--radius", "3", "-o", "out"}, folder.path());
