@@ -67,7 +67,8 @@ SharedSizing sizing_and_features(const Task& task, const RemeshOptions& options)
   SharedSizing shared =
       share_sizing(task.surface(), task.features, points_on_surface(task.surface(), options.fixed),
                    options.num_samples, sizing_for, options.seed);
-  if (options.mend && options.method == Method::fpo)
+  // Room is made in even lengths only: of lengths that were asked for none is changed.
+  if (options.mend && options.method == Method::fpo && options.sizing == SizingKind::uniform)
     shared.sizing = make_room_for_small_loops(task.surface(), shared, options.num_samples, thin.gradation,
                                               thin.most_scale)
                         .sizing;
