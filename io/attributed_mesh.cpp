@@ -34,7 +34,7 @@ const char* name_of(PlyType type) {
 }
 
 template <class Integer>
-void append_rounded(std::string& bytes, double value) {
+void append_as(std::string& bytes, double value) {
   using Limits = std::numeric_limits<Integer>;
   const double inside = std::isnan(value) ? 0
                                           : std::clamp(std::round(value), static_cast<double>(Limits::min()),
@@ -46,17 +46,17 @@ void append_value(std::string& bytes, PlyType type, double value) {
   using enum PlyType;
   switch (type) {
     case int8:
-      return append_rounded<std::int8_t>(bytes, value);
+      return append_as<std::int8_t>(bytes, value);
     case uint8:
-      return append_rounded<std::uint8_t>(bytes, value);
+      return append_as<std::uint8_t>(bytes, value);
     case int16:
-      return append_rounded<std::int16_t>(bytes, value);
+      return append_as<std::int16_t>(bytes, value);
     case uint16:
-      return append_rounded<std::uint16_t>(bytes, value);
+      return append_as<std::uint16_t>(bytes, value);
     case int32:
-      return append_rounded<std::int32_t>(bytes, value);
+      return append_as<std::int32_t>(bytes, value);
     case uint32:
-      return append_rounded<std::uint32_t>(bytes, value);
+      return append_as<std::uint32_t>(bytes, value);
     case float32:
       return append_little(bytes, static_cast<float>(value));
     case float64:

@@ -12,10 +12,10 @@
 namespace io {
 namespace {
 
-using Colour = std::array<double, 3>;
+using Rgb = std::array<double, 3>;
 
 std::array<char, 3> colour_of(double share) {
-  constexpr Colour small{59, 76, 192}, middle{242, 242, 242}, large{180, 4, 38};
+  constexpr Rgb small{59, 76, 192}, middle{242, 242, 242}, large{180, 4, 38};
   std::array<char, 3> bytes;
   for (std::size_t i = 0; i < 3; ++i) {
     const double c = share < 0.5 ? small[i] + 2 * share * (middle[i] - small[i])

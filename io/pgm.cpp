@@ -9,7 +9,7 @@
 namespace io {
 namespace {
 
-constexpr std::int64_t most_side = 32768, most_value = 65535;
+constexpr std::int64_t longest_side = 32768, most_value = 65535;
 
 std::int64_t header_number(TextCursor& cursor, const char* what, std::int64_t most) {
   const std::int64_t number = cursor.integer(cursor.word_across_lines(), what);
@@ -58,8 +58,8 @@ GrayImage read_pgm(const std::filesystem::path& path) {
   const std::string_view magic = cursor.word_across_lines();
   if (magic != "P2" && magic != "P5") file.fail("is no PGM image (it starts with neither P2 nor P5)");
   GrayImage image;
-  image.width = static_cast<std::size_t>(header_number(cursor, "width", most_side));
-  image.height = static_cast<std::size_t>(header_number(cursor, "height", most_side));
+  image.width = static_cast<std::size_t>(header_number(cursor, "width", longest_side));
+  image.height = static_cast<std::size_t>(header_number(cursor, "height", longest_side));
   const std::int64_t largest = header_number(cursor, "largest value", most_value);
   const std::size_t count = image.width * image.height;
   image.value.reserve(std::min(count, file.bytes.size()));

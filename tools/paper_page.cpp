@@ -51,12 +51,6 @@ io::HtmlPlot runtime_plot(const PaperResults& results, const std::string& figure
   return {io::draw_chart(chart), caption + " " + legend};
 }
 
-std::string seconds_text(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", seconds);
-  return text;
-}
-
 std::string models_text(const PaperResults& results, bool found) {
   std::string text;
   for (const PaperModel& model : results.models)

@@ -63,12 +63,6 @@ io::HtmlTable::Row row(const fpo::PaperBlock& block, const std::string& whose,
   return result;
 }
 
-std::string seconds_text(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", seconds);
-  return text;
-}
-
 void add_block(io::HtmlTable& out, const fpo::PaperBlock& block, const PaperResults& results) {
   std::vector<Entry> theirs, ours;
   for (const fpo::PaperRow& r : block.rows) theirs.push_back({r.method, r.figures});
@@ -101,6 +95,12 @@ bool is_there(const PaperResults& results, const std::string& model) {
 }
 
 }  // namespace
+
+std::string seconds_text(double seconds) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f", seconds);
+  return text;
+}
 
 io::HtmlTable paper_table(const PaperResults& results, int number) {
   io::HtmlTable out;

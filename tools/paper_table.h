@@ -1,6 +1,8 @@
 #pragma once
 // One of the paper's tables 2 to 4 with our rows in it.
 
+#include <string>
+
 #include "io/html_report.h"
 #include "tools/paper_runs.h"
 
@@ -14,5 +16,8 @@ io::HtmlTable paper_table(const PaperResults& results, int number);
 
 /// The blocks of models that are missing, in one sentence; empty: none.
 std::string missing_blocks(const PaperResults& results, int number);
+
+/// One decimal.
+std::string seconds_text(double seconds);
 
 }  // namespace tools

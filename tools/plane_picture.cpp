@@ -19,7 +19,7 @@ using geom::SiteId;
 using geom::Vec2;
 
 /// What there is to draw, of a torus or a rectangle.
-struct Scene {
+struct Drawing {
   Vec2 size;
   bool periodic;
   std::vector<Vec2> points;
@@ -82,9 +82,9 @@ std::string colour_of(double share) {
   return text;
 }
 
-Scene scene_of(const PlaneDomain& domain) {
+Drawing drawing_of(const PlaneDomain& domain) {
   const Regular2& t = domain.triangulation();
-  Scene scene{domain.torus().period(), true, {}, {}, {}, {}, {}, {}};
+  Drawing scene{domain.torus().period(), true, {}, {}, {}, {}, {}, {}};
   for (std::size_t i = 0; i < domain.num_samples(); ++i) {
     const SiteId x(i);
     const geom::WeightedPoint2 p = t.point(x);
@@ -112,7 +112,7 @@ Scene scene_of(const PlaneDomain& domain) {
 }
 
 /// Of a cell in parts the sides that no other part of it has.
-void add_borders(Scene& scene) {
+void add_borders(Drawing& scene) {
   using Side = std::array<double, 4>;
   std::set<std::pair<std::size_t, Side>> sides;
   const auto each_side = [&](auto&& visit) {
@@ -128,8 +128,8 @@ void add_borders(Scene& scene) {
   });
 }
 
-Scene scene_of(const fpo::RemeshResult& result, const Vec2& size) {
-  Scene scene{size, false, {}, {}, {}, {}, {}, {}};
+Drawing drawing_of(const fpo::RemeshResult& result, const Vec2& size) {
+  Drawing scene{size, false, {}, {}, {}, {}, {}, {}};
   const auto flat = [](const geom::Vec3& x) -> Vec2 { return x.head<2>(); };
   for (std::size_t i = 0; i < result.samples.size(); ++i) {
     scene.points.push_back(flat(result.samples[i].position));
@@ -160,7 +160,7 @@ void draw_lines(Sheet& sheet, const std::vector<std::array<Vec2, 2>>& lines, con
   sheet.svg().path(path, R"(fill="none" stroke-linejoin="round" )" + style);
 }
 
-void draw_colours(Sheet& sheet, const Scene& scene) {
+void draw_colours(Sheet& sheet, const Drawing& scene) {
   const auto [least, most] = std::ranges::minmax(scene.edge_length);
   const double range = std::log(most / least);
   sheet.svg().begin_group(R"(stroke="none" shape-rendering="crispEdges")");
@@ -172,7 +172,7 @@ void draw_colours(Sheet& sheet, const Scene& scene) {
   sheet.svg().end_group();
 }
 
-void draw_disks(Sheet& sheet, const Scene& scene) {
+void draw_disks(Sheet& sheet, const Drawing& scene) {
   sheet.svg().begin_group(R"(fill="#4a7bb7" fill-opacity="0.25" stroke="#4a7bb7" stroke-width="0.5")");
   for (std::size_t i = 0; i < scene.points.size(); ++i) {
     const double radius = scene.radius[i];
@@ -182,7 +182,7 @@ void draw_disks(Sheet& sheet, const Scene& scene) {
   sheet.svg().end_group();
 }
 
-void draw_points(Sheet& sheet, const Scene& scene) {
+void draw_points(Sheet& sheet, const Drawing& scene) {
   const double radius =
       std::clamp(0.16 * std::sqrt(sheet.size().prod() / static_cast<double>(scene.points.size())), 0.4, 2.5);
   io::SvgPath path;
@@ -194,7 +194,7 @@ void draw_points(Sheet& sheet, const Scene& scene) {
   sheet.svg().path(path, style);
 }
 
-io::Svg draw(const Scene& scene, const PlanePicture& picture) {
+io::Svg draw(const Drawing& scene, const PlanePicture& picture) {
   Sheet sheet(scene.size, scene.periodic, picture.width);
   sheet.svg().rectangle({0, 0}, sheet.size(), R"(fill="#fff")");
   if (picture.colour) draw_colours(sheet, scene);
@@ -208,11 +208,11 @@ io::Svg draw(const Scene& scene, const PlanePicture& picture) {
 }  // namespace
 
 io::Svg draw_plane(const PlaneDomain& domain, const PlanePicture& picture) {
-  return draw(scene_of(domain), picture);
+  return draw(drawing_of(domain), picture);
 }
 
 io::Svg draw_rectangle(const fpo::RemeshResult& result, const Vec2& size, const PlanePicture& picture) {
-  return draw(scene_of(result, size), picture);
+  return draw(drawing_of(result, size), picture);
 }
 
 }  // namespace tools

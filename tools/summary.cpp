@@ -9,7 +9,7 @@
 namespace tools {
 namespace {
 
-std::string quoted(const std::string& text) {
+std::string json_string(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\')
@@ -58,8 +58,8 @@ std::string Summary::keys() const {
 std::string Summary::json() const {
   std::string text;
   for (const Entry& e : entries_)
-    text +=
-        (text.empty() ? "{\n  " : ",\n  ") + quoted(e.key) + ": " + (e.number ? e.value : quoted(e.value));
+    text += (text.empty() ? "{\n  " : ",\n  ") + json_string(e.key) + ": " +
+            (e.number ? e.value : json_string(e.value));
   return (text.empty() ? "{" : text + "\n") + "}\n";
 }
 

@@ -17,7 +17,7 @@ using geom::Vec3;
 
 namespace {
 
-constexpr double largest_move = 0.5;  // in units of h
+constexpr double largest_step = 0.5;  // in units of h
 
 using Triangle = std::array<SiteId, 3>;  ///< counterclockwise
 
@@ -128,7 +128,7 @@ class AreaEqualizer {
     Vec3 step = best_step(i);
     const SurfaceSample before = samples_[i.index()];
     const double energy = local_energy(i), length = step.norm(),
-                 most = largest_move * task_.sizing.at(before);
+                 most = largest_step * task_.sizing.at(before);
     if (!(length > 0)) return false;
     if (length > most) step *= most / length;
     const geom::AabbTree::Closest closest = tree_.closest(before.position + step, before.facet);

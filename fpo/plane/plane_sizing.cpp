@@ -35,9 +35,9 @@ class Waves final : public PlaneSizing {
 };
 
 /// One dense spot in the middle: r - (r - 1) (1 - cos x) (1 - cos y) / 4, between 1 and r.
-class Spot final : public PlaneSizing {
+class SpotSizing final : public PlaneSizing {
  public:
-  Spot(const FlatTorus& torus, double ratio)
+  SpotSizing(const FlatTorus& torus, double ratio)
       : frequency_(tau * torus.period().cwiseInverse()), ratio_(ratio) {}
   double rho(const Vec2& x) const override {
     const Vec2 angle = x.cwiseProduct(frequency_);
@@ -73,8 +73,8 @@ std::unique_ptr<PlaneSizing> named_sizing(const std::string& name, const FlatTor
   if (name == "uniform") return std::make_unique<UniformSizing>();
   if (name == "waves5") return std::make_unique<Waves>(torus, 5);
   if (name == "waves11") return std::make_unique<Waves>(torus, 11);
-  if (name == "spot5") return std::make_unique<Spot>(torus, 5);
-  if (name == "spot11") return std::make_unique<Spot>(torus, 11);
+  if (name == "spot5") return std::make_unique<SpotSizing>(torus, 5);
+  if (name == "spot11") return std::make_unique<SpotSizing>(torus, 11);
   if (name == "band5") return std::make_unique<Band>(torus, 5);
   if (name == "band11") return std::make_unique<Band>(torus, 11);
   return nullptr;

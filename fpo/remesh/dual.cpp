@@ -15,15 +15,11 @@ using geom::SiteId;
 using geom::TriMesh;
 using geom::VertexId;
 
-namespace {
-
 std::vector<SurfaceSample> samples_of(const SurfaceDomain& domain) {
   std::vector<SurfaceSample> samples;
   for (std::size_t i = 0; i < domain.num_samples(); ++i) samples.push_back(domain.sample(SiteId(i)));
   return samples;
 }
-
-}  // namespace
 
 std::size_t Dual::num_faults() const {
   return type.ok() ? 0 : std::max(defects.size() + cell_faults.size() + type.parts.size(), std::size_t{1});

@@ -34,6 +34,9 @@ struct Dual {
   std::size_t num_faults() const;
 };
 
+/// All of them, by id.
+std::vector<SurfaceSample> samples_of(const SurfaceDomain& domain);
+
 /// Leaves the domain as it is. O(n) if no cell has orphans, else the cost of another diagram. `type`: of the
 /// input. Throws InputError if there is no triangle.
 Dual dual_of(const SurfaceDomain& domain, const geom::SurfaceType& type, bool keep_cells);

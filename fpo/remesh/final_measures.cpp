@@ -16,7 +16,7 @@ using geom::VertexId;
 namespace {
 
 constexpr double rounding = 1e-9;                        // degrees
-constexpr double around_a_ring = 3.5;                    // samples
+constexpr double in_a_ring = 3.5;                        // samples
 constexpr double least_factor = 1.5, most_factor = 100;  // of the number of samples
 
 void measure_edges(const TriMesh& mesh, const VertexField& wanted, std::size_t num_fixed,
@@ -84,7 +84,7 @@ struct FaultPlace {
 /// So many that a ring of them fits around. With even spacing that would be the square of this, but along a
 /// horn or a handle lengths are lowered (thin_parts.h).
 double factor_for(double girth, double h) {
-  return girth > 0 ? std::clamp(h * around_a_ring / girth, least_factor, most_factor) : 2;
+  return girth > 0 ? std::clamp(h * in_a_ring / girth, least_factor, most_factor) : 2;
 }
 
 std::vector<FaultPlace> places_of(const Dual& dual, const TriMesh& surface, const geom::SurfaceType& type,

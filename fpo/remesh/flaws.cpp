@@ -14,9 +14,9 @@ using geom::Vec3;
 
 namespace {
 
-constexpr int passes = 4;          // of resampling in an attempt
+constexpr int resamplings = 4;     // of resampling in an attempt
 constexpr std::size_t crowd = 24;  // samples: twice those around a triangle of a manifold
-constexpr double rounding = 1e-9;  // penalty is a running sum
+constexpr double drift = 1e-9;     // penalty is a running sum
 constexpr std::array<double, 4> nudges = {0.01, 0.02, 0.04, 0.08};  // in units of h
 constexpr int directions = 12;
 constexpr double least_nudge_gain = 1e-3;  // of the penalty
@@ -101,9 +101,9 @@ void LocalResampling::move(const Backup& x) {
 }
 
 bool LocalResampling::better() const {
-  if (!(flaws_[0]->penalty() < before_[0] - std::max(gain_, rounding))) return false;
+  if (!(flaws_[0]->penalty() < before_[0] - std::max(gain_, drift))) return false;
   for (std::size_t i = 1; i < flaws_.size(); ++i)
-    if (flaws_[i]->penalty() > before_[i] + rounding) return false;
+    if (flaws_[i]->penalty() > before_[i] + drift) return false;
   return true;
 }
 
@@ -120,7 +120,7 @@ std::vector<LocalResampling::Backup> LocalResampling::backups_of(std::span<const
 /// Resamples those that may move until all is better; else puts all back.
 bool LocalResampling::settle(std::span<const Backup> samples, std::span<const Backup> moving) {
   const auto wide = [&](const Backup& x) { return wide_enough(x.id) && is_joined(x.id); };
-  for (int pass = 0; pass < passes; ++pass)
+  for (int pass = 0; pass < resamplings; ++pass)
     for (const Backup& x : moving) {
       if (!domain_.is_fixed(x.id)) {
         ++moves_;
@@ -205,7 +205,7 @@ bool LocalResampling::restore_weight(SiteId x) {
   if (lowered.weight_share == 1 || domain_.is_fixed(x)) return true;
   const double before = flaws_[0]->penalty();
   move({x, lowered.place, 1});
-  if (flaws_[0]->penalty() <= before + rounding) return true;
+  if (flaws_[0]->penalty() <= before + drift) return true;
   move(lowered);
   return false;
 }

@@ -14,7 +14,7 @@ using geom::Vec3;
 
 namespace {
 
-constexpr double rounding = 1e-9;  // of a squared distance: a gap is larger
+constexpr double least_share = 1e-9;  // of a squared distance: a gap is larger
 constexpr int most_rounds = 1000;
 constexpr double apart = 3;  // gaps that are filled at once, and samples that fill them, in units of h
 
@@ -38,7 +38,7 @@ class DiskSet {
   std::vector<Gap> gaps(const geom::TriMesh& mesh, int threads) const {
     double least = disks_.front().weight;
     for (const geom::WeightedPoint3& disk : disks_) least = std::min(least, disk.weight);
-    std::vector<Gap> result = gaps_above(mesh, disks_, rounding * least, threads);
+    std::vector<Gap> result = gaps_above(mesh, disks_, least_share * least, threads);
     std::ranges::stable_sort(result, std::greater(), [&](const Gap& gap) {
       const double h = sizing_.at(SurfaceSample{gap.place, gap.facet});
       return gap.power / (h * h);

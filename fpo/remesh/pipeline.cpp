@@ -131,12 +131,6 @@ SurfaceOptions surface_options(const SharedSizing& shared, const RemeshOptions& 
   return result;
 }
 
-std::vector<SurfaceSample> samples_of(const SurfaceDomain& domain) {
-  std::vector<SurfaceSample> samples;
-  for (std::size_t i = 0; i < domain.num_samples(); ++i) samples.push_back(domain.sample(SiteId(i)));
-  return samples;
-}
-
 void remove_short_edges(SurfaceDomain& domain, const RemeshOptions& options, RemeshResult& result) {
   if (!options.shortest_edge_removal) return;
   ShortestEdgeOptions removal;

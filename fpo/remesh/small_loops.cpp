@@ -13,7 +13,7 @@ namespace {
 
 constexpr double small = 0.6;
 
-struct Loop {
+struct SmallLoop {
   double extra;  ///< samples that it costs
   std::vector<Spot> spots;
 };
@@ -26,8 +26,8 @@ double extra_samples(double low, double high, double gradation) {
   return std::numbers::pi / std::sqrt(0.75) * std::max(graded - even, 0.0);
 }
 
-std::vector<Loop> small_loops(const SharedSizing& shared, double gradation) {
-  std::vector<Loop> loops;
+std::vector<SmallLoop> small_loops(const SharedSizing& shared, double gradation) {
+  std::vector<SmallLoop> loops;
   const std::vector<SurfaceSample>& samples = shared.features.samples;
   for (const std::vector<SiteId>& chain : shared.features.chains) {
     if (chain.size() < 2 || chain.front() != chain.back()) continue;
@@ -37,12 +37,12 @@ std::vector<Loop> small_loops(const SharedSizing& shared, double gradation) {
     const double edge = length / static_cast<double>(chain.size() - 1);
     const double h = shared.sizing.at(samples[chain.front().index()]);
     if (!(edge > 0 && edge < small * h)) continue;
-    Loop loop{extra_samples(edge, h, gradation), {}};
+    SmallLoop loop{extra_samples(edge, h, gradation), {}};
     for (std::size_t i = 0; i + 1 < chain.size(); ++i)
       loop.spots.push_back({samples[chain[i].index()].position, edge});
     loops.push_back(std::move(loop));
   }
-  std::ranges::stable_sort(loops, {}, &Loop::extra);
+  std::ranges::stable_sort(loops, {}, &SmallLoop::extra);
   return loops;
 }
 
@@ -51,13 +51,13 @@ std::vector<Loop> small_loops(const SharedSizing& shared, double gradation) {
 SmallLoops make_room_for_small_loops(const geom::TriMesh& mesh, const SharedSizing& shared, std::size_t n,
                                      double gradation, double most_scale) {
   SmallLoops result{0, shared.sizing};
-  const std::vector<Loop> loops = small_loops(shared, gradation);
+  const std::vector<SmallLoop> loops = small_loops(shared, gradation);
   if (loops.empty()) return result;
   result.loops = loops.size();
   const double most = static_cast<double>(n) * (1 - 1 / (most_scale * most_scale));
   auto spots = std::make_shared<Spots>(gradation);
   double extra = 0;
-  for (const Loop& loop : loops) {
+  for (const SmallLoop& loop : loops) {
     if (extra + loop.extra > most) break;
     extra += loop.extra;
     spots->add(loop.spots);

@@ -14,7 +14,6 @@ constexpr double likely_clearance = 2.4;  // in radii of a cell: nearer to a cut
 constexpr double circle_clearance = 3;    // in radii: within, an insertion hardly ever changes more
 
 double root(double x) { return x > 0 ? std::sqrt(x) : 0; }
-double square(double x) { return x * x; }
 
 /// No location of a cell with that reach is farther from its site.
 double radius(const WeightedPoint3& site, double reach) { return root(reach + site.weight); }
@@ -82,7 +81,7 @@ bool TileGuard::may_keep(SurfaceDomain& domain, SiteId x, const geom::EmptyCircl
   const double weight = domain.dual().site(circle.sites[0]).weight;
   const double distance = root(circle.radius2 + weight);
   const auto holds = [&](double reach) {
-    return holds_cell(site, reach, square(radius(site, reach) + distance) - weight);
+    return holds_cell(site, reach, std::pow(radius(site, reach) + distance, 2) - weight);
   };
   if (holds_by_reach(domain, x, holds)) return true;
   barred_.push_back(circle.center);

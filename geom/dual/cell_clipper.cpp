@@ -1,12 +1,10 @@
 #include "geom/dual/cell_clipper.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace geom {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t many = 48;  // sites: the nearest few of them first
 
 }  // namespace

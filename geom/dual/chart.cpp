@@ -7,7 +7,7 @@
 namespace geom {
 namespace {
 
-constexpr double more = 1 + 1e-6;
+constexpr double steeper = 1 + 1e-6;
 constexpr double small = 1e-9;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -18,9 +18,9 @@ void Chart::begin(const Sheet& sheet) {
   m_ = sheet.axis;
   u_ = sheet.u;
   v_ = m_.cross(u_);
-  slope_u_ = more * sheet.slope_u;
-  slope_v_ = more * sheet.slope_v;
-  slope2_ = more * sheet.slope * sheet.slope;
+  slope_u_ = steeper * sheet.slope_u;
+  slope_v_ = steeper * sheet.slope_v;
+  slope2_ = steeper * sheet.slope * sheet.slope;
   largest2_ = 0;
   size_ = 0;
 }
@@ -90,7 +90,7 @@ bool Chart::is_far(int first, int second, int third, double radius) const {
   const Vec3 e(x_[i] - x_[k], y_[i] - y_[k], z_[i] - z_[k]);
   const Vec3 g(x_[j] - x_[k], y_[j] - y_[k], z_[j] - z_[k]);
   const double length = ((c_[i] - c_[k]) * g - (c_[j] - c_[k]) * e).norm();
-  return length > 2 * more * radius * (e.cross(g).norm() + small * largest2_) +
+  return length > 2 * steeper * radius * (e.cross(g).norm() + small * largest2_) +
                       small * largest2_ * (e.norm() + g.norm());
 }
 
@@ -108,7 +108,7 @@ Chart::Gain Chart::most_gain(int count, double radius, double weight, double hea
     const std::size_t a = at(j), b = at(j + 1 == count ? 0 : j + 1);
     if (!(x_[a] * y_[b] - y_[a] * x_[b] > 0)) return {infinity, infinity};
     const double cosine = (x_[a] * x_[b] + y_[a] * y_[b]) / (length[a] * length[b]);
-    const double half = std::sqrt(std::max(0.5 * (1 + cosine), 0.0)) / more;
+    const double half = std::sqrt(std::max(0.5 * (1 + cosine), 0.0)) / steeper;
     for (const std::size_t i : {a, b}) {
       const double falls = length[i] * half - slope * std::abs(z_[i]);
       const double far = radius * radius + c_[i] - 2 * radius * (falls > 0 ? falls * shrink : falls);
@@ -119,7 +119,7 @@ Chart::Gain Chart::most_gain(int count, double radius, double weight, double hea
     }
   }
   const double slack = 1e-9 * (std::abs(most.power) + std::abs(weight) + radius * radius);
-  return {more * most.power + slack - weight, more * most.range + std::sqrt(slack)};
+  return {steeper * most.power + slack - weight, steeper * most.range + std::sqrt(slack)};
 }
 
 // In the plane of the bisector let w be the horizontal direction and m' the one across, tilted from m by psi,
@@ -141,7 +141,7 @@ double Chart::farthest2(int first, int second, const Vec3& from, const Vec3& to)
   const double off = (steep2 * along2 - rise2) / (2 * std::sqrt(steep2 * along2));
   const double shift = 0.5 * std::sqrt(length2 * rise2 / (steep2 * along2));
   const double far = 0.5 * (from + to).norm() + std::max(off, 0.0) + shift;
-  return more * std::max({from.squaredNorm(), to.squaredNorm(), far * far});
+  return steeper * std::max({from.squaredNorm(), to.squaredNorm(), far * far});
 }
 
 }  // namespace geom

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace geom {
 namespace {
 
 using margin::more;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 

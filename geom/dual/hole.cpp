@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace geom {
 namespace {
 
 using margin::bend;
 using margin::more;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 

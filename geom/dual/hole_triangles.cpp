@@ -6,7 +6,7 @@
 namespace geom {
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
@@ -23,11 +23,11 @@ bool HoleTriangles::fill() {
 
 /// The rim in a plane: that of the chart, or else one along most of it.
 bool HoleTriangles::flatten_rim() {
-  x_.resize(at(around_.rim.size()));
-  y_.resize(at(around_.rim.size()));
+  x_.resize(index(around_.rim.size()));
+  y_.resize(index(around_.rim.size()));
   if (around_.on_sheet) {
     for (int j = 0; j < around_.rim.size(); ++j)
-      x_[at(j)] = around_.chart.x(j), y_[at(j)] = around_.chart.y(j);
+      x_[index(j)] = around_.chart.x(j), y_[index(j)] = around_.chart.y(j);
     return true;
   }
   Vec3 normal(0, 0, 0);
@@ -39,7 +39,7 @@ bool HoleTriangles::flatten_rim() {
   const Vec3 reference = std::abs(normal.x()) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
   const Vec3 u = reference.cross(normal).normalized(), v = normal.cross(u);
   for (int j = 0; j < around_.rim.size(); ++j)
-    x_[at(j)] = around_.frame.offset(j).dot(u), y_[at(j)] = around_.frame.offset(j).dot(v);
+    x_[index(j)] = around_.frame.offset(j).dot(u), y_[index(j)] = around_.frame.offset(j).dot(v);
   return true;
 }
 
@@ -61,7 +61,7 @@ bool HoleTriangles::guess() {
     Triangle& triangle = triangles_.emplace_back();
     triangle.corners = {first, a, last};
     triangle.beyond = {-1 - a, beyond, -1 - first};
-    if (beyond >= 0) numbered(beyond).beyond[at(side)] = i;
+    if (beyond >= 0) numbered(beyond).beyond[index(side)] = i;
     if (a - first > 1) waiting[num_waiting++] = {first, a, i, 2};
     if (last - a > 1) waiting[num_waiting++] = {a, last, i, 0};
   }
@@ -70,13 +70,13 @@ bool HoleTriangles::guess() {
 
 int HoleTriangles::apex(int first, int last) const {
   if (last - first == 2) return first + 1;
-  const double ax = x_[at(last)], ay = y_[at(last)], al = around_.frame.constant(last);
-  const double bx = x_[at(first)] - ax, by = y_[at(first)] - ay;
+  const double ax = x_[index(last)], ay = y_[index(last)], al = around_.frame.constant(last);
+  const double bx = x_[index(first)] - ax, by = y_[index(first)] - ay;
   const double b2 = bx * bx + by * by, bl = around_.frame.constant(first) - al - 2 * (ax * bx + ay * by);
   int best = -1;
   double best_height = 0, best_det = 0;
   for (int k = first + 1; k < last; ++k) {
-    const double cx = x_[at(k)] - ax, cy = y_[at(k)] - ay, det = bx * cy - by * cx;
+    const double cx = x_[index(k)] - ax, cy = y_[index(k)] - ay, det = bx * cy - by * cx;
     if (!(det > 0)) continue;
     const double height =
         (around_.frame.constant(k) - al - 2 * (ax * cx + ay * cy)) * b2 - bl * (bx * cx + by * cy);
@@ -112,12 +112,12 @@ bool HoleTriangles::flip_until_empty() {
   const auto find_flip = [&] {
     for (int i = 0; i < static_cast<int>(triangles_.size()); ++i)
       for (int e = 0; e < 3; ++e) {
-        const int j = numbered(i).beyond[at(e)];
+        const int j = numbered(i).beyond[index(e)];
         if (j < i) continue;
         int f = 0;
-        while (numbered(j).beyond[at(f)] != i) ++f;
-        if (!holds(numbered(i), numbered(j).corners[at(f)], certain) &&
-            !holds(numbered(j), numbered(i).corners[at(e)], certain))
+        while (numbered(j).beyond[index(f)] != i) ++f;
+        if (!holds(numbered(i), numbered(j).corners[index(f)], certain) &&
+            !holds(numbered(j), numbered(i).corners[index(e)], certain))
           continue;
         const FacetId start = numbered(i).facet;
         flip(i, e, j, f);
@@ -146,10 +146,10 @@ void HoleTriangles::flip(int i, int e, int j, int f) {
   const auto after = [](int k) { return k == 2 ? 0 : k + 1; };
   const auto before = [](int k) { return k == 0 ? 2 : k - 1; };
   const Triangle a = numbered(i), b = numbered(j);
-  const int p = a.corners[at(e)], q = a.corners[at(after(e))], r = a.corners[at(before(e))],
-            o = b.corners[at(f)];
-  const int pq = a.beyond[at(before(e))], rp = a.beyond[at(after(e))], qo = b.beyond[at(after(f))],
-            o_r = b.beyond[at(before(f))];
+  const int p = a.corners[index(e)], q = a.corners[index(after(e))], r = a.corners[index(before(e))],
+            o = b.corners[index(f)];
+  const int pq = a.beyond[index(before(e))], rp = a.beyond[index(after(e))], qo = b.beyond[index(after(f))],
+            o_r = b.beyond[index(before(f))];
   numbered(i).corners = {p, q, o};
   numbered(i).beyond = {qo, j, pq};
   numbered(j).corners = {p, o, r};

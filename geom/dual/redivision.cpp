@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geom/check.h"
 #include "geom/dual/chains.h"
@@ -10,8 +9,6 @@
 
 namespace geom {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool has_side(const EmptyCircle& circle, SiteId a, SiteId b) {
   return circle.is_triangle() && circle.touches(a) && circle.touches(b);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double radii[] = {1.6, 1.25, 1.08};  // R, in distances that are to be covered: one after the other
 constexpr double nearly_there = 0.3, nearly_so = 0.85;  // of a distance for which there is no sheet
-constexpr double more = 1 + 1e-6;
+constexpr double ample = 1 + 1e-6;
 constexpr double steepest = 0.7075;  // cosine: a slope less than 1
 constexpr double flat_enough = 0.98;
 constexpr int axis_rounds = 8;
@@ -49,7 +49,7 @@ const Sheet* Sheets::around(SiteId site, const Location3& at, double distance) {
       (x - known.failed_at).norm() < nearly_there * distance)
     return nullptr;
   gathered_.clear();
-  facets_.near(x, radii[0] * distance * more, gathered_);
+  facets_.near(x, radii[0] * distance * ample, gathered_);
   for (const double factor : radii) {
     const Sheet found = sheet_among_gathered(at, factor * distance);
     if (!found.covers(x, distance)) continue;
@@ -64,7 +64,7 @@ const Sheet* Sheets::around(SiteId site, const Location3& at, double distance) {
 }
 
 bool Sheets::has_one_component(const Sheet& sheet, double radius, std::span<const Neighbour> link) {
-  const double factor = 4 * more * sheet.slope * radius;
+  const double factor = 4 * ample * sheet.slope * radius;
   return std::ranges::all_of(link, [&](const Neighbour& q) {
     const double size = q.offset.squaredNorm();
     return q.lead > 1e-9 * size && q.lead > factor * std::abs(q.offset.dot(sheet.axis)) + 1e-9 * size;
@@ -73,7 +73,7 @@ bool Sheets::has_one_component(const Sheet& sheet, double radius, std::span<cons
 
 Sheet Sheets::sheet_in(const Location3& center, double radius) {
   gathered_.clear();
-  facets_.near(center.position, radius * more, gathered_);
+  facets_.near(center.position, radius * ample, gathered_);
   return sheet_among_gathered(center, radius);
 }
 
@@ -88,7 +88,7 @@ Sheet Sheets::sheet_among_gathered(const Location3& center, double radius) {
     const Vec3 a = mesh_.corner(t, 0) - place.center, b = mesh_.corner(t, 1) - place.center,
                c = mesh_.corner(t, 2) - place.center;
     const Vec3 ab = b - a, ac = c - a, n = ab.cross(ac);
-    if (!comes_within(radius * radius * more, a, b, c, n) || levels_.gap(t, center.level) > radius * more)
+    if (!comes_within(radius * radius * ample, a, b, c, n) || levels_.gap(t, center.level) > radius * ample)
       continue;
     if (!levels_.is_flat_at(t, center.level)) return place;
     const double length2 = n.squaredNorm();
@@ -152,9 +152,9 @@ void Sheets::find_slopes(Sheet& sheet, double radius) {
     sheet.height = std::max(
         {sheet.height, std::min(high, middle + slope * radius), -std::max(low, middle - slope * radius)});
   }
-  for (double* value : {&sheet.slope_u, &sheet.slope_v, &sheet.slope}) *value = more * *value + 1e-9;
-  sheet.height = more * sheet.height + 1e-9 * radius;
-  sheet.width = sheet.height < radius ? std::sqrt(radius * radius - sheet.height * sheet.height) / more : -1;
+  for (double* value : {&sheet.slope_u, &sheet.slope_v, &sheet.slope}) *value = ample * *value + 1e-9;
+  sheet.height = ample * sheet.height + 1e-9 * radius;
+  sheet.width = sheet.height < radius ? std::sqrt(radius * radius - sheet.height * sheet.height) / ample : -1;
 }
 
 /// Premises (2) and (3) for the facets in near_.

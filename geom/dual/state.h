@@ -2,6 +2,7 @@
 // What the restricted dual is made of: the surface, the sites, and the empty circles that follow from them.
 // Its operations (redivision.h, fast_way.h) share it.
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,8 @@
 #include "geom/sites/site_tree.h"
 
 namespace geom {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Which corners of the diagram are registered as empty circles. Type C are the candidates for the farthest
 /// point in the paper (section 4.1); power being convex on a fragment, the farthest point of the whole

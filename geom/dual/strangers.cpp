@@ -7,8 +7,8 @@
 namespace geom {
 namespace {
 
-constexpr double more = 1 + 1e-9;  // for the rounding of distances
-constexpr double ampler = 2.5;     // in radii of the vacancy: what is found will do for the new cell, too
+constexpr double beyond = 1 + 1e-9;  // for the rounding of distances
+constexpr double ampler = 2.5;       // in radii of the vacancy: what is found will do for the new cell, too
 
 }  // namespace
 
@@ -32,7 +32,7 @@ void Strangers::find_heirs(const Vacancy& vacancy, double range) {
 
 void Strangers::find_rivals(SiteId p, const Vec3& center, double radius) {
   if (!state_.paper)
-    return find_heirs({p, center, radius, radius * radius * more - state_.sites[p].weight}, 1e300);
+    return find_heirs({p, center, radius, radius * radius * beyond - state_.sites[p].weight}, 1e300);
   found_.clear();
   state_.paper->rivals(p, found_);
 }
@@ -45,11 +45,11 @@ void Strangers::find_rivals_beyond(double power, SiteId p, std::vector<SiteId>& 
     if (!(state_.reach[s] > power) || s == p) continue;
     const double far = state_.distance_at(state_.reach[s], s) + state_.distance_at(state_.reach[s], p);
     const double rise = state_.sites[s].level - point.level;
-    if ((state_.sites[s].position - point.position).squaredNorm() + rise * rise <= far * far * more)
+    if ((state_.sites[s].position - point.position).squaredNorm() + rise * rise <= far * far * beyond)
       out.push_back(s);
   }
-  const double half = 0.5 * (radius_ - (point.position - center_).norm()) / more;
-  if (half > 0) power = std::max(power, half * half / more - state_.heaviest());
+  const double half = 0.5 * (radius_ - (point.position - center_).norm()) / beyond;
+  if (half > 0) power = std::max(power, half * half / beyond - state_.heaviest());
   const std::size_t known = out.size();
   state_.tree.rivals_beyond(power, point, out);
   const auto is_known = [&](SiteId s) { return s == p || std::ranges::find(found_, s) != found_.end(); };

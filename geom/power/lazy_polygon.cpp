@@ -10,7 +10,7 @@ namespace geom {
 namespace {
 
 constexpr double u = 0x1p-53;
-constexpr double unknown = std::numeric_limits<double>::infinity();
+constexpr double undecided = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -67,7 +67,7 @@ LazyPolygon::Corner LazyPolygon::meet(std::uint32_t one, std::uint32_t two, std:
   const double l0 = f[1] * g[2] - f[2] * g[1], l1 = f[2] * g[0] - f[0] * g[2], l2 = f[0] * g[1] - f[1] * g[0];
   const double sum = l0 + l1 + l2;
   const double e = 2 * (m1 * e2 + m2 * e1) + 4 * u * m1 * m2, all = 4 * e + 12 * u * m1 * m2;
-  if (!(std::abs(sum) > 4 * all)) return {{0, 0, 0}, unknown, next, false};
+  if (!(std::abs(sum) > 4 * all)) return {{0, 0, 0}, undecided, next, false};
   const double inverse = 1 / sum;
   return {{l0 * inverse, l1 * inverse, l2 * inverse}, 1.01 * all * std::abs(inverse) + 8 * u, next, false};
 }

@@ -17,7 +17,7 @@
 namespace geom {
 namespace {
 
-constexpr double u = 0x1p-53;  // unit roundoff
+constexpr double roundoff = 0x1p-53;
 
 }  // namespace
 
@@ -62,7 +62,7 @@ Regular2::HoleScale Regular2::hole_scale() const {
     heaviest = std::max(heaviest, c.weight);
   }
   const double m2 = m * m;
-  return {32 * u * m2, 4096 * u * m2 * m2 * (8 * m2 + (heaviest - lightest))};
+  return {32 * roundoff * m2, 4096 * roundoff * m2 * m2 * (8 * m2 + (heaviest - lightest))};
 }
 
 /// Which corner of the chain makes the triangle on its chord.

@@ -10,7 +10,7 @@
 namespace geom {
 namespace {
 
-constexpr std::size_t most_parts_compared = 2000;
+constexpr std::size_t most_copies_sought = 2000;
 constexpr double most_of_area = 0.9;
 
 using Vertices = Table<VertexId, Vec3>;
@@ -78,7 +78,7 @@ class Sheet {
 
 std::size_t drop_copies(const Vertices& vertices, Facets& facets, double distance) {
   std::vector<MeshPart> parts = mesh_parts(vertices, facets);
-  if (parts.size() < 2 || parts.size() > most_parts_compared) return 0;
+  if (parts.size() < 2 || parts.size() > most_copies_sought) return 0;
   std::ranges::stable_sort(parts, std::ranges::greater(), &MeshPart::area);
   std::vector<Sheet> kept;
   Table<FacetId, char> marked(facets.size(), 0);

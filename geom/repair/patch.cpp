@@ -14,7 +14,7 @@ namespace {
 
 using Facets = Table<FacetId, TriMesh::Facet>;
 
-constexpr int most_rounds = 40;
+constexpr int most_relaxations = 40;
 constexpr std::size_t most_new_vertices = 50'000;
 constexpr double density = 1.4142135623730951;  // Liepa's factor
 
@@ -27,9 +27,9 @@ class Patch {
   }
 
   std::size_t run() {
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < most_relaxations; ++round) {
       if (!cut_large()) break;
-      for (int pass = 0; pass < most_rounds && flip_edges(); ++pass) {
+      for (int pass = 0; pass < most_relaxations && flip_edges(); ++pass) {
       }
     }
     const std::size_t added = vertices_.size() - first_new_.index();

@@ -16,7 +16,7 @@ namespace {
 using Facets = Table<FacetId, TriMesh::Facet>;
 using Sides = std::span<const HalfEdge>;  ///< of one edge
 
-constexpr int most_rounds = 32;
+constexpr int most_splittings = 32;
 constexpr std::size_t most_sides = 64;  // of an edge of which all pairs are looked at
 
 /// How well two facets at an edge go together: the smaller, the better.
@@ -212,7 +212,7 @@ std::size_t part_in_the_middle(Table<VertexId, Vec3>& vertices, Facets& facets) 
 
 Splitting split_sheets(Table<VertexId, Vec3>& vertices, Facets& facets, Fans fans) {
   Splitting result;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < most_splittings; ++round) {
     Sheets sheets(vertices, facets);
     if (round == 0) result.edges = sheets.crowded().size();
     std::vector<VertexId> copied;

@@ -11,7 +11,7 @@ namespace {
 
 using Facets = Table<FacetId, TriMesh::Facet>;
 
-constexpr int most_passes = 16;
+constexpr int most_zippings = 16;
 
 /// A border vertex at a border edge.
 struct Cut {
@@ -129,7 +129,7 @@ class Zip {
 
 std::size_t zip_t_junctions(const Table<VertexId, Vec3>& vertices, Facets& facets, double tolerance) {
   std::size_t count = 0;
-  for (int pass = 0; pass < most_passes; ++pass) {
+  for (int pass = 0; pass < most_zippings; ++pass) {
     const std::size_t cuts = Zip(vertices, facets, tolerance).run();
     if (cuts == 0) break;
     count += cuts;

@@ -11,7 +11,7 @@
 namespace geom {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Vec2 polar(double radius, double angle) { return {radius * std::cos(angle), radius * std::sin(angle)}; }
 

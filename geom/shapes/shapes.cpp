@@ -16,7 +16,7 @@
 namespace geom {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Smooth and closed.
 

@@ -10,7 +10,7 @@
 namespace geom {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 bool all_solid(int, int, int) { return true; }
 

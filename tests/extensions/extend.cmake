@@ -37,6 +37,7 @@ endforeach()
 file(GLOB remesh_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tools/remesh_*.cpp)
 add_executable(extended-remesh EXCLUDE_FROM_ALL ${extended_sources} ${PROJECT_SOURCE_DIR}/tools/fpo-remesh.cpp
   ${remesh_sources})
+fpo_compile_together(extended-remesh 12)
 target_link_libraries(extended-remesh PRIVATE tools)
 target_precompile_headers(extended-remesh REUSE_FROM fpo_geom)
 add_dependencies(fpo-tests extended-remesh)
