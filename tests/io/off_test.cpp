@@ -8,9 +8,9 @@ using fixtures::corners;
 
 namespace {
 
-geom::TriMesh parse(std::string text) { return io::parse_off({"a.off", std::move(text)}); }
+geom::TriMesh parse_off(std::string text) { return io::parse_off({"a.off", std::move(text)}); }
 
-const std::string square = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+const std::string off_square = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
 }  // namespace
 
@@ -20,51 +20,51 @@ TEST_CASE("OFF: counts on the same or the next line, with or without edges, comm
        {"OFF\n4 2 0\n", "OFF 4 2 0\n", "OFF\n4 2\n", "# made by hand\nOFF # text\n\n# counts\n4 2 5\n\n",
         "OFF\r\n4 2 0\r\n", "\xEF\xBB\xBFOFF\n4 2 0\n"}) {
     CAPTURE(header);
-    CHECK(corners(parse(header + square + "\n# facets\n" + facets)) == "0 1 2, 0 2 3");
+    CHECK(corners(parse_off(header + off_square + "\n# facets\n" + facets)) == "0 1 2, 0 2 3");
   }
 }
 
 TEST_CASE("OFF: what follows the coordinates or the corners is ignored") {
   const auto mesh =
-      parse("COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0 255 0 255\n0 1 0 0 0 255 255\n3 0 1 2 0.1 0.2 0.3\n");
+      parse_off("COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0 255 0 255\n0 1 0 0 0 255 255\n3 0 1 2 0.1 0.2 0.3\n");
   CHECK(corners(mesh) == "0 1 2");
-  CHECK(corners(parse("NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 2 1 0 17\n")) == "2 1 0");
-  CHECK(corners(parse("STCNOFF 3 1 0\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 2 1 0\n")) == "2 1 0");
+  CHECK(corners(parse_off("NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 2 1 0 17\n")) == "2 1 0");
+  CHECK(corners(parse_off("STCNOFF 3 1 0\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 2 1 0\n")) == "2 1 0");
 }
 
 TEST_CASE("OFF: polygons are triangulated, points and lines ignored, the last line end may miss") {
-  const auto mesh = parse("OFF\n4 3 0\n" + square + "1 0\n2 0 1\n4 0 1 2 3");
+  const auto mesh = parse_off("OFF\n4 3 0\n" + off_square + "1 0\n2 0 1\n4 0 1 2 3");
   CHECK(mesh.num_facets() == 2);
   CHECK(mesh.area() == 1);
 }
 
 TEST_CASE("OFF: each fault is named with its line") {
-  const auto fault = [](const std::string& text) { return complaint([&] { parse(text); }); };
-  CHECK(fault("4 2 0\n" + square) == "a.off:1: no OFF header (OFF, COFF, NOFF, ...)");
+  const auto fault = [](const std::string& text) { return complaint([&] { parse_off(text); }); };
+  CHECK(fault("4 2 0\n" + off_square) == "a.off:1: no OFF header (OFF, COFF, NOFF, ...)");
   CHECK(fault("\n\n").find("no OFF header") != std::string::npos);
   CHECK(fault("4OFF 1 1 1\n").find("no OFF header") != std::string::npos);
   CHECK(fault("OFF BINARY\n") == "a.off:1: binary OFF is not supported");
   CHECK(fault("OFF\n") == "a.off:2: truncated: the file ends before the counts");
-  CHECK(fault("OFF\n4\n" + square) == "a.off:2: the number of facets is missing");
-  CHECK(fault("OFF\n4 -1 0\n" + square) == "a.off:2: the number of facets is negative");
-  CHECK(fault("OFF\n4 x 0\n" + square) == "a.off:2: the number of facets 'x' is not a whole number");
-  CHECK(fault("OFF\n4000000000000000000 1 0\n" + square) ==
+  CHECK(fault("OFF\n4\n" + off_square) == "a.off:2: the number of facets is missing");
+  CHECK(fault("OFF\n4 -1 0\n" + off_square) == "a.off:2: the number of facets is negative");
+  CHECK(fault("OFF\n4 x 0\n" + off_square) == "a.off:2: the number of facets 'x' is not a whole number");
+  CHECK(fault("OFF\n4000000000000000000 1 0\n" + off_square) ==
         "a.off:2: truncated: the header promises 4000000000000000000 vertices and 1 facets, only 27 bytes "
         "follow");
-  CHECK(fault("OFF\n4 999999999 0\n" + square).starts_with("a.off:2: truncated: "));
-  CHECK(fault("OFF\n4 1 0\n" + square + "3 0 1 4\n") ==
+  CHECK(fault("OFF\n4 999999999 0\n" + off_square).starts_with("a.off:2: truncated: "));
+  CHECK(fault("OFF\n4 1 0\n" + off_square + "3 0 1 4\n") ==
         "a.off:7: vertex index 4 out of range (the file has 4 vertices)");
-  CHECK(fault("OFF\n4 1 0\n" + square + "3 0 1 -1\n") ==
+  CHECK(fault("OFF\n4 1 0\n" + off_square + "3 0 1 -1\n") ==
         "a.off:7: vertex index -1 out of range (the first vertex is 0)");
-  CHECK(fault("OFF\n4 1 0\n" + square + "3 0 1\n") == "a.off:7: vertex index is missing");
-  CHECK(fault("OFF\n4 1 0\n" + square + "3 0 1 1\n") == "a.off:7: a facet names vertex 1 twice");
-  CHECK(fault("OFF\n4 1 0\n" + square + "99999999 0 1 1\n") ==
+  CHECK(fault("OFF\n4 1 0\n" + off_square + "3 0 1\n") == "a.off:7: vertex index is missing");
+  CHECK(fault("OFF\n4 1 0\n" + off_square + "3 0 1 1\n") == "a.off:7: a facet names vertex 1 twice");
+  CHECK(fault("OFF\n4 1 0\n" + off_square + "99999999 0 1 1\n") ==
         "a.off:7: truncated: a facet of 99999999 corners");
-  CHECK(fault("OFF\n4 2 0\n" + square + "3 0 1 2\n") ==
+  CHECK(fault("OFF\n4 2 0\n" + off_square + "3 0 1 2\n") ==
         "a.off:8: truncated: the file ends before facet 2 of 2");
-  CHECK(fault("OFF\n3 1 0\n" + square + "3 0 1 2\n") == "a.off:7: more lines than the header announces");
-  CHECK(fault("OFF\n4 1 0\n" + square + "3 0 1 2\n3 0 2 3\n") ==
+  CHECK(fault("OFF\n3 1 0\n" + off_square + "3 0 1 2\n") == "a.off:7: more lines than the header announces");
+  CHECK(fault("OFF\n4 1 0\n" + off_square + "3 0 1 2\n3 0 2 3\n") ==
         "a.off:8: more lines than the header announces");
-  CHECK(fault("OFF\n4 1 0\n0 0 nan\n" + square).starts_with("a.off:3: a coordinate is not a number"));
-  CHECK(fault("OFF\n4 0 0\n" + square) == "a.off: no facets");
+  CHECK(fault("OFF\n4 1 0\n0 0 nan\n" + off_square).starts_with("a.off:3: a coordinate is not a number"));
+  CHECK(fault("OFF\n4 0 0\n" + off_square) == "a.off: no facets");
 }

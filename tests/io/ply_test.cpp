@@ -11,7 +11,7 @@ using fixtures::corners;
 
 namespace {
 
-geom::TriMesh parse(std::string bytes) { return io::parse_ply({"a.ply", std::move(bytes)}); }
+geom::TriMesh parse_ply(std::string bytes) { return io::parse_ply({"a.ply", std::move(bytes)}); }
 
 template <class T>
 void append(std::string& bytes, T value, bool big) {
@@ -23,24 +23,24 @@ void append(std::string& bytes, T value, bool big) {
 const std::string header =
     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
     "property float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n";
-const std::string square = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+const std::string ply_square = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
 }  // namespace
 
 TEST_CASE("PLY text: comments, Windows line ends, records over several lines") {
-  const std::string text = header + square + "3 0 1 2\n3 0 2 3\n";
-  CHECK(corners(parse(text)) == "0 1 2, 0 2 3");
+  const std::string text = header + ply_square + "3 0 1 2\n3 0 2 3\n";
+  CHECK(corners(parse_ply(text)) == "0 1 2, 0 2 3");
   std::string windows;
   for (const char c : text) windows += c == '\n' ? "\r\n" : std::string(1, c);
-  CHECK(corners(parse(windows)) == "0 1 2, 0 2 3");
+  CHECK(corners(parse_ply(windows)) == "0 1 2, 0 2 3");
   std::string commented = text;
   commented.insert(4, "comment made by hand\nobj_info 3\n\n");
-  CHECK(corners(parse(commented)) == "0 1 2, 0 2 3");
-  CHECK(corners(parse(header + "0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 2 3 0 2 3")) == "0 1 2, 0 2 3");
+  CHECK(corners(parse_ply(commented)) == "0 1 2, 0 2 3");
+  CHECK(corners(parse_ply(header + "0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 2 3 0 2 3")) == "0 1 2, 0 2 3");
 }
 
 TEST_CASE("PLY text: other elements, other properties, lists anywhere, any order, vertex_index, polygons") {
-  const auto mesh = parse(
+  const auto mesh = parse_ply(
       "ply\nformat ascii 1.0\n"
       "element camera 1\nproperty float angle\nproperty list int float matrix\n"
       "element face 2\nproperty uchar red\nproperty list int uint vertex_index\nproperty list uchar float "
@@ -83,12 +83,12 @@ TEST_CASE("PLY binary: both byte orders, all types, unaligned records") {
       append(bytes, 2u - first, big);
       append(bytes, '\n', big);
     }
-    const auto mesh = parse(bytes);
+    const auto mesh = parse_ply(bytes);
     CHECK(corners(mesh) == "0 1 2, 2 1 0");
     CHECK(mesh.position(geom::VertexId(1)) == geom::Vec3(0.1, -300, 0.25));
-    CHECK(complaint([&] { parse(bytes + "\n"); }).ends_with(": more data than the header announces"));
+    CHECK(complaint([&] { parse_ply(bytes + "\n"); }).ends_with(": more data than the header announces"));
     for (std::size_t size = 4; size < bytes.size(); ++size) {
-      const std::string message = complaint([&] { parse(bytes.substr(0, size)); });
+      const std::string message = complaint([&] { parse_ply(bytes.substr(0, size)); });
       CHECK(message.starts_with("a.ply:"));
     }
   }
@@ -99,18 +99,18 @@ TEST_CASE("PLY binary: a header with Windows line ends, a body that starts with 
   const std::size_t body = bytes.find("end_header\n") + 11;
   bytes[body] = '\n';  // the last bits of the first x
   const double x = io::load_number<double>(bytes.data() + body, std::endian::little);
-  CHECK(parse(bytes).position(geom::VertexId(0)).x() == x);
+  CHECK(parse_ply(bytes).position(geom::VertexId(0)).x() == x);
   std::string windows;
   for (std::size_t i = 0; i < body; ++i) windows += bytes[i] == '\n' ? "\r\n" : std::string(1, bytes[i]);
-  CHECK(fixtures::identical(parse(windows + bytes.substr(body)), parse(bytes)));
+  CHECK(fixtures::identical(parse_ply(windows + bytes.substr(body)), parse_ply(bytes)));
 }
 
 TEST_CASE("PLY: each fault is named with its place") {
-  const auto fault = [](const std::string& bytes) { return complaint([&] { parse(bytes); }); };
+  const auto fault = [](const std::string& bytes) { return complaint([&] { parse_ply(bytes); }); };
   const auto with = [](std::string text, const std::string& from, const std::string& to) {
     return text.replace(text.find(from), from.size(), to);
   };
-  const std::string good = header + square + "3 0 1 2\n3 0 2 3\n";
+  const std::string good = header + ply_square + "3 0 1 2\n3 0 2 3\n";
   CHECK(fault(good.substr(1)) == "a.ply:1: no PLY header ('ply' on the first line)");
   CHECK(fault("ply\nformat ascii 1.0\n") == "a.ply:3: truncated: the file ends before 'end_header'");
   CHECK(fault(with(good, "ascii", "morse")).starts_with("a.ply:2: 'morse' is not a PLY format"));

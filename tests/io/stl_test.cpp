@@ -8,7 +8,7 @@ using fixtures::corners;
 
 namespace {
 
-geom::TriMesh parse(std::string bytes) { return io::parse_stl({"a.stl", std::move(bytes)}); }
+geom::TriMesh parse_stl(std::string bytes) { return io::parse_stl({"a.stl", std::move(bytes)}); }
 
 std::string facet(const std::string& a, const std::string& b, const std::string& c) {
   return " facet normal 0 0 1\n  outer loop\n   vertex " + a + "\n   vertex " + b + "\n   vertex " + c +
@@ -20,24 +20,24 @@ const std::string one = facet("0 0 0", "1 0 0", "0 1 0");
 }  // namespace
 
 TEST_CASE("STL text: vertices are welded by equal coordinates, -0 equals 0") {
-  const auto mesh = parse("solid two\n" + one + facet("0 1 -0.0", "1.0 -0 0", "1 1e0 0") + "endsolid two\n");
+  const auto mesh = parse_stl("solid two\n" + one + facet("0 1 -0.0", "1.0 -0 0", "1 1e0 0") + "endsolid two\n");
   CHECK(mesh.num_vertices() == 4);
   CHECK(corners(mesh) == "0 1 2, 2 1 3");
-  CHECK(parse("solid\n" + one + facet("0 1e-300 0", "1 0 0", "1 1 0") + "endsolid\n").num_vertices() == 5);
+  CHECK(parse_stl("solid\n" + one + facet("0 1e-300 0", "1 0 0", "1 1 0") + "endsolid\n").num_vertices() == 5);
 }
 
 TEST_CASE("STL text: several solids, any case, names, odd normals, line ends") {
   const std::string text =
       "solid first part\n" + one + "endsolid first part\n\nSOLID\nFACET NORMAL nan -nan(ind) inf\n" +
       "OUTER LOOP\nVERTEX 0 0 5\nVERTEX 1 0 5\nVERTEX 0 1 5\nENDLOOP\nENDFACET\nENDSOLID";
-  CHECK(corners(parse(text)) == "0 1 2, 3 4 5");
+  CHECK(corners(parse_stl(text)) == "0 1 2, 3 4 5");
   std::string windows;
   for (const char c : text) windows += c == '\n' ? "\r\n" : std::string(1, c);
-  CHECK(fixtures::identical(parse(windows), parse(text)));
+  CHECK(fixtures::identical(parse_stl(windows), parse_stl(text)));
 }
 
 TEST_CASE("STL: facets with a repeated corner are dropped") {
-  const auto mesh = parse("solid\n" + facet("0 0 0", "0 0 0", "1 0 0") + one + "endsolid\n");
+  const auto mesh = parse_stl("solid\n" + facet("0 0 0", "0 0 0", "1 0 0") + one + "endsolid\n");
   CHECK(corners(mesh) == "0 1 2");
 }
 
@@ -45,7 +45,7 @@ TEST_CASE("STL binary: told by count and size, whatever the header says; large o
   std::string bytes = io::to_stl(fixtures::tetrahedron());
   CHECK(bytes.size() == 84 + 4 * 50);
   bytes.replace(0, 10, "solid cube");
-  const auto mesh = parse(bytes);
+  const auto mesh = parse_stl(bytes);
   CHECK(mesh.num_vertices() == 4);
   CHECK(fixtures::same_soup(mesh, fixtures::tetrahedron()));
 
@@ -58,13 +58,13 @@ TEST_CASE("STL binary: told by count and size, whatever the header says; large o
       const int v = y * n + x;
       if (x > 0 && y > 0) facets.insert(facets.end(), {{v - n - 1, v - n, v}, {v - n - 1, v, v - 1}});
     }
-  const auto grid = parse(io::to_stl(fixtures::make_mesh(points, facets)));
+  const auto grid = parse_stl(io::to_stl(fixtures::make_mesh(points, facets)));
   CHECK(grid.num_vertices() == n * n);
   CHECK(grid.num_facets() == facets.size());
 }
 
 TEST_CASE("STL: each fault is named with its place") {
-  const auto fault = [](const std::string& bytes) { return complaint([&] { parse(bytes); }); };
+  const auto fault = [](const std::string& bytes) { return complaint([&] { parse_stl(bytes); }); };
   const std::string binary = io::to_stl(fixtures::tetrahedron());
   CHECK(fault(binary.substr(0, 200)) ==
         "a.stl:byte 80: truncated: the header promises 4 facets of 50 bytes, 116 bytes follow");

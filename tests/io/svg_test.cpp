@@ -19,7 +19,7 @@ std::string rounded(double value, int decimals) {
   return text;
 }
 
-std::size_t count(const std::string& text, std::string_view part) {
+std::size_t svg_count(const std::string& text, std::string_view part) {
   std::size_t n = 0;
   for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + part.size())) ++n;
   return n;
@@ -103,7 +103,7 @@ TEST_CASE("Svg: a document of every element, with open groups closed and text es
        {"<path d=\"M0 0l10 0-4.75 5z\"/>", "<path d=\"M0 0l10 0-4.75 5\"/>",
         "<line x1=\"0\" y1=\"0\" x2=\"1\" y2=\"1\" stroke=\"#000\"/>", "<circle cx=\"5\" cy=\"5\" r=\".5\"/>",
         "<rect x=\"1\" y=\"2\" width=\"3\" height=\"4\"/>", ">a &lt; b &amp; c</text>"})
-    CHECK(count(text, element) == 1);
+    CHECK(svg_count(text, element) == 1);
 }
 
 TEST_CASE("draw_mesh: shows each facet that faces the viewer once, in few bytes") {
@@ -113,13 +113,13 @@ TEST_CASE("draw_mesh: shows each facet that faces the viewer once, in few bytes"
   for (std::size_t t = 0; t < mesh.num_facets(); ++t)
     facing += mesh.normal(geom::FacetId(t)).dot(picture.towards_viewer) > 0 ? 1 : 0;
   const std::string text = io::draw_mesh(mesh, picture).document();
-  CHECK(count(text, "z") - count(text, "{z") >= facing);
-  CHECK(count(text, "M") == facing);
+  CHECK(svg_count(text, "z") - svg_count(text, "{z") >= facing);
+  CHECK(svg_count(text, "M") == facing);
   CHECK(text.size() < 100000);
   CHECK(text == io::draw_mesh(mesh, picture).document());
 
   picture.back_faces = true;
-  CHECK(count(io::draw_mesh(mesh, picture).document(), "M") == mesh.num_facets());
+  CHECK(svg_count(io::draw_mesh(mesh, picture).document(), "M") == mesh.num_facets());
 }
 
 TEST_CASE("draw_mesh: points come after the facets they lie on and before those that hide them") {

@@ -19,7 +19,7 @@ using fixtures::ScratchFolder;
 
 namespace {
 
-struct Outcome {
+struct PlaneCliOutcome {
   int code = -1;  ///< exit code, or -signal
   std::string out, err;
 };
@@ -36,7 +36,7 @@ bool handles_interrupt(pid_t process) {
   return false;
 }
 
-Outcome run(const ScratchFolder& scratch, std::vector<std::string> arguments, bool interrupt = false) {
+PlaneCliOutcome plane_cli_run(const ScratchFolder& scratch, std::vector<std::string> arguments, bool interrupt = false) {
   const std::filesystem::path program = std::filesystem::path(FPO_BINARY_DIR) / "fpo-plane";
   arguments.insert(arguments.begin(), program);
   const ScratchFolder streams;
@@ -65,7 +65,7 @@ Outcome run(const ScratchFolder& scratch, std::vector<std::string> arguments, bo
 /// Runs what must be refused; the complaint.
 std::string complaint(const ScratchFolder& scratch, const std::vector<std::string>& arguments) {
   const std::size_t entries = scratch.num_entries();
-  const Outcome o = run(scratch, arguments);
+  const PlaneCliOutcome o = plane_cli_run(scratch, arguments);
   CHECK(o.code == 2);
   CHECK(o.out == "");
   CHECK(std::count(o.err.begin(), o.err.end(), '\n') == 1);
@@ -130,7 +130,7 @@ TEST_CASE("fpo-plane: bad numbers and bad files are one line, exit code 2, and n
   complaint(scratch, {"-n", "100"});
 }
 
-TEST_CASE("fpo-plane: every kind of run writes n samples inside the rectangle, the same bytes each time") {
+TEST_CASE("fpo-plane: every kind of plane_cli_run writes n samples inside the rectangle, the same bytes each time") {
   const ScratchFolder scratch;
   scratch.write("ramp.pgm", "P2\n4 2\n9\n0 3 6 9\n0 3 6 9\n");
   scratch.write("curve.txt", "0.2 0.2\n0.3 0.25\n\n1.2 0.2\n");
@@ -147,7 +147,7 @@ TEST_CASE("fpo-plane: every kind of run writes n samples inside the rectangle, t
           "-n", "200",        "--iterations", "5",          "--period",       "1.5x1",
           "-o", out + ".txt", "--log",        out + ".csv", "--target-delta", "2"};
       all.insert(all.end(), kind.begin(), kind.end());
-      const Outcome o = run(scratch, all);
+      const PlaneCliOutcome o = plane_cli_run(scratch, all);
       REQUIRE(o.code == 0);
       CHECK(o.err == "");
       CHECK(o.out.find("samples 200\n") != std::string::npos);
@@ -171,8 +171,8 @@ TEST_CASE("fpo-plane: every kind of run writes n samples inside the rectangle, t
 TEST_CASE("fpo-plane: pictures of a torus and a rectangle, with all that can be drawn") {
   const ScratchFolder scratch;
   for (const std::string border : {"--quiet", "--bounded"}) {
-    const Outcome o =
-        run(scratch, {"-n", "100", "-o", "a.svg", "--iterations", "3", "--sizing", "waves5", border,
+    const PlaneCliOutcome o =
+        plane_cli_run(scratch, {"-n", "100", "-o", "a.svg", "--iterations", "3", "--sizing", "waves5", border,
                       "--draw-triangulation", "--draw-cells", "--draw-disks", "--draw-sizing"});
     REQUIRE(o.code == 0);
     const std::string svg = ScratchFolder::read(scratch / "a.svg");
@@ -182,11 +182,11 @@ TEST_CASE("fpo-plane: pictures of a torus and a rectangle, with all that can be 
   }
 }
 
-TEST_CASE("fpo-plane: an interrupted run writes what it has and exits with 130") {
+TEST_CASE("fpo-plane: an interrupted plane_cli_run writes what it has and exits with 130") {
   const ScratchFolder scratch;
   for (const std::string border : {"--quiet", "--bounded"}) {
-    const Outcome o =
-        run(scratch, {"-n", "500", "-o", "a.txt", "--iterations", "1000000", "--target-delta", "2", border},
+    const PlaneCliOutcome o =
+        plane_cli_run(scratch, {"-n", "500", "-o", "a.txt", "--iterations", "1000000", "--target-delta", "2", border},
             true);
     CHECK(o.code == 130);
     CHECK(num_lines(ScratchFolder::read(scratch / "a.txt")) == 500);

@@ -20,7 +20,7 @@ using fixtures::ScratchFolder;
 namespace {
 
 /// A folder in which the tools run.
-struct Place {
+struct RangePlace {
   ProgramResult run(const std::string& program, const std::vector<std::string>& arguments) const {
     return fixtures::run_program(program, arguments, folder.path());
   }
@@ -43,7 +43,7 @@ struct Results {
 Results results(int exponent) {
   const double factor = std::ldexp(1.0, exponent);
   const geom::TriMesh blob = geom::make_shape("blob", 3);
-  const Place at;
+  const RangePlace at;
   io::write_mesh(at.folder / "in.obj", scaled(blob, factor));
   std::vector<double> rho;
   for (const geom::Vec3& p : blob.vertices()) rho.push_back(factor * (2 + p.x()));
@@ -73,7 +73,7 @@ struct PlaneResults {
 
 PlaneResults plane_results(int exponent) {
   const double unit = std::ldexp(1.0, exponent);
-  const Place at;
+  const RangePlace at;
   char period[64];
   std::snprintf(period, sizeof period, "%.17gx%.17g", unit, unit / 2);
   std::vector<geom::WeightedPoint2> curve;
@@ -103,7 +103,7 @@ bool same(const std::vector<geom::WeightedPoint2>& a, const std::vector<geom::We
 }
 
 /// Exit code 2, one line that names the file, no output.
-void check_refused(const Place& at, const std::string& program, const std::vector<std::string>& arguments,
+void check_refused(const RangePlace& at, const std::string& program, const std::vector<std::string>& arguments,
                    const std::string& line) {
   const ProgramResult refused = at.run(program, arguments);
   CHECK(refused.code == 2);
@@ -142,7 +142,7 @@ TEST_CASE("range: a rectangle scaled by a power of two gives the same results, s
 }
 
 TEST_CASE("range: beyond it, every tool refuses in one line that names the file and the line") {
-  const Place at;
+  const RangePlace at;
   at.folder.write("huge.obj", "v 0 0 0\nv 1e200 0 0\nv 0 1 0\nf 1 2 3\n");
   at.folder.write("mixed.obj", "v 0 0 0\nv 1e-200 0 0\nv 0 -1e49 0\nf 1 2 3\n");
   at.folder.write("tiny.obj", "v 0 0 0\nv 1e-280 0 0\nv 0 1e-280 0\nf 1 2 3\n");

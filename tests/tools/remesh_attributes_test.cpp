@@ -46,8 +46,8 @@ std::string two_charts() {
   return obj.str();
 }
 
-struct Place {
-  Place() { folder.write("sheet.obj", two_charts()); }
+struct RemeshAttributesPlace {
+  RemeshAttributesPlace() { folder.write("sheet.obj", two_charts()); }
   ProgramResult run(const std::vector<std::string>& extra) const {
     std::vector<std::string> arguments{"sheet.obj", "--iterations", "5"};
     arguments.insert(arguments.end(), extra.begin(), extra.end());
@@ -56,7 +56,7 @@ struct Place {
   ScratchFolder folder;
 };
 
-double value(const io::Attributes& a, const char* name, std::size_t v) {
+double remesh_attributes_value(const io::Attributes& a, const char* name, std::size_t v) {
   for (const io::VertexProperty& p : a.properties)
     if (p.name == name) return p.values[v];
   FAIL("no property " << name);
@@ -66,7 +66,7 @@ double value(const io::Attributes& a, const char* name, std::size_t v) {
 }  // namespace
 
 TEST_CASE("fpo-remesh --carry: a linear colour is that of the place, as OBJ and as PLY") {
-  const Place place;
+  const RemeshAttributesPlace place;
   for (const std::string out : {"out.obj", "out.ply"}) {
     CAPTURE(out);
     REQUIRE(place.run({"-n", "150", "--carry", "-o", out}).code == 0);
@@ -75,15 +75,15 @@ TEST_CASE("fpo-remesh --carry: a linear colour is that of the place, as OBJ and 
     const double one = out == "out.ply" ? 255 : 1, tolerance = out == "out.ply" ? 0.5001 : 1e-9;
     for (std::size_t v = 0; v < 150; ++v) {
       const geom::Vec3& x = a.vertices[geom::VertexId(v)];
-      CHECK(std::abs(value(a, "red", v) - one * x.x()) <= tolerance);
-      CHECK(std::abs(value(a, "green", v) - one * x.y()) <= tolerance);
-      CHECK(std::abs(value(a, "blue", v) - one * 0.5) <= tolerance);
+      CHECK(std::abs(remesh_attributes_value(a, "red", v) - one * x.x()) <= tolerance);
+      CHECK(std::abs(remesh_attributes_value(a, "green", v) - one * x.y()) <= tolerance);
+      CHECK(std::abs(remesh_attributes_value(a, "blue", v) - one * 0.5) <= tolerance);
     }
   }
 }
 
 TEST_CASE("fpo-remesh --carry --features auto,seams: each triangle has the texture of its chart") {
-  const Place place;
+  const RemeshAttributesPlace place;
   for (const std::string features : {"auto,seams", "auto,groups"}) {
     const ProgramResult result = place.run({"-n", "150", "--carry", "--features", features, "-o", "out.obj"});
     REQUIRE(result.code == 0);
@@ -107,7 +107,7 @@ TEST_CASE("fpo-remesh --carry --features auto,seams: each triangle has the textu
 }
 
 TEST_CASE("fpo-remesh: what is dropped is said in a line") {
-  const Place place;
+  const RemeshAttributesPlace place;
   const auto said = [&](std::vector<std::string> extra) {
     extra.insert(extra.end(), {"-n", "100", "--features", "none"});
     return place.run(extra).err;
@@ -122,7 +122,7 @@ TEST_CASE("fpo-remesh: what is dropped is said in a line") {
 }
 
 TEST_CASE("fpo-remesh --features: a file of polylines is kept, edge by edge; what is no edge is counted") {
-  const Place place;
+  const RemeshAttributesPlace place;
   place.folder.write("curve.txt",
                      "# a step\n0.3 0.2 0\n0.4 0.2 0\n0.5 0.2 0\n0.5 0.3 0\n\n0 0.9 0\n1 0.9 0\n");
   const ProgramResult result = place.run({"-n", "300", "--features", "auto,curve.txt", "-o", "out.obj"});
@@ -136,7 +136,7 @@ TEST_CASE("fpo-remesh --features: a file of polylines is kept, edge by edge; wha
 }
 
 TEST_CASE("fpo-remesh --points: without a mesh, with normals, areas that add up, and ranks") {
-  const Place place;
+  const RemeshAttributesPlace place;
   const ProgramResult result = place.run({"-n", "120", "--points", "points.ply"});
   REQUIRE(result.code == 0);
   const auto properties = io::parse_ply_properties(io::load(place.folder / "points.ply"));
@@ -158,7 +158,7 @@ TEST_CASE("fpo-remesh --points: without a mesh, with normals, areas that add up,
 }
 
 TEST_CASE("fpo-remesh: lengths instead of a number, and back from --sizing-out") {
-  const Place place;
+  const RemeshAttributesPlace place;
   const auto samples = [&](const std::vector<std::string>& extra) {
     std::vector<std::string> arguments = extra;
     arguments.insert(arguments.end(), {"-o", "out.off"});

@@ -13,8 +13,8 @@ using fixtures::ScratchFolder;
 
 namespace {
 
-struct Place {
-  Place() {
+struct RemeshFeaturesPlace {
+  RemeshFeaturesPlace() {
     for (const char* name : {"cube", "thin-plate"})
       io::write_mesh(folder / (std::string(name) + ".obj"), geom::make_shape(name));
   }
@@ -35,7 +35,7 @@ struct Place {
 }  // namespace
 
 TEST_CASE("fpo-remesh: too few samples for the features and bad values are refused in one line") {
-  const Place place;
+  const RemeshFeaturesPlace place;
   place.folder.write("bad.xyz", "0 0 zero\n");
   place.folder.write("off.xyz", "0 0 0\n.5 .5 .5\n");
   place.refused({"cube.obj", "-n", "7", "--features", "45"},
@@ -50,7 +50,7 @@ TEST_CASE("fpo-remesh: too few samples for the features and bad values are refus
 }
 
 TEST_CASE("fpo-remesh: fixed points are kept bit for bit, the map gives back every position") {
-  const Place place;
+  const RemeshFeaturesPlace place;
   place.folder.write("fixed.xyz", ".1 .7 0\n.3 0 0\n");
   const ProgramResult result =
       place.run({"cube.obj", "-n", "90", "--fixed", "fixed.xyz", "--map", "map.txt"});
@@ -79,7 +79,7 @@ TEST_CASE("fpo-remesh: fixed points are kept bit for bit, the map gives back eve
 }
 
 TEST_CASE("fpo-remesh: another topology is a warning, with --strict exit code 3; the mesh is written") {
-  const Place place;
+  const RemeshFeaturesPlace place;
   const std::vector<std::string> crude{"thin-plate.obj", "-n",        "300",      "--features",
                                        "none",           "--no-mend", "--sheets", "together"};
   const ProgramResult lenient = place.run(crude);

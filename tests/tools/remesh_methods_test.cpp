@@ -15,8 +15,8 @@ using fixtures::ScratchFolder;
 namespace {
 
 /// A folder with a torus in it, and the program run there.
-struct Place {
-  Place() { io::write_mesh(folder / "torus.obj", geom::make_shape("torus")); }
+struct RemeshMethodsPlace {
+  RemeshMethodsPlace() { io::write_mesh(folder / "torus.obj", geom::make_shape("torus")); }
   ProgramResult run(const std::vector<std::string>& extra,
                     const fixtures::Interruption& interruption = {}) const {
     std::vector<std::string> arguments{"torus.obj", "-o", "out.ply", "--log", "log.csv"};
@@ -29,7 +29,7 @@ struct Place {
 }  // namespace
 
 TEST_CASE("fpo-remesh --method: the same bytes with any number of threads; no method gives another's") {
-  const Place place;
+  const RemeshMethodsPlace place;
   std::set<std::string> meshes;
   for (const std::string method : {"fpo", "cvt", "mps", "cps", "pps", "hps", "ccst", "vbs"}) {
     const auto mesh_with = [&](const std::string& threads) {
@@ -50,7 +50,7 @@ TEST_CASE("fpo-remesh --method: the same bytes with any number of threads; no me
 }
 
 TEST_CASE("fpo-remesh --method: angle optimization on request; options of fpo alone are refused") {
-  const Place place;
+  const RemeshMethodsPlace place;
   const ProgramResult result = place.run({"-n", "150", "--method=cps", "--optimize-angles"});
   CHECK(result.code == 0);
   CHECK(result.out.find("bad_triangles_after 0\n") != std::string::npos);
@@ -64,7 +64,7 @@ TEST_CASE("fpo-remesh --method: angle optimization on request; options of fpo al
 }
 
 TEST_CASE("fpo-remesh --maximal: fpo-quality finds no room for another sample; threads do not matter") {
-  const Place place;
+  const RemeshMethodsPlace place;
   std::set<std::string> meshes;
   for (const std::string threads : {"1", "3"}) {
     const ProgramResult result = place.run(
@@ -84,7 +84,7 @@ TEST_CASE("fpo-remesh --maximal: fpo-quality finds no room for another sample; t
 }
 
 TEST_CASE("fpo-remesh --method: interrupted, each writes a mesh, or says that there is none yet") {
-  const Place place;
+  const RemeshMethodsPlace place;
   for (const std::string method : {"cvt", "mps", "cps", "pps", "hps", "ccst", "vbs"}) {
     CAPTURE(method);
     const ProgramResult result =

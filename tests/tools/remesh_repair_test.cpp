@@ -18,8 +18,8 @@ using geom::TriMesh;
 
 namespace {
 
-struct Place {
-  Place() : torus(geom::make_shape("torus", 24)) { io::write_mesh(folder / "torus.ply", torus); }
+struct RemeshRepairPlace {
+  RemeshRepairPlace() : torus(geom::make_shape("torus", 24)) { io::write_mesh(folder / "torus.ply", torus); }
 
   ProgramResult remesh(const std::string& input, std::vector<std::string> more = {}) const {
     std::vector<std::string> arguments{input, "-n", "200", "--iterations", "10", "-o", "out.obj"};
@@ -39,7 +39,7 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 
 TEST_CASE(
     "fpo-remesh: a soup of triangles is remeshed like the surface it was, in every format, and says so") {
-  const Place place;
+  const RemeshRepairPlace place;
   REQUIRE(place.remesh("torus.ply").err == "");
   const std::string sound = place.output();
   geom::Rng rng(1);
@@ -66,7 +66,7 @@ TEST_CASE(
 }
 
 TEST_CASE("fpo-remesh: a surface thinner than the spacing is refused, for little of it would be left") {
-  const Place place;
+  const RemeshRepairPlace place;
   place.write("thread.ply", fixtures::stretched_sphere(12, 50, 1000));
   const ProgramResult result = place.remesh("thread.ply", {"--features", "none"});
   CHECK(result.code == 2);
@@ -76,7 +76,7 @@ TEST_CASE("fpo-remesh: a surface thinner than the spacing is refused, for little
 }
 
 TEST_CASE("fpo-trace, fpo-spectrum: read files as fpo-remesh does") {
-  const Place place;
+  const RemeshRepairPlace place;
   geom::Rng rng(1);
   place.write("soup.ply", fixtures::split_vertices(place.torus, 0, rng));
   const auto trace = [&](const std::string& input, std::vector<std::string> more = {}) {
@@ -102,7 +102,7 @@ TEST_CASE("fpo-trace, fpo-spectrum: read files as fpo-remesh does") {
 }
 
 TEST_CASE("fpo-remesh: a facet that names a vertex twice is dropped, with --no-repair refused") {
-  const Place place;
+  const RemeshRepairPlace place;
   place.write("torus.obj", place.torus);
   const std::string bytes = ScratchFolder::read(place.folder / "torus.obj");
   REQUIRE(place.remesh("torus.obj").code == 0);
@@ -121,7 +121,7 @@ TEST_CASE("fpo-remesh: a facet that names a vertex twice is dropped, with --no-r
 
 TEST_CASE(
     "fpo-remesh --repair: surfaces spoilt in ten ways give closed remeshes of their type, --strict agrees") {
-  const Place place;
+  const RemeshRepairPlace place;
   for (std::size_t way = 0; way < fixtures::ways_to_spoil.size(); ++way) {
     const std::string name = fixtures::ways_to_spoil[way];
     CAPTURE(name);
@@ -145,7 +145,7 @@ TEST_CASE(
 }
 
 TEST_CASE("fpo-remesh: without --repair a warning names the fault and the option") {
-  const Place place;
+  const RemeshRepairPlace place;
   const std::pair<std::size_t, const char*> faults[] = {
       {2, "hole"}, {3, "inverted facet"},    {5, "non-manifold edge"},
       {6, "hole"}, {7, "non-manifold vert"}, {8, "part that lies on another"}};
@@ -159,7 +159,7 @@ TEST_CASE("fpo-remesh: without --repair a warning names the fault and the option
 }
 
 TEST_CASE("fpo-remesh: single steps, with and without a value; contradictions are refused") {
-  const Place place;
+  const RemeshRepairPlace place;
   place.write("holes.ply", fixtures::spoilt(place.torus, 2));
   CHECK(contains(place.remesh("holes.ply", {"--fill-holes"}).err, "filled"));
   CHECK(contains(place.remesh("holes.ply", {"--fill-holes=1e-9"}).err, "left"));
@@ -175,7 +175,7 @@ TEST_CASE("fpo-remesh: single steps, with and without a value; contradictions ar
 }
 
 TEST_CASE("fpo-remesh: a body a million diagonals away is remeshed like one at the origin, as fast") {
-  const Place place;
+  const RemeshRepairPlace place;
   const geom::Vec3 far(0x1p22, -0x1p21, 0);
   const auto there = [&](const TriMesh& mesh, const geom::Vec3& by) { return geom::moved_by(mesh, by); };
   const TriMesh coarse = geom::mapped(place.torus, [](const geom::Vec3& p) {  // so that moving it is exact
@@ -193,7 +193,7 @@ TEST_CASE("fpo-remesh: a body a million diagonals away is remeshed like one at t
 }
 
 TEST_CASE("fpo-quality: says what is wrong with a file") {
-  const Place place;
+  const RemeshRepairPlace place;
   const auto value = [&](const std::string& file, const std::string& key) {
     std::istringstream lines(fixtures::run_program("fpo-quality", {file}, place.folder.path()).out);
     std::string name;

@@ -17,8 +17,8 @@ using fixtures::ScratchFolder;
 namespace {
 
 /// A folder with a sound surface in it, and the program run there.
-struct Place {
-  Place() { io::write_mesh(folder / "torus.obj", geom::make_shape("torus")); }
+struct RemeshPlace {
+  RemeshPlace() { io::write_mesh(folder / "torus.obj", geom::make_shape("torus")); }
 
   ProgramResult run(const std::vector<std::string>& arguments,
                     const fixtures::Interruption& interruption = {}) const {
@@ -36,7 +36,7 @@ struct Place {
 };
 
 /// Exit code 2, one line on stderr that contains `reason`, nothing on stdout, no file written or touched.
-void check_refused(const Place& place, const std::vector<std::string>& arguments, const std::string& reason) {
+void remesh_check_refused(const RemeshPlace& place, const std::vector<std::string>& arguments, const std::string& reason) {
   std::string line;
   for (const std::string& argument : arguments) line += argument + " ";
   CAPTURE(line);
@@ -50,10 +50,10 @@ void check_refused(const Place& place, const std::vector<std::string>& arguments
   CHECK(place.files() == before);
 }
 
-void check_mesh_refused(const Place& place, const std::string& name, const std::string& bytes,
+void check_mesh_refused(const RemeshPlace& place, const std::string& name, const std::string& bytes,
                         const std::string& reason) {
   place.folder.write(name, bytes);
-  check_refused(place, {name, "-n", "50", "-o", "out.obj"}, reason);
+  remesh_check_refused(place, {name, "-n", "50", "-o", "out.obj"}, reason);
 }
 
 const std::string header = "property float x\nproperty float y\nproperty float z\n";
@@ -61,9 +61,9 @@ const std::string header = "property float x\nproperty float y\nproperty float z
 }  // namespace
 
 TEST_CASE("fpo-remesh: bad input is refused in one line, and nothing is written") {
-  const Place place;
+  const RemeshPlace place;
   const auto tetrahedron = fixtures::tetrahedron();
-  check_refused(place, {"none.obj", "-n", "50", "-o", "out.obj"}, "none.obj: no such file");
+  remesh_check_refused(place, {"none.obj", "-n", "50", "-o", "out.obj"}, "none.obj: no such file");
   check_mesh_refused(place, "empty.ply", "", "empty.ply: the file is empty");
   check_mesh_refused(place, "odd.xyz", "0 0 0\n", "unknown extension '.xyz'");
   check_mesh_refused(place, "cut.ply",
@@ -83,16 +83,16 @@ TEST_CASE("fpo-remesh: bad input is refused in one line, and nothing is written"
 
 TEST_CASE(
     "fpo-remesh: a facet no wider than rounding is refused for what its samples make, not for bad data") {
-  const Place place;  // three times .1 is not .3
+  const RemeshPlace place;  // three times .1 is not .3
   check_mesh_refused(place, "line.obj", "v 0 0 0\nv .1 .2 .7\nv .3 .6 2.1\nf 1 2 3\n",
                      "line.obj: 50 samples are too few");
 }
 
 TEST_CASE("fpo-remesh: no output is written under a name that says another format") {
-  const Place place;
+  const RemeshPlace place;
   const auto refused = [&](const std::string& option, const std::string& name, const std::string& endings) {
     const std::string unknown = std::filesystem::path(name).extension().string();
-    check_refused(place, {"torus.obj", "-n", "50", "-o", "out.obj", option, name},
+    remesh_check_refused(place, {"torus.obj", "-n", "50", "-o", "out.obj", option, name},
                   option + ": " + name + ": unknown extension '" + unknown + "' (use " + endings + ")");
   };
   refused("--picture", "x.png", ".svg");
@@ -104,9 +104,9 @@ TEST_CASE("fpo-remesh: no output is written under a name that says another forma
 }
 
 TEST_CASE("fpo-remesh: bad use is refused in one line, and nothing is written") {
-  const Place place;
+  const RemeshPlace place;
   const auto refused = [&](const std::vector<std::string>& arguments, const std::string& reason) {
-    check_refused(place, arguments, reason);
+    remesh_check_refused(place, arguments, reason);
   };
   refused({"torus.obj", "-n", "0", "-o", "out.obj"}, "-n: 0 is not between 1 and");
   refused({"torus.obj", "-n", "1000000000", "-o", "out.obj"}, "-n: 1000000000 is not between 1 and");
@@ -130,14 +130,14 @@ TEST_CASE("fpo-remesh: bad use is refused in one line, and nothing is written") 
 }
 
 TEST_CASE("fpo-remesh: an output of a failed run keeps what was there before") {
-  const Place place;
+  const RemeshPlace place;
   place.folder.write("out.obj", "precious");
-  check_refused(place, {"none.obj", "-n", "50", "-o", "out.obj"}, "no such file");
-  check_refused(place, {"torus.obj", "-n", "1", "-o", "out.obj"}, "too few");
+  remesh_check_refused(place, {"none.obj", "-n", "50", "-o", "out.obj"}, "no such file");
+  remesh_check_refused(place, {"torus.obj", "-n", "1", "-o", "out.obj"}, "too few");
 }
 
 TEST_CASE("fpo-remesh: interrupted in the middle, it writes a mesh of exactly n vertices") {
-  const Place place;
+  const RemeshPlace place;
   for (const int signal : {SIGINT, SIGTERM}) {
     CAPTURE(signal);
     const ProgramResult result = place.run({"torus.obj", "-n", "500", "-o", "out.ply", "--points", "out.xyz",
@@ -157,7 +157,7 @@ TEST_CASE("fpo-remesh: interrupted in the middle, it writes a mesh of exactly n 
 }
 
 TEST_CASE("fpo-remesh: the same bytes again, from either engine and with any number of threads") {
-  const Place place;
+  const RemeshPlace place;
   const auto outputs = [&](std::vector<std::string> extra) {
     std::vector<std::string> arguments{"torus.obj", "-n",        "250",      "--iterations", "8",
                                        "-o",        "out.obj",   "--points", "p.xyz",        "--rpd",

@@ -11,8 +11,8 @@ using fixtures::ScratchFolder;
 
 namespace {
 
-struct Place {
-  Place() {
+struct RemeshTypePlace {
+  RemeshTypePlace() {
     io::write_mesh(folder / "handle.obj", geom::make_shape("thin-handle", 36));
     io::write_mesh(folder / "torus.obj", geom::make_shape("torus", 24));
   }
@@ -29,7 +29,7 @@ bool says(const std::string& text, const std::string& what) { return text.find(w
 
 TEST_CASE(
     "fpo-remesh: another topological type is said with places and what to do, --strict makes it code 3") {
-  const Place place;
+  const RemeshTypePlace place;
   const ProgramResult lost =
       place.run({"handle.obj", "-n", "120", "--no-mend", "--report", "report.html", "--strict"});
   CHECK(lost.code == 3);
@@ -49,7 +49,7 @@ TEST_CASE(
 }
 
 TEST_CASE("fpo-remesh: --at-least takes more samples until the type is right, and says how many") {
-  const Place place;
+  const RemeshTypePlace place;
   const ProgramResult more = place.run({"torus.obj", "-n", "9", "--at-least", "--strict"});
   CHECK(more.code == 0);
   CHECK_MESSAGE(says(more.out, "not_enough_samples "), more.out);
@@ -63,7 +63,7 @@ TEST_CASE("fpo-remesh: --at-least takes more samples until the type is right, an
 }
 
 TEST_CASE("fpo-remesh: delta is that of the mesh in the file") {
-  const Place place;
+  const RemeshTypePlace place;
   const ProgramResult result = place.run({"torus.obj", "-n", "120"});
   const ProgramResult measured =
       fixtures::run_program("fpo-quality", {"out.obj", "--reference", "torus.obj"}, place.folder.path());

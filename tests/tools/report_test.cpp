@@ -19,8 +19,8 @@ using fixtures::ScratchFolder;
 namespace {
 
 /// A folder with a report of a cube in it: features, and all four scenes.
-struct Place {
-  explicit Place(std::vector<std::string> more = {}, const std::string& shape = "cube") {
+struct ReportPlace {
+  explicit ReportPlace(std::vector<std::string> more = {}, const std::string& shape = "cube") {
     io::write_mesh(folder / (shape + ".obj"), geom::make_shape(shape));
     std::vector<std::string> arguments{shape + ".obj", "-n",       "150",         "--iterations", "5", "-o",
                                        "out.obj",      "--report", "report.html", "--threads",    "2"};
@@ -57,7 +57,7 @@ std::string browser() {
 }  // namespace
 
 TEST_CASE("fpo-remesh --report: well-formed, in one piece, of moderate size, the same again but for times") {
-  const Place place, again;
+  const ReportPlace place, again;
   CHECK(nesting_fault(place.page) == "");
   CHECK(occurrences(place.page, "<figure class=\"scene\">") == 4);
   CHECK(occurrences(place.page, "<svg ") == 4);  // two histograms, convergence, spectrum
@@ -73,7 +73,7 @@ TEST_CASE("fpo-remesh --report: well-formed, in one piece, of moderate size, the
 }
 
 TEST_CASE("fpo-remesh --report: its figures are those of fpo-quality") {
-  const Place place({"--sizing", "curvature"}, "torus");
+  const ReportPlace place({"--sizing", "curvature"}, "torus");
   const ProgramResult quality = fixtures::run_program(
       "fpo-quality", {"out.obj", "--reference", "torus.obj", "--json"}, place.folder.path());
   REQUIRE(quality.code == 0);
@@ -84,7 +84,7 @@ TEST_CASE("fpo-remesh --report: its figures are those of fpo-quality") {
 }
 
 TEST_CASE("fpo-remesh --report: refused before any work if it cannot be written or is another output") {
-  const Place place;
+  const ReportPlace place;
   for (const char* name : {"out.obj", "none/report.html"}) {
     const ProgramResult result = fixtures::run_program(
         "fpo-remesh", {"cube.obj", "-n", "150", "-o", "out.obj", "--report", name}, place.folder.path());
@@ -100,7 +100,7 @@ TEST_CASE("fpo-remesh --report: a browser draws all scenes without complaint") {
     MESSAGE("skipped: there is no chromium to open a report with");
     return;
   }
-  const Place place;
+  const ReportPlace place;
   const ProgramResult result = fixtures::run_program(
       program,
       {"--headless=new", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr", "--v=0",

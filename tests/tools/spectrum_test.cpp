@@ -19,8 +19,8 @@ using fixtures::ScratchFolder;
 namespace {
 
 /// A folder with sets of samples in it, and the program run there.
-struct Place {
-  Place() {
+struct SpectrumPlace {
+  SpectrumPlace() {
     for (const int seed : {1, 2})
       io::write_points(folder / ("noise" + std::to_string(seed) + ".txt"),
                        fixtures::random_in_square(150, static_cast<std::uint64_t>(seed)));
@@ -68,7 +68,7 @@ double mean_power(const std::vector<Row>& table) {
   return sum / static_cast<double>(table.size());
 }
 
-void check_refused(const Place& place, const std::vector<std::string>& arguments, const std::string& reason) {
+void spectrum_check_refused(const SpectrumPlace& place, const std::vector<std::string>& arguments, const std::string& reason) {
   CAPTURE(reason);
   const auto before = place.files();
   const ProgramResult result = place.run(arguments);
@@ -82,7 +82,7 @@ void check_refused(const Place& place, const std::vector<std::string>& arguments
 }  // namespace
 
 TEST_CASE("fpo-spectrum: white noise in the plane and on a sphere: a picture, and a table around 1") {
-  const Place place;
+  const SpectrumPlace place;
   const std::vector<std::string> runs[] = {
       {"noise1.txt", "noise2.txt"},
       {"noise1.txt", "noise2.txt", "--bounded"},
@@ -112,7 +112,7 @@ TEST_CASE("fpo-spectrum: white noise in the plane and on a sphere: a picture, an
 }
 
 TEST_CASE("fpo-spectrum: the table is the mean over the sets") {
-  const Place place;
+  const SpectrumPlace place;
   for (const char* set : {"noise1", "noise2"})
     REQUIRE(place.run({std::string(set) + ".txt", "-o", set}).code == 0);
   REQUIRE(place.run({"noise1.txt", "noise2.txt", "-o", "both.svg"}).code == 0);
@@ -126,7 +126,7 @@ TEST_CASE("fpo-spectrum: the table is the mean over the sets") {
 }
 
 TEST_CASE("fpo-spectrum: any number of threads writes the same bytes; equal sizes are no sizes") {
-  const Place place;
+  const SpectrumPlace place;
   const auto outputs = [&](std::vector<std::string> extra) {
     std::vector<std::string> arguments{"on_sphere.xyz", "--surface", "sphere.obj", "-o", "out"};
     arguments.insert(arguments.end(), extra.begin(), extra.end());
@@ -140,36 +140,36 @@ TEST_CASE("fpo-spectrum: any number of threads writes the same bytes; equal size
 }
 
 TEST_CASE("fpo-spectrum: the vertices of a mesh, on another surface or on its own") {
-  const Place place;
+  const SpectrumPlace place;
   CHECK(place.run({"sphere.obj", "-o", "own"}).code == 0);
   CHECK(place.run({"sphere.obj", "--surface", "sphere.obj", "-o", "given"}).code == 0);
   CHECK(ScratchFolder::read(place.folder / "own.csv") == ScratchFolder::read(place.folder / "given.csv"));
 }
 
 TEST_CASE("fpo-spectrum: bad use and bad input are refused in one line, with nothing written") {
-  const Place place;
+  const SpectrumPlace place;
   place.folder.write("one.txt", "0.5 0.5\n");
   place.folder.write("far.txt", "0.5 0.5\n0.25 3\n");
   place.folder.write("word.txt", "0.5 0.5\n0.25 x\n");
   place.folder.write("short.txt", "1\n2\n");
-  check_refused(place, {"-o", "out"}, "POINTS");
-  check_refused(place, {"noise1.txt"}, "-o");
-  check_refused(place, {"absent.txt", "-o", "out"}, "absent.txt");
-  check_refused(place, {"noise1.txt", "-o", "no/such/out"}, "cannot write");
-  check_refused(place, {"one.txt", "-o", "out"}, "one.txt: a spectrum needs two samples");
-  check_refused(place, {"word.txt", "-o", "out"}, "word.txt:2");
-  check_refused(place, {"far.txt", "--bounded", "-o", "out"}, "far.txt: a sample lies outside");
-  check_refused(place, {"noise1.txt", "--spacing", "weights", "-o", "out"}, "positive");
-  check_refused(place, {"noise1.txt", "--spacing", "some", "-o", "out"}, "'some'");
-  check_refused(place, {"noise1.txt", "--period", "2", "-o", "out"}, "WIDTHxHEIGHT");
-  check_refused(place, {"noise1.txt", "-o", "out", "--radius", "1"}, "radius");
-  check_refused(place, {"noise1.txt", "--surface", "sphere.obj", "-o", "out"}, "--surface");
-  check_refused(place, {"noise1.txt", "sphere.obj", "-o", "out"}, "do not mix");
-  check_refused(place, {"noise1.txt", "--bounded", "--periodogram", "-o", "out"}, "--periodogram");
-  check_refused(place, {"noise1.txt", "far.txt", "--periodogram", "-o", "out"}, "equally many");
-  check_refused(place, {"on_sphere.xyz", "-o", "out"}, "on_sphere.xyz: points in space need --surface");
-  check_refused(place, {"sphere.obj", "--bounded", "-o", "out"}, "--bounded");
-  check_refused(place, {"sphere.obj", "--sizes", "sizes.txt", "-o", "out"}, "--sizes");
-  check_refused(place, {"on_sphere.xyz", "--surface", "sphere.obj", "--sizes", "short.txt", "-o", "out"},
+  spectrum_check_refused(place, {"-o", "out"}, "POINTS");
+  spectrum_check_refused(place, {"noise1.txt"}, "-o");
+  spectrum_check_refused(place, {"absent.txt", "-o", "out"}, "absent.txt");
+  spectrum_check_refused(place, {"noise1.txt", "-o", "no/such/out"}, "cannot write");
+  spectrum_check_refused(place, {"one.txt", "-o", "out"}, "one.txt: a spectrum needs two samples");
+  spectrum_check_refused(place, {"word.txt", "-o", "out"}, "word.txt:2");
+  spectrum_check_refused(place, {"far.txt", "--bounded", "-o", "out"}, "far.txt: a sample lies outside");
+  spectrum_check_refused(place, {"noise1.txt", "--spacing", "weights", "-o", "out"}, "positive");
+  spectrum_check_refused(place, {"noise1.txt", "--spacing", "some", "-o", "out"}, "'some'");
+  spectrum_check_refused(place, {"noise1.txt", "--period", "2", "-o", "out"}, "WIDTHxHEIGHT");
+  spectrum_check_refused(place, {"noise1.txt", "-o", "out", "--radius", "1"}, "radius");
+  spectrum_check_refused(place, {"noise1.txt", "--surface", "sphere.obj", "-o", "out"}, "--surface");
+  spectrum_check_refused(place, {"noise1.txt", "sphere.obj", "-o", "out"}, "do not mix");
+  spectrum_check_refused(place, {"noise1.txt", "--bounded", "--periodogram", "-o", "out"}, "--periodogram");
+  spectrum_check_refused(place, {"noise1.txt", "far.txt", "--periodogram", "-o", "out"}, "equally many");
+  spectrum_check_refused(place, {"on_sphere.xyz", "-o", "out"}, "on_sphere.xyz: points in space need --surface");
+  spectrum_check_refused(place, {"sphere.obj", "--bounded", "-o", "out"}, "--bounded");
+  spectrum_check_refused(place, {"sphere.obj", "--sizes", "sizes.txt", "-o", "out"}, "--sizes");
+  spectrum_check_refused(place, {"on_sphere.xyz", "--surface", "sphere.obj", "--sizes", "short.txt", "-o", "out"},
                 "short.txt");
 }

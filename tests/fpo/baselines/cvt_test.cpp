@@ -17,7 +17,7 @@ namespace {
 
 Sizing even(const TriMesh& mesh, std::size_t n) { return Sizing::uniform(hexagonal_spacing(mesh.area(), n)); }
 
-double energy(const BaselineTask& task, const std::vector<SurfaceSample>& samples) {
+double cvt_energy(const BaselineTask& task, const std::vector<SurfaceSample>& samples) {
   VoronoiMoments moments(task.surface, task.sizing, 1, 1);
   double sum = 0;
   for (const CellMoments& cell : moments.of(samples)) sum += cell.second;
@@ -38,7 +38,7 @@ bool same(const std::vector<SurfaceSample>& a, const std::vector<SurfaceSample>&
 
 }  // namespace
 
-TEST_CASE("cvt: the energy sinks from iteration to iteration, towards that of hexagons") {
+TEST_CASE("cvt: the cvt_energy sinks from iteration to iteration, towards that of hexagons") {
   const TriMesh mesh = geom::make_shape("torus", 60);
   constexpr std::size_t n = 400;
   const Sizing sizing = even(mesh, n);
@@ -47,7 +47,7 @@ TEST_CASE("cvt: the energy sinks from iteration to iteration, towards that of he
   const double hexagons = 5 * std::sqrt(3) / 54 * mesh.area() * mesh.area() / n;
   double last = std::numeric_limits<double>::infinity();
   for (const int k : {0, 1, 4, 5, 6, 10, 30, 60}) {
-    const double now = energy(task, centroidal_tessellation(task, iterations(k)).samples);
+    const double now = cvt_energy(task, centroidal_tessellation(task, iterations(k)).samples);
     CHECK(now < last);
     last = now;
   }

@@ -24,13 +24,13 @@ namespace {
 
 constexpr std::array both{variational_blue_noise, capacity_constrained_triangulation};
 
-OptimizeOptions iterations(int number) {
+OptimizeOptions equal_shares_iterations(int number) {
   OptimizeOptions options;
   options.max_iterations = number;
   return options;
 }
 
-bool same(const std::vector<SurfaceSample>& a, const std::vector<SurfaceSample>& b) {
+bool equal_shares_same(const std::vector<SurfaceSample>& a, const std::vector<SurfaceSample>& b) {
   return std::ranges::equal(a, b, [](const SurfaceSample& x, const SurfaceSample& y) {
     return x.position == y.position && x.facet == y.facet;
   });
@@ -62,7 +62,7 @@ TEST_CASE("vbs: the energy sinks from iteration to iteration, and capacities bec
     Capacities capacities(mesh, sizing, hexagonal_spacing(mesh.area(), n), 1);
     double last_energy = std::numeric_limits<double>::infinity(), last_variation = last_energy;
     for (const int k : {0, 5, 15, 40}) {
-      const BaselineResult result = variational_blue_noise(task, iterations(k));
+      const BaselineResult result = variational_blue_noise(task, equal_shares_iterations(k));
       const auto diagram = capacities.of(result.samples);
       std::vector<double> shares;
       double energy = 0, mean = 0;
@@ -109,14 +109,14 @@ TEST_CASE("vbs, ccst: samples are on the surface, as many as wanted; threads do 
         const Sizing sizing = sizing_of(mesh, 80, adaptive);
         const geom::AabbTree tree(mesh);
         const auto run = [&](std::uint64_t seed, int threads) {
-          return method({mesh, sizing, {}, 80, seed, threads}, iterations(8)).samples;
+          return method({mesh, sizing, {}, 80, seed, threads}, equal_shares_iterations(8)).samples;
         };
         const auto samples = run(1, 1);
         REQUIRE(samples.size() == 80);
         for (const SurfaceSample& x : samples)
           CHECK(geom::closest_point(x.position, tree.triangle(x.facet)).distance2 < 1e-24);
-        CHECK(same(samples, run(1, 3)));
-        CHECK(!same(samples, run(2, 1)));
+        CHECK(equal_shares_same(samples, run(1, 3)));
+        CHECK(!equal_shares_same(samples, run(2, 1)));
       }
 }
 
@@ -127,12 +127,12 @@ TEST_CASE("vbs, ccst: fixed samples stay; interrupted, they keep what they have"
   for (const auto method : both) {
     const BaselineTask task{mesh, sizing, fixed, 100, 1, 1};
     std::atomic<bool> stop = false;
-    OptimizeOptions options = iterations(1000);
+    OptimizeOptions options = equal_shares_iterations(1000);
     options.interrupted = &stop;
     options.on_iteration = [&](const IterationReport& r) { stop = r.iteration >= 3; };
     const BaselineResult result = method(task, options);
     CHECK(result.run.reason == StopReason::interrupted);
-    CHECK(same(result.samples, method(task, iterations(3)).samples));
-    CHECK(same(fixed, {result.samples.begin(), result.samples.begin() + 4}));
+    CHECK(equal_shares_same(result.samples, method(task, equal_shares_iterations(3)).samples));
+    CHECK(equal_shares_same(fixed, {result.samples.begin(), result.samples.begin() + 4}));
   }
 }

@@ -29,8 +29,8 @@ using geom::WeightedPoint2;
 namespace {
 
 /// A sizing, its samples and the domain that refers to them.
-struct Setting {
-  Setting(const std::string& name, std::size_t n, Vec2 period = {1, 1}, std::uint64_t seed = 1)
+struct PlaneDomainSetting {
+  PlaneDomainSetting(const std::string& name, std::size_t n, Vec2 period = {1, 1}, std::uint64_t seed = 1)
       : torus(period),
         sizing(fpo::named_sizing(name, torus)),
         density(*sizing, torus),
@@ -64,7 +64,7 @@ std::vector<Regular2::Triangle> sorted_triangles(const Regular2& t) {
 TEST_CASE("plane domain: each step of a move against search in all samples") {
   for (const std::string& name : fpo::sizing_names()) {
     CAPTURE(name);
-    Setting s(name, 600, {1.5, 1});
+    PlaneDomainSetting s(name, 600, {1.5, 1});
     PlaneDomain& d = s.domain;
     Rng rng(5);
     for (int move = 0; move < 60; ++move) {
@@ -107,7 +107,7 @@ TEST_CASE("plane domain: runs repeat, keep n samples in the input's order, and e
       fpo::OptimizeOptions options;
       options.max_iterations = 4;
       options.scope = scope;
-      Setting one(name, 500), two(name, 500);
+      PlaneDomainSetting one(name, 500), two(name, 500);
       const fpo::IterationReport start = fpo::measure(one.domain);
       const auto result = fpo::optimize(one.domain, options);
       fpo::optimize(two.domain, options);
@@ -132,7 +132,7 @@ TEST_CASE("plane domain: runs repeat, keep n samples in the input's order, and e
 
 TEST_CASE("plane domain: the separation never falls below the largest circle's radius") {
   // With equal weights the minimum distance of the whole set cannot decrease (section 2.1).
-  Setting s("uniform", 300);
+  PlaneDomainSetting s("uniform", 300);
   fpo::OptimizeOptions options;
   options.max_iterations = 20;
   double last = 0;
@@ -147,7 +147,7 @@ TEST_CASE("plane domain: the separation never falls below the largest circle's r
 
 TEST_CASE("plane domain: farther is what is farther than the separation, by the last bit, twins included") {
   for (const std::string name : {"uniform", "waves5"}) {
-    Setting s(name, 100);
+    PlaneDomainSetting s(name, 100);
     std::vector<Vec2> places;
     for (const PlaneSample& x : s.domain.samples()) places.push_back(x.position);
     for (std::size_t i = 0; i < 20; ++i) places[i + 20] = places[i];
@@ -166,7 +166,7 @@ TEST_CASE("plane domain: farther is what is farther than the separation, by the 
 
 TEST_CASE("plane domain: normalized spacing is the distance to the nearest other sample") {
   for (const std::string name : {"uniform", "waves5"}) {
-    Setting s(name, 300, {2, 1});
+    PlaneDomainSetting s(name, 300, {2, 1});
     fpo::OptimizeOptions options;
     options.max_iterations = 5;
     fpo::optimize(s.domain, options);
@@ -183,7 +183,7 @@ TEST_CASE("plane domain: normalized spacing is the distance to the nearest other
 TEST_CASE("shortest edge removal: fair sets from random ones, by about 0.6 moves a sample") {
   for (const std::string name : {"uniform", "waves5"}) {
     CAPTURE(name);
-    Setting s(name, 1000);
+    PlaneDomainSetting s(name, 1000);
     const fpo::ShortestEdgeResult result = fpo::remove_shortest_edges(s.domain);
     s.domain.check();
     CHECK(result.converged);

@@ -13,7 +13,7 @@ using namespace fpo;
 
 namespace {
 
-SurfaceDomain domain_of(const geom::TriMesh& mesh, std::size_t n) {
+SurfaceDomain flaws_domain_of(const geom::TriMesh& mesh, std::size_t n) {
   return SurfaceDomain(mesh, random_samples(mesh, n, 4));
 }
 
@@ -23,7 +23,7 @@ TEST_CASE("flaws: followed through removals, insertions and moves at once, they 
   for (const auto& [name, mesh] : fixtures::surfaces()) {
     CAPTURE(name);
     constexpr std::size_t n = 80;
-    SurfaceDomain domain = domain_of(mesh, n);
+    SurfaceDomain domain = flaws_domain_of(mesh, n);
     const double wanted2 = mesh.area() / n / 2;
     const auto measure = [&](const geom::EmptyCircle& circle) {
       return std::max(circle.radius2 / wanted2 - 1, 0.0);
@@ -61,7 +61,7 @@ TEST_CASE("fidelity: triangles come no farther from the surface, and the moves a
   constexpr std::size_t n = 150;
   std::vector<std::size_t> tried;
   for (const std::size_t most_moves : {std::size_t{0}, std::size_t{3000}}) {
-    SurfaceDomain domain = domain_of(mesh, n);
+    SurfaceDomain domain = flaws_domain_of(mesh, n);
     for (std::size_t i = 0; i < 10 * n; ++i) domain.move(SiteId(i % n), Scope::global);
     FidelityOptions options;
     options.most_moves = most_moves;

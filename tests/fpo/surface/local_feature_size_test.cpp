@@ -25,7 +25,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-TriMesh mapped(const TriMesh& mesh, const std::function<Vec3(const Vec3&)>& map) {
+TriMesh local_feature_size_mapped(const TriMesh& mesh, const std::function<Vec3(const Vec3&)>& map) {
   Table<VertexId, Vec3> vertices = mesh.vertices();
   for (Vec3& v : vertices) v = map(v);
   return TriMesh(std::move(vertices), mesh.facets());
@@ -110,7 +110,7 @@ TEST_CASE("local feature size: half the distance of two plates, whatever their o
   const TriMesh plate(v, f);
   for (const double distance : {0.05, 0.1, 0.2}) {
     const TriMesh both =
-        joined(plate, mapped(plate, [=](const Vec3& x) { return Vec3(x + Vec3(0, 0, distance)); }));
+        joined(plate, local_feature_size_mapped(plate, [=](const Vec3& x) { return Vec3(x + Vec3(0, 0, distance)); }));
     const auto locations = random_locations(both, 300);
     const auto medial = medial_points(both, {.spacing = 0.02});
     const std::vector<double> size = local_feature_size(locations, medial);
@@ -190,7 +190,7 @@ TEST_CASE("local feature size: moves and scales with the surface, whatever the o
   const TriMesh mesh = geom::make_shape("blob", 12, 3);
   const double spacing = 0.06;
   const auto size = local_feature_size(mesh, {.spacing = spacing});
-  const auto larger = local_feature_size(mapped(mesh, [](const Vec3& x) { return Vec3(x * 0x1p20); }),
+  const auto larger = local_feature_size(local_feature_size_mapped(mesh, [](const Vec3& x) { return Vec3(x * 0x1p20); }),
                                          {.spacing = spacing * 0x1p20});
   bool exact = true;
   for (VertexId v(0); v.index() < size.size(); v = VertexId(v.value + 1))
@@ -199,7 +199,7 @@ TEST_CASE("local feature size: moves and scales with the surface, whatever the o
 
   const Eigen::AngleAxisd turn(1.1, Vec3(1, 2, 3).normalized());
   auto turned =
-      local_feature_size(mapped(mesh, [&](const Vec3& x) { return Vec3(turn * x * 3.7 + Vec3(5, 6, 7)); }),
+      local_feature_size(local_feature_size_mapped(mesh, [&](const Vec3& x) { return Vec3(turn * x * 3.7 + Vec3(5, 6, 7)); }),
                          {.spacing = spacing * 3.7});
   for (double& s : turned) s /= 3.7;
   CHECK(share_off({size.data(), size.size()}, {turned.data(), turned.size()}, spacing) < 0.01);
@@ -219,7 +219,7 @@ TEST_CASE("local feature size: does not collapse on a dense noisy sphere") {
   geom::Rng rng(11);
   for (const double noise : {0.002, 0.005, 0.01}) {
     const TriMesh mesh =
-        mapped(smooth, [&](const Vec3& x) { return Vec3(x * (1 + rng.uniform(-noise, noise))); });
+        local_feature_size_mapped(smooth, [&](const Vec3& x) { return Vec3(x * (1 + rng.uniform(-noise, noise))); });
     const auto [low, high] = range(local_feature_size(mesh, {.spacing = 0.1}));
     CAPTURE(noise);
     CHECK(low > 0.85);

@@ -17,7 +17,7 @@ using geom::VertexId;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double sizing_infinity = std::numeric_limits<double>::infinity();
 
 VertexField random_field(const TriMesh& mesh, double ratio, geom::Rng& rng) {
   VertexField rho;
@@ -89,7 +89,7 @@ TEST_CASE("sizing: the number of samples is the integral of 2 / (sqrt(3) h^2)") 
         }
   CHECK(num_samples(mesh, h) == doctest::Approx(sum).epsilon(3e-3));
   for (const SizedPatch& patch : sized_patches(mesh, h)) {
-    double least = infinity, most = 0;
+    double least = sizing_infinity, most = 0;
     for (const geom::Vec2& at : patch.corners) {
       const double length = h.at(location_in_facet(mesh, patch.facet, at.x(), at.y()));
       least = std::min(least, length), most = std::max(most, length);
@@ -129,13 +129,13 @@ TEST_CASE("sizing: what makes no sense is refused; no wish at all is uniform") {
     rho[VertexId(7)] = bad;
     CHECK_THROWS_WITH_AS(fit_sizing(mesh, rho, 100), doctest::Contains("vertex 8"), geom::InputError);
   }
-  rho[VertexId(7)] = infinity;  // no wish there
+  rho[VertexId(7)] = sizing_infinity;  // no wish there
   CHECK(num_samples(mesh, fit_sizing(mesh, rho, 100)) == doctest::Approx(100).epsilon(1e-4));
   CHECK_THROWS_AS(fit_sizing(mesh, VertexField(3, 1.0), 100), geom::InputError);
-  CHECK_THROWS_AS(Sizing(mesh, VertexField(mesh.num_vertices(), infinity)), geom::InputError);
+  CHECK_THROWS_AS(Sizing(mesh, VertexField(mesh.num_vertices(), sizing_infinity)), geom::InputError);
   CHECK_THROWS_AS(Sizing::uniform(0), geom::InputError);
   SizingLimits limits;
   limits.gradation = 0;
   CHECK_THROWS_AS(fit_sizing(mesh, rho, 100, limits), geom::InputError);
-  CHECK(fit_sizing(mesh, VertexField(mesh.num_vertices(), infinity), 100).is_uniform());
+  CHECK(fit_sizing(mesh, VertexField(mesh.num_vertices(), sizing_infinity), 100).is_uniform());
 }

@@ -20,11 +20,10 @@ using fixtures::Weights;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A dual, and its diagram by brute force.
-struct Scene {
-  Scene(const TriMesh& mesh, std::size_t n, Weights weights)
+struct EdgeTraceScene {
+  EdgeTraceScene(const TriMesh& mesh, std::size_t n, Weights weights)
       : dual(mesh, true, CornerTypes::c_only), samples(fixtures::placed_samples(mesh, n, n, weights, 17)) {
     dual.build(samples);
     brute = std::make_unique<oracle::BruteDiagram>(mesh, dual.sites(), dual.present());
@@ -55,7 +54,7 @@ struct Edge {
   double far2 = 0;
   std::set<FacetId> facets;
 };
-std::map<std::pair<SiteId, SiteId>, Edge> bisectors(const Scene& scene) {
+std::map<std::pair<SiteId, SiteId>, Edge> bisectors(const EdgeTraceScene& scene) {
   std::map<std::pair<SiteId, SiteId>, Edge> result;
   for (const auto& [key, polygon] : scene.brute->polygons())
     for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
@@ -86,7 +85,7 @@ bool is_one_way(const TriMesh& mesh, const std::set<FacetId>& facets) {
 }
 
 /// Twice, of what a cell has.
-Vec3 area_vector(const Scene& scene, SiteId s) {
+Vec3 area_vector(const EdgeTraceScene& scene, SiteId s) {
   Vec3 sum(0, 0, 0);
   for (const auto& [key, polygon] : scene.brute->polygons()) {
     if (key.second != s) continue;
@@ -97,7 +96,7 @@ Vec3 area_vector(const Scene& scene, SiteId s) {
 }
 
 template <class Visit>
-void for_scenes(Visit visit) {
+void edge_trace_for_scenes(Visit visit) {
   for (const TriMesh& mesh :
        {fixtures::torus(1, 0.4, {24, 14, true, true, 0.2}), make_shape("sphere", 5), fixtures::blob(6),
         fixtures::sheet(
@@ -106,7 +105,7 @@ void for_scenes(Visit visit) {
       for (const std::size_t n : {20u, 60u, 150u}) {
         CAPTURE(n);
         CAPTURE(static_cast<int>(weights));
-        visit(Scene(mesh, n, weights));
+        visit(EdgeTraceScene(mesh, n, weights));
       }
 }
 
@@ -114,12 +113,12 @@ void for_scenes(Visit visit) {
 
 TEST_CASE("edge trace: as far from its sites as the edge's corners are, and no farther") {
   std::size_t edges = 0, beyond_ends = 0;
-  for_scenes([&](const Scene& scene) {
+  edge_trace_for_scenes([&](const EdgeTraceScene& scene) {
     const auto all = bisectors(scene);
     for (const CircleId c : scene.dual.circles())
       for (const SiteId left : scene.dual.dual().circle(c).sites) {
         const EmptyCircle& circle = scene.dual.dual().circle(c);
-        const SiteId right = Scene::right_of(circle, left);
+        const SiteId right = EdgeTraceScene::right_of(circle, left);
         if (!circle.beyond[circle.after(circle.index_of(left))].valid() || scene.num_ends(left, right) != 2)
           continue;
         const Edge& truth = all.at({left, right});
@@ -143,7 +142,7 @@ TEST_CASE("edge trace: as far from its sites as the edge's corners are, and no f
 
 TEST_CASE("edge trace: the edges of a cell's border sweep out its area") {
   std::size_t cells = 0;
-  for_scenes([&](const Scene& scene) {
+  edge_trace_for_scenes([&](const EdgeTraceScene& scene) {
     for (const SiteId s : scene.dual.present()) {
       if (!scene.brute->is_simple(s)) continue;
       Vec3 sum(0, 0, 0);
@@ -151,7 +150,7 @@ TEST_CASE("edge trace: the edges of a cell's border sweep out its area") {
       for (const CircleId c : scene.dual.dual().circles_of(s)) {
         const EmptyCircle& circle = scene.dual.dual().circle(c);
         const TracedEdge::Extent extent =
-            extent_of_edge(scene.dual.dual().mesh(), scene.site(s), scene.site(Scene::right_of(circle, s)),
+            extent_of_edge(scene.dual.dual().mesh(), scene.site(s), scene.site(EdgeTraceScene::right_of(circle, s)),
                            scene.edge_of(circle, s));
         sum += extent.twice_area;
         size2 = std::max(size2, extent.far2);
@@ -167,14 +166,14 @@ TEST_CASE("edge trace: the edges of a cell's border sweep out its area") {
 TEST_CASE(
     "edge trace: facets that are turned round on the way, borders and ends that are not met leave it open") {
   const TriMesh sphere = make_shape("sphere", 6), turned = fixtures::with_facets_turned(sphere);
-  const Scene scene(sphere, 30, Weights::none);
+  const EdgeTraceScene scene(sphere, 30, Weights::none);
   const auto all = bisectors(scene);
   const TriMesh open = fixtures::sheet(12, 1, [](double x, double) { return 0.1 * x * x; });
   std::size_t over_turned = 0;
   for (const CircleId c : scene.dual.circles()) {
     const EmptyCircle& circle = scene.dual.dual().circle(c);
     for (const SiteId left : circle.sites) {
-      const SiteId right = Scene::right_of(circle, left);
+      const SiteId right = EdgeTraceScene::right_of(circle, left);
       const TracedEdge edge = scene.edge_of(circle, left);
       if (edge.from == edge.to || scene.num_ends(left, right) != 2) continue;
       const auto is_turned = [](FacetId t) { return t.index() % 3 == 0; };

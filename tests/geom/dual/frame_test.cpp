@@ -60,14 +60,14 @@ TriMesh mesh_of(const std::vector<Vec3>& points) {
   return TriMesh(std::move(vertices), std::move(facets));
 }
 
-struct Count {
+struct FrameCount {
   std::size_t values = 0, unsure = 0, unsure_nearest = 0, determinants = 0,
               unsure_determinants = 0;  // determinants: but those that vanish
 };
 
 /// Everything a frame tells of these sites, the first the origin, at these vertices.
 void check_frame(const std::vector<WeightedPoint3>& points, const std::vector<Vec3>& places, Rng& rng,
-                 Count& count) {
+                 FrameCount& count) {
   const TriMesh mesh = mesh_of(places);
   Frame frame(mesh);
   const std::vector<WeightedPoint3> sites(points.begin() + 1, points.end());
@@ -163,7 +163,7 @@ TEST_CASE(
   Rng rng(4);
   for (const fixtures::Hardship hardship : fixtures::all_hardships) {
     CAPTURE(std::string(fixtures::name_of(hardship)));
-    Count count;
+    FrameCount count;
     for (int draw = 0; draw < 60; ++draw) {
       const int sites = 1 + static_cast<int>(rng.below(Frame::most));
       const std::vector<WeightedPoint3> points = fixtures::draw(hardship, sites + 7, rng.below(4) == 0, rng);
@@ -186,7 +186,7 @@ TEST_CASE(
 // one site as to another one.
 TEST_CASE("frame: bounds where everything nearly ties, and far away") {
   Rng rng(9);
-  Count count;
+  FrameCount count;
   for (int draw = 0; draw < 400; ++draw) {
     const double size = std::pow(10, rng.uniform(-9, 0));
     const Vec3 base(rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1));

@@ -18,9 +18,9 @@ using Scene = fixtures::DualScene;
 namespace {
 
 /// The parts of a cell that a newcomer takes: facets joined across those mesh edges where it takes something.
-class Parts {
+class LossesParts {
  public:
-  Parts(const Scene& scene, const oracle::BruteDiagram& before, SiteId s, SiteId p)
+  LossesParts(const Scene& scene, const oracle::BruteDiagram& before, SiteId s, SiteId p)
       : mesh_(scene.state.mesh), clipper_(mesh_, scene.state.sites, scene.state.extent) {
     const Bisector b = clipper_.bisector_of(s, p);
     for (const auto& [key, polygon] : before.polygons()) {
@@ -92,7 +92,7 @@ TEST_CASE("losses: each part that is said to hang together with a beaten circle 
           const bool says = losses.hang_together(s, {p, x.point, x.point}, beaten);
           if (says && !beaten.empty())
             CHECK(!losses.hang_together(s, {p, x.point, x.point}, std::span(beaten).subspan(1)));
-          const Parts parts(scene, before, s, p);
+          const LossesParts parts(scene, before, s, p);
           const auto without = std::ranges::count(parts.have_circles(), false);
           islands += static_cast<std::size_t>(without);
           said += says;
@@ -116,7 +116,7 @@ void check_island(const TriMesh& mesh, std::vector<Placed> samples, const Weight
   scene.state.admit(comer, p);
   const oracle::BruteDiagram before(mesh, scene.state.sites, scene.present);
   REQUIRE(before.is_simple(s));
-  REQUIRE(Parts(scene, before, s, comer).have_circles() == std::vector<bool>{false});
+  REQUIRE(LossesParts(scene, before, s, comer).have_circles() == std::vector<bool>{false});
   const FacetTree facets(mesh, facets_along_curve(mesh));
   Sheets sheets(mesh, facets, scene.state.clipper.levels());
   REQUIRE(sheets.around(s, scene.state.sites[s].position, scene.state.distance_at(scene.state.reach[s], s)));

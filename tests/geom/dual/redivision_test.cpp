@@ -18,7 +18,6 @@ using fixtures::Weights;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct General {
   General(const TriMesh& mesh, const std::vector<fixtures::Placed>& samples, CornerTypes types)
@@ -42,7 +41,7 @@ struct General {
   std::set<SiteId> present;
 };
 
-std::vector<fixtures::NamedSurface> all_surfaces() {
+std::vector<fixtures::NamedSurface> redivision_all_surfaces() {
   std::vector<fixtures::NamedSurface> all = fixtures::hard_surfaces();
   for (fixtures::NamedSurface& s : fixtures::surfaces()) all.push_back(std::move(s));
   return all;
@@ -51,7 +50,7 @@ std::vector<fixtures::NamedSurface> all_surfaces() {
 }  // namespace
 
 TEST_CASE("redivision: reaches are those of the cells, and plans tell what the cell has and the hole will") {
-  for (const auto& [name, mesh] : all_surfaces())
+  for (const auto& [name, mesh] : redivision_all_surfaces())
     for (const Weights weights : fixtures::all_weights)
       for (const CornerTypes types : {CornerTypes::c_only, CornerTypes::all}) {
         if (types == CornerTypes::all && weights != Weights::gentle) continue;

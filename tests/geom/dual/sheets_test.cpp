@@ -43,7 +43,7 @@ std::array<Vec3, 3> corners(const TriMesh& mesh, FacetId t) {
 
 /// How often the line through x along the axis meets the surface within that distance of the center, which is
 /// never higher than told. -1 if it comes too near to an edge to tell.
-int crossings(const TriMesh& mesh, const Vec3& x, const Sheet& sheet, double radius) {
+int sheets_crossings(const TriMesh& mesh, const Vec3& x, const Sheet& sheet, double radius) {
   const Vec3 &axis = sheet.axis, &center = sheet.center;
   const Vec3 u = axis.unitOrthogonal(), v = axis.cross(u);
   int count = 0;
@@ -109,7 +109,7 @@ std::size_t check_graphs(Place& place, Rng& rng, int queries) {
       const double angle = 2 * std::numbers::pi * rng.uniform(),
                    far = sheet.width * 0.999 * std::sqrt(rng.uniform());
       const Vec3 x = sheet.center + far * (std::cos(angle) * u + std::sin(angle) * v);
-      const int times = crossings(place.mesh, x, sheet, ball);
+      const int times = sheets_crossings(place.mesh, x, sheet, ball);
       CHECK((times == 1 || times == -1));
     }
   }
@@ -157,12 +157,12 @@ std::vector<Component> components_of(const TriMesh& mesh, const oracle::BruteDia
   return result;
 }
 
-struct Count {
+struct SheetsCount {
   std::size_t asked = 0, said = 0, orphans = 0;
 };
 
 /// Whenever there is said to be one component within a distance, there is.
-void check_components(Place& place, std::size_t n, Weights weights, std::uint64_t seed, Count& count) {
+void check_components(Place& place, std::size_t n, Weights weights, std::uint64_t seed, SheetsCount& count) {
   const std::vector<fixtures::Placed> samples = fixtures::placed_samples(place.mesh, n, n, weights, seed);
   Clipper::Sites sites;
   std::vector<SiteId> present;
@@ -236,7 +236,7 @@ TEST_CASE("sheets: a graph is one, with the slope and the width that are told") 
 }
 
 TEST_CASE("sheets: where there is one component within a distance by the sheet, there is no other") {
-  Count hard, smooth;
+  SheetsCount hard, smooth;
   for (fixtures::NamedSurface& surface : fixtures::hard_surfaces()) {
     CAPTURE(surface.name);
     Place place(std::move(surface.mesh));

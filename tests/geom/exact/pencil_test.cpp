@@ -22,7 +22,7 @@ struct Tally {
 
 /// Five points: a positive tetrahedron and one more. All that Pencil<Real> claims must be exact.
 template <class Real>
-void compare(const WeightedPoint3 (&p)[5], Tally& tally) {
+void pencil_compare(const WeightedPoint3 (&p)[5], Tally& tally) {
   const Pencil<Real> pencil(p[0], p[1], p[2]);
   const auto d = pencil.place(p[3]), e = pencil.place(p[4]);
   ++tally.asked;
@@ -54,8 +54,8 @@ Tallies compare_many(int count, Draw draw) {
       continue;
     }
     if (side < 0) std::swap(p[0], p[1]);
-    compare<double>(p, tallies.coarse);
-    compare<DoubleDouble>(p, tallies.fine);
+    pencil_compare<double>(p, tallies.coarse);
+    pencil_compare<DoubleDouble>(p, tallies.fine);
   }
   return tallies;
 }

@@ -55,13 +55,13 @@ struct Scene {
   bool has_corner() const { return in_facet(facet(), exact[0], exact[1], exact[2]).w.sign() != 0; }
 };
 
-struct Count {
+struct ClipPredicatesCount {
   int asked = 0, ties = 0;
 };
 
 /// `sign` of the oracle without perturbation, or, on a tie, with it.
 template <class Sign>
-bool expect(Sign sign, const Scene& scene, Count& count) {
+bool expect(Sign sign, const Scene& scene, ClipPredicatesCount& count) {
   ++count.asked;
   int expected = sign(scene.exact);
   if (expected == 0) {
@@ -84,7 +84,7 @@ void for_each_scene(std::uint64_t seed, Test test) {
 }  // namespace
 
 TEST_CASE("beats_at_vertex equals the comparison of exact powers") {
-  Count count;
+  ClipPredicatesCount count;
   for_each_scene(1, [&](const Scene& s) {
     const bool beats = beats_at_vertex(s.q[0], s.site[0], s.site[1]);
     CHECK(beats != beats_at_vertex(s.q[0], s.site[1], s.site[0]));
@@ -95,7 +95,7 @@ TEST_CASE("beats_at_vertex equals the comparison of exact powers") {
 }
 
 TEST_CASE("beats_on_edge equals the comparison of exact powers at the exact corner") {
-  Count count;
+  ClipPredicatesCount count;
   for_each_scene(2, [&](const Scene& s) {
     if (!s.cuts_edge(0, 1)) return;
     const bool beats = beats_on_edge(s.q[0], s.q[1], s.site[0], s.site[1], s.site[2]);
@@ -111,7 +111,7 @@ TEST_CASE("beats_on_edge equals the comparison of exact powers at the exact corn
 }
 
 TEST_CASE("beats_in_facet equals the comparison of exact powers at the exact corner") {
-  Count count;
+  ClipPredicatesCount count;
   for_each_scene(3, [&](const Scene& s) {
     if (!s.has_corner()) return;
     const auto beats = [&](std::size_t owner, std::size_t first, std::size_t second) {

@@ -32,19 +32,19 @@ using oracle::Rational;
 
 namespace {
 
-constexpr int draws = 120;  // of each hardship
+constexpr int clip_draws = 120;  // of each hardship
 constexpr int num_sites = 9;
 const FacetId facet(0);
 
 using Exact = std::map<SiteId, ExactSite>;
 
 /// One facet and some sites, all of one hardship.
-struct Scene {
+struct ClipScene {
   TriMesh mesh;
   Clipper::Sites sites;
   double extent = 0;
 
-  Scene(Hardship hardship, Rng& rng) {
+  ClipScene(Hardship hardship, Rng& rng) {
     const auto points = draw(hardship, num_sites + 3, false, rng);
     sites.assign(points.begin(), points.end() - 3);
     geom::Table<VertexId, Vec3> corners;
@@ -52,7 +52,7 @@ struct Scene {
     mesh = TriMesh(corners, {TriMesh::Facet{VertexId(1), VertexId(0), VertexId(2)}});
     for (const auto& p : points) extent = std::max(extent, p.position.lpNorm<Eigen::Infinity>());
   }
-  Scene(const Scene&) = delete;
+  ClipScene(const ClipScene&) = delete;
 
   const Vec3& q(int i) const { return mesh.corner(facet, i); }
 
@@ -91,7 +91,7 @@ Labels labels_at(const FacetPolygon& polygon, std::size_t k) {
   return {polygon.edge_before(k), polygon.corners[k].edge};
 }
 
-HomogeneousPoint locate(const Scene& s, const Labels& l, SiteId owner, Exact& sites) {
+HomogeneousPoint locate(const ClipScene& s, const Labels& l, SiteId owner, Exact& sites) {
   if (l.before.is_site() && l.after.is_site())
     return in_facet({&s.q(0), &s.q(1), &s.q(2)}, sites[owner], sites[l.before.site()], sites[l.after.site()]);
   if (!l.before.is_site() && !l.after.is_site()) return oracle::at(s.q(l.after.edge()));
@@ -100,7 +100,7 @@ HomogeneousPoint locate(const Scene& s, const Labels& l, SiteId owner, Exact& si
 }
 
 /// Does j beat the owner at the corner, by exact numbers alone?
-bool beats(const Scene& s, const Labels& corner, SiteId owner, SiteId j) {
+bool beats(const ClipScene& s, const Labels& corner, SiteId owner, SiteId j) {
   std::vector<SiteId> ids = corner.sites();
   ids.insert(ids.end(), {owner, j});
   const auto sign_with = [&](Exact sites) {
@@ -113,7 +113,7 @@ bool beats(const Scene& s, const Labels& corner, SiteId owner, SiteId j) {
 }
 
 /// Is the rounded corner as near to the exact one as stated?
-bool is_near(const Scene& s, const Labels& corner, SiteId owner, const geom::RoundedPoint& rounded) {
+bool is_near(const ClipScene& s, const Labels& corner, SiteId owner, const geom::RoundedPoint& rounded) {
   std::vector<SiteId> ids = corner.sites();
   ids.push_back(owner);
   Exact sites = s.exact(ids);
@@ -126,7 +126,7 @@ bool is_near(const Scene& s, const Labels& corner, SiteId owner, const geom::Rou
   return (dx * dx + dy * dy + dz * dz - r * r).sign() <= 0;
 }
 
-void check_corners(const Scene& s, const FacetPolygon& polygon, const std::vector<SiteId>& rivals) {
+void check_corners(const ClipScene& s, const FacetPolygon& polygon, const std::vector<SiteId>& rivals) {
   for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
     const Labels corner = labels_at(polygon, k);
     CHECK(is_near(s, corner, polygon.owner, polygon.corners[k].point));
@@ -135,7 +135,7 @@ void check_corners(const Scene& s, const FacetPolygon& polygon, const std::vecto
   }
 }
 
-std::vector<EdgeLabel> canonical(const FacetPolygon& polygon) {
+std::vector<EdgeLabel> clip_canonical(const FacetPolygon& polygon) {
   std::vector<EdgeLabel> result;
   for (const PolygonCorner& corner : polygon.corners) result.push_back(corner.edge);
   if (!result.empty()) std::rotate(result.begin(), std::ranges::min_element(result), result.end());
@@ -143,11 +143,11 @@ std::vector<EdgeLabel> canonical(const FacetPolygon& polygon) {
 }
 
 template <class Test>
-void for_each_scene(std::uint64_t seed, Test test) {
+void clip_for_each_scene(std::uint64_t seed, Test test) {
   Rng rng(seed);
   for (const Hardship hardship : fixtures::all_hardships) {
     INFO("hardship: " << fixtures::name_of(hardship));
-    for (int i = 0; i < draws; ++i) test(Scene(hardship, rng), rng);
+    for (int i = 0; i < clip_draws; ++i) test(ClipScene(hardship, rng), rng);
   }
 }
 
@@ -155,7 +155,7 @@ void for_each_scene(std::uint64_t seed, Test test) {
 
 TEST_CASE("clip: what a ball about the facet says of two sites is true") {
   int decided = 0;
-  for_each_scene(1, [&](const Scene& s, Rng&) {
+  clip_for_each_scene(1, [&](const ClipScene& s, Rng&) {
     const Clipper clipper(s.mesh, s.sites, s.extent);
     for (int j = 1; j < num_sites; ++j) {
       const Clip answer = clipper.compare_on_facet(facet, clipper.bisector_of(SiteId(0), SiteId(j)));
@@ -167,12 +167,12 @@ TEST_CASE("clip: what a ball about the facet says of two sites is true") {
       }
     }
   });
-  CHECK(decided > draws);
+  CHECK(decided > clip_draws);
 }
 
 TEST_CASE("clip: every corner test is answered as in exact arithmetic") {
   std::size_t asked = 0, corners_c = 0;
-  for_each_scene(2, [&](const Scene& s, Rng&) {
+  clip_for_each_scene(2, [&](const ClipScene& s, Rng&) {
     Clipper clipper(s.mesh, s.sites, s.extent);
     FacetPolygon polygon;
     clipper.start(polygon, facet, SiteId(0));
@@ -186,13 +186,13 @@ TEST_CASE("clip: every corner test is answered as in exact arithmetic") {
       clipper.clip(polygon, SiteId(j), b);
     }
   });
-  CHECK(asked > 10 * draws);
-  CHECK(corners_c > draws);
+  CHECK(asked > 10 * clip_draws);
+  CHECK(corners_c > clip_draws);
 }
 
 // Only (owner, labels) decide what is left, so the order of clipping does not matter.
 TEST_CASE("clip: the polygon left has exactly the corners that no site takes, in any order of clipping") {
-  for_each_scene(3, [](const Scene& s, Rng& rng) {
+  clip_for_each_scene(3, [](const ClipScene& s, Rng& rng) {
     Clipper clipper(s.mesh, s.sites, s.extent);
     std::vector<SiteId> rivals;
     for (int j = 1; j < num_sites; ++j) rivals.emplace_back(j);
@@ -203,13 +203,13 @@ TEST_CASE("clip: the polygon left has exactly the corners that no site takes, in
         if (!polygon->corners.empty()) clipper.clip(*polygon, j);
       rng.shuffle(std::span(rivals));
     }
-    CHECK(canonical(first) == canonical(second));
+    CHECK(clip_canonical(first) == clip_canonical(second));
     check_corners(s, first, rivals);
   });
 }
 
 TEST_CASE("clip: some site owns each facet, and clip_beyond leaves what clip takes") {
-  for_each_scene(4, [](const Scene& s, Rng&) {
+  clip_for_each_scene(4, [](const ClipScene& s, Rng&) {
     Clipper clipper(s.mesh, s.sites, s.extent);
     bool owned = false;
     for (int i = 0; i < num_sites; ++i) {
@@ -238,7 +238,7 @@ TEST_CASE("clip: some site owns each facet, and clip_beyond leaves what clip tak
 
 TEST_CASE("lazy polygon: what clip leaves, to the bit, also beyond a site") {
   int beyond = 0;
-  for_each_scene(6, [&](const Scene& s, Rng&) {
+  clip_for_each_scene(6, [&](const ClipScene& s, Rng&) {
     Clipper clipper(s.mesh, s.sites, s.extent);
     geom::LazyPolygon lazy(clipper);
     FacetPolygon polygon, placed;
@@ -261,12 +261,12 @@ TEST_CASE("lazy polygon: what clip leaves, to the bit, also beyond a site") {
       }
     }
   });
-  CHECK(beyond > draws);
+  CHECK(beyond > clip_draws);
 }
 
 TEST_CASE("clip: the corner of three cells is the same to the bit from each of them, and by itself") {
   std::size_t met = 0;
-  for_each_scene(5, [&](const Scene& s, Rng&) {
+  clip_for_each_scene(5, [&](const ClipScene& s, Rng&) {
     Clipper clipper(s.mesh, s.sites, s.extent);
     std::map<std::array<SiteId, 3>, std::size_t> seen;
     for (int i = 0; i < num_sites; ++i) {
@@ -289,5 +289,5 @@ TEST_CASE("clip: the corner of three cells is the same to the bit from each of t
     for (const auto& [sites, times] : seen) CHECK(times == 3);
     met += seen.size();
   });
-  CHECK(met > draws);
+  CHECK(met > clip_draws);
 }

@@ -24,7 +24,7 @@ using oracle::Rational;
 
 namespace {
 
-constexpr int draws = 3000;  // of each setting
+constexpr int construct_draws = 3000;  // of each setting
 
 enum class Setting {
   benign,
@@ -47,13 +47,13 @@ Vec3 small_integers(Rng& rng) { return {double(rng.below(4)), double(rng.below(4
 double small(Rng& rng) { return std::exp2(rng.uniform(-45, -5)); }
 
 /// A facet and three sites whose bisectors cross near a point of the facet, as far as the setting allows.
-struct Scene {
+struct ConstructScene {
   std::array<Vec3, 3> q;
   std::array<WeightedPoint3, 3> site;
   std::array<ExactSite, 3> exact;
   double extent = 0;
 
-  Scene(Setting setting, Rng& rng) {
+  ConstructScene(Setting setting, Rng& rng) {
     for (Vec3& x : q) x = setting == Setting::coordinate ? small_integers(rng) : random_vector(rng);
     if (setting == Setting::sliver)
       q[2] = q[0] + rng.uniform(-0.5, 1.5) * (q[1] - q[0]) + small(rng) * random_vector(rng);
@@ -71,7 +71,7 @@ struct Scene {
       exact[i] = oracle::exact_site(site[i]);
     }
   }
-  Scene(const Scene&) = delete;
+  ConstructScene(const ConstructScene&) = delete;
 
   RankedPoint3 ranked(int i) const { return {&site[std::size_t(i)], i}; }
   Bisector bisector(int j) const { return geom::bisector(site[0], site[std::size_t(j)], extent); }
@@ -116,7 +116,7 @@ Rational form(const Vec3& q, const ExactSite& owner, const ExactSite& j) {
 }
 
 /// Does the exact corner of site 0 with 1 and 2 exist, and does it lie in the facet?
-bool corner_is_in_facet(const Scene& s) {
+bool corner_is_in_facet(const ConstructScene& s) {
   std::array<Rational, 3> f, g;
   for (std::size_t i = 0; i < 3; ++i) {
     f[i] = form(s.q[i], s.exact[0], s.exact[1]);
@@ -128,20 +128,20 @@ bool corner_is_in_facet(const Scene& s) {
   return sum != 0 && std::ranges::none_of(lambda, [&](const Rational& l) { return l.sign() * sum < 0; });
 }
 
-struct Count {
+struct ConstructCount {
   int corners = 0, certain = 0;
 };
 
-/// Runs `test(scene, count)` on draws of every setting.
+/// Runs `test(scene, count)` on construct_draws of every setting.
 template <class Test>
-Count for_each_scene(std::uint64_t seed, Test test) {
+ConstructCount construct_for_each_scene(std::uint64_t seed, Test test) {
   Rng rng(seed);
-  Count all;
+  ConstructCount all;
   for (const Setting setting : all_settings) {
     INFO("setting: " << static_cast<int>(setting));
-    Count count;
-    for (int i = 0; i < draws; ++i) test(Scene(setting, rng), count);
-    CHECK(count.corners > draws / 50);
+    ConstructCount count;
+    for (int i = 0; i < construct_draws; ++i) test(ConstructScene(setting, rng), count);
+    CHECK(count.corners > construct_draws / 50);
     all.corners += count.corners;
     all.certain += count.certain;
   }
@@ -151,7 +151,7 @@ Count for_each_scene(std::uint64_t seed, Test test) {
 }  // namespace
 
 TEST_CASE("construct: the error of a bisector stays within its bound") {
-  for_each_scene(1, [](const Scene& s, Count& count) {
+  construct_for_each_scene(1, [](const ConstructScene& s, ConstructCount& count) {
     ++count.corners;
     const Bisector b = s.bisector(1);
     for (const Vec3& x : s.q) {
@@ -162,7 +162,7 @@ TEST_CASE("construct: the error of a bisector stays within its bound") {
 }
 
 TEST_CASE("construct: a corner on an edge is as near to the exact one as stated") {
-  const Count count = for_each_scene(2, [](const Scene& s, Count& count) {
+  const ConstructCount count = construct_for_each_scene(2, [](const ConstructScene& s, ConstructCount& count) {
     for (const auto& [i, k] : {std::pair(0u, 1u), std::pair(1u, 2u), std::pair(0u, 2u)}) {
       const Vec3 &a = s.q[i], &b = s.q[k];
       const int at_a = form(a, s.exact[0], s.exact[1]).sign(), at_b = form(b, s.exact[0], s.exact[1]).sign();
@@ -181,7 +181,7 @@ TEST_CASE("construct: a corner on an edge is as near to the exact one as stated"
 }
 
 TEST_CASE("construct: a corner in a facet is as near to the exact one as stated") {
-  const Count count = for_each_scene(3, [](const Scene& s, Count& count) {
+  const ConstructCount count = construct_for_each_scene(3, [](const ConstructScene& s, ConstructCount& count) {
     if (!corner_is_in_facet(s)) return;
     const HomogeneousPoint exact =
         in_facet(FacetCorners{&s.q[0], &s.q[1], &s.q[2]}, s.exact[0], s.exact[1], s.exact[2]);

@@ -56,7 +56,7 @@ bool same(const std::vector<Piece>& a, const std::vector<Piece>& b) {
 }
 
 /// Each piece is told from its edge of smallest label on.
-std::vector<RestrictedPower::Canonical> canonical(const std::vector<Piece>& pieces) {
+std::vector<RestrictedPower::Canonical> divided_surface_canonical(const std::vector<Piece>& pieces) {
   std::vector<RestrictedPower::Canonical> all;
   for (const Piece& piece : pieces) {
     RestrictedPower::Canonical fragment{piece.facet, piece.owner, {}};
@@ -87,7 +87,7 @@ TEST_CASE("divided surface: equals brute force, and any number of threads gives 
         const std::vector<FacetId> facets = facets_along_curve(surface.mesh);
         const std::vector<Piece> pieces = divided(surface.mesh, points, facets, 1);
         const Clipper::Sites sites(points.begin(), points.end());
-        CHECK(canonical(pieces) == oracle::restricted_power_diagram(surface.mesh, sites, first_ids(n)));
+        CHECK(divided_surface_canonical(pieces) == oracle::restricted_power_diagram(surface.mesh, sites, first_ids(n)));
         for (const int threads : {2, 5}) CHECK(same(pieces, divided(surface.mesh, points, facets, threads)));
       }
 }
@@ -118,6 +118,6 @@ TEST_CASE("divided surface: some facets, in any order") {
   std::vector<RestrictedPower::Canonical> expected =
       oracle::restricted_power_diagram(blob, Clipper::Sites(points.begin(), points.end()), first_ids(50));
   std::erase_if(expected, [&](const auto& f) { return std::ranges::find(facets, f.facet) == facets.end(); });
-  CHECK(canonical(pieces) == expected);
+  CHECK(divided_surface_canonical(pieces) == expected);
   CHECK(divided(blob, points, {}, 2).empty());
 }

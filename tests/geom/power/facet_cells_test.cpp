@@ -37,12 +37,12 @@ Sites samples_with_weights(const TriMesh& mesh, std::size_t n, double share) {
 }
 
 using Found = std::vector<FacetPolygon>;
-Found divided(FacetCells& cells, FacetId t) {
+Found facet_cells_divided(FacetCells& cells, FacetId t) {
   const std::span<const FacetPolygon> found = cells.divide(t);
   return {found.begin(), found.end()};
 }
 
-bool same(const Found& a, const Found& b) {
+bool facet_cells_same(const Found& a, const Found& b) {
   const auto same_corner = [](const PolygonCorner& c, const PolygonCorner& d) {
     return c.point.position == d.point.position && c.point.tolerance == d.point.tolerance && c.edge == d.edge;
   };
@@ -134,7 +134,7 @@ TEST_CASE("facet cells: clusters far smaller than facets, and weights far larger
 }
 
 TEST_CASE("facet cells: one sparse place does not make all others slow") {
-  // Many samples on a ball and a triangle far away, which is divided first or last.
+  // Many samples on a ball and a triangle far away, which is facet_cells_divided first or last.
   for (const double side : {-1.0, 1.0}) {
     const TriMesh ball = fixtures::blob(10);
     Table<VertexId, Vec3> vertices = ball.vertices();
@@ -161,7 +161,7 @@ TEST_CASE("facet cells: the answer does not depend on the facets before") {
     FacetCells cells(surface.mesh, sites.table, clipper, sites.tree);
     for (std::size_t t = surface.mesh.num_facets(); t-- > 0;) {
       FacetCells fresh(surface.mesh, sites.table, clipper, sites.tree);
-      CHECK(same(divided(cells, FacetId(t)), divided(fresh, FacetId(t))));
+      CHECK(facet_cells_same(facet_cells_divided(cells, FacetId(t)), facet_cells_divided(fresh, FacetId(t))));
     }
   }
 }

@@ -10,32 +10,32 @@ using namespace geom;
 
 namespace {
 
-using Labels = std::vector<EdgeLabel>;
+using FragmentStoreLabels = std::vector<EdgeLabel>;
 
 /// What the store should hold, as an obvious map.
-using Model = std::map<std::pair<SiteId, FacetId>, std::pair<FragmentId, Labels>>;
+using Model = std::map<std::pair<SiteId, FacetId>, std::pair<FragmentId, FragmentStoreLabels>>;
 
-Labels whole_facet() {
+FragmentStoreLabels whole_facet() {
   return {EdgeLabel::facet_edge(0), EdgeLabel::facet_edge(1), EdgeLabel::facet_edge(2)};
 }
 
-std::vector<PolygonCorner> polygon(const Labels& labels) {
+std::vector<PolygonCorner> polygon(const FragmentStoreLabels& labels) {
   std::vector<PolygonCorner> corners;
   for (const EdgeLabel label : labels)
     corners.push_back({{Vec3(static_cast<double>(corners.size()), 0, 0), 0}, label});
   return corners;
 }
 
-Labels labels_of(std::span<const PolygonCorner> corners) {
-  Labels labels;
+FragmentStoreLabels labels_of(std::span<const PolygonCorner> corners) {
+  FragmentStoreLabels labels;
   for (const PolygonCorner& c : corners) labels.push_back(c.edge);
   return labels;
 }
 
 /// Three to thirty edges, some of them whole facets.
-Labels random_labels(Rng& rng) {
+FragmentStoreLabels random_labels(Rng& rng) {
   if (rng.below(4) == 0) return whole_facet();
-  Labels labels;
+  FragmentStoreLabels labels;
   for (std::size_t i = 0, n = 3 + rng.below(rng.below(10) == 0 ? 28 : 6); i < n; ++i)
     labels.push_back(EdgeLabel::bisector(SiteId(static_cast<std::size_t>(rng.below(1000)))));
   return labels;

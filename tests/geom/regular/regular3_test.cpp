@@ -24,7 +24,7 @@ using geom::WeightedPoint3;
 namespace {
 
 using SimplexSet = std::vector<Regular3::Simplex>;  ///< corners ascending, simplices ascending: comparable
-using Points = std::vector<WeightedPoint3>;
+using Regular3Points = std::vector<WeightedPoint3>;
 
 SimplexSet canonical(SimplexSet simplices) {
   for (Regular3::Simplex& simplex : simplices) std::sort(simplex.begin(), simplex.end());
@@ -35,7 +35,7 @@ SimplexSet canonical(SimplexSet simplices) {
 SimplexSet canonical(const Regular3& t) { return canonical(t.simplices()); }
 
 /// By the definition: all positively oriented quadruples whose orthosphere excludes all other sites.
-SimplexSet brute_force(const Regular3& t, const std::vector<SiteId>& present) {
+SimplexSet regular3_brute_force(const Regular3& t, const std::vector<SiteId>& present) {
   std::vector<SiteId> all = present;
   for (int k = 0; k < Regular3::guard_count; ++k) all.push_back(Regular3::guard(k));
   const auto ranked = [&](SiteId id) { return geom::RankedPoint3{&t.point(id), Regular3::rank(id)}; };
@@ -201,7 +201,7 @@ TEST_CASE("regular3: guards alone triangulate their hull") {
                           Box3(Vec3(1e6, 1e6, 5), Vec3(1e6, 1e6, 5)), Box3(Vec3(-3, 7, 7), Vec3(-3, 7, 9))}) {
     const Regular3 t(box);
     t.check();
-    CHECK(canonical(t) == brute_force(t, {}));
+    CHECK(canonical(t) == regular3_brute_force(t, {}));
     for (int k = 0; k < Regular3::guard_count; ++k) {
       CHECK(box.exteriorDistance(t.point(Regular3::guard(k)).position) >= 10 * box.diagonal().norm());
     }
@@ -216,7 +216,7 @@ TEST_CASE("regular3: equals the definition after every move") {
     for (int k = 0; k < 60; ++k) {
       scene.move(input, rng);
       scene.triangulation.check();
-      REQUIRE(canonical(scene.triangulation) == brute_force(scene.triangulation, scene.present));
+      REQUIRE(canonical(scene.triangulation) == regular3_brute_force(scene.triangulation, scene.present));
     }
   }
 }
@@ -228,7 +228,7 @@ TEST_CASE("regular3: equals the definition with thirty sites") {
     Scene scene(30);
     scene.fill(input, rng);
     for (int k = 0; k < 2; ++k) {
-      REQUIRE(canonical(scene.triangulation) == brute_force(scene.triangulation, scene.present));
+      REQUIRE(canonical(scene.triangulation) == regular3_brute_force(scene.triangulation, scene.present));
       scene.remove_any(rng);
     }
   }
@@ -273,7 +273,7 @@ TEST_CASE("regular3: the order of insertion leaves no trace") {
   for (const Input& input : inputs) {
     CAPTURE(std::string(input.name));
     Rng rng(5);
-    Points points(150);
+    Regular3Points points(150);
     for (WeightedPoint3& p : points) p = input.draw(rng);
     std::vector<SiteId> order;
     for (int i = 0; i < 150; ++i) order.push_back(SiteId(i));
@@ -353,7 +353,7 @@ TEST_CASE("regular3: among equals the smallest id is visible") {
     t.check();
     t.remove(SiteId(id));
   }
-  CHECK(canonical(t) == brute_force(t, {}));
+  CHECK(canonical(t) == regular3_brute_force(t, {}));
 }
 
 TEST_CASE("regular3: one heavy site hides many, and they come back") {
