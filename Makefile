@@ -40,7 +40,7 @@ check: test
 # Configures without building: clang-tidy asks for the commands only.
 lint:
 	@.ci/setup lint
-	@cmake -S . -B $(BUILD)-lint -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON >/dev/null
+	@cmake -S . -B $(BUILD)-lint -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DFPO_UNITY=OFF >/dev/null
 	.ci/lint $(BUILD)-lint $(JOBS)
 
 # Needs libcgal-dev, which nothing else does.

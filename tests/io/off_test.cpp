@@ -25,8 +25,8 @@ TEST_CASE("OFF: counts on the same or the next line, with or without edges, comm
 }
 
 TEST_CASE("OFF: what follows the coordinates or the corners is ignored") {
-  const auto mesh =
-      parse_off("COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0 255 0 255\n0 1 0 0 0 255 255\n3 0 1 2 0.1 0.2 0.3\n");
+  const auto mesh = parse_off(
+      "COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0 255 0 255\n0 1 0 0 0 255 255\n3 0 1 2 0.1 0.2 0.3\n");
   CHECK(corners(mesh) == "0 1 2");
   CHECK(corners(parse_off("NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 2 1 0 17\n")) == "2 1 0");
   CHECK(corners(parse_off("STCNOFF 3 1 0\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 2 1 0\n")) == "2 1 0");

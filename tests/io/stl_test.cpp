@@ -20,10 +20,12 @@ const std::string one = facet("0 0 0", "1 0 0", "0 1 0");
 }  // namespace
 
 TEST_CASE("STL text: vertices are welded by equal coordinates, -0 equals 0") {
-  const auto mesh = parse_stl("solid two\n" + one + facet("0 1 -0.0", "1.0 -0 0", "1 1e0 0") + "endsolid two\n");
+  const auto mesh =
+      parse_stl("solid two\n" + one + facet("0 1 -0.0", "1.0 -0 0", "1 1e0 0") + "endsolid two\n");
   CHECK(mesh.num_vertices() == 4);
   CHECK(corners(mesh) == "0 1 2, 2 1 3");
-  CHECK(parse_stl("solid\n" + one + facet("0 1e-300 0", "1 0 0", "1 1 0") + "endsolid\n").num_vertices() == 5);
+  CHECK(parse_stl("solid\n" + one + facet("0 1e-300 0", "1 0 0", "1 1 0") + "endsolid\n").num_vertices() ==
+        5);
 }
 
 TEST_CASE("STL text: several solids, any case, names, odd normals, line ends") {

@@ -36,7 +36,8 @@ bool handles_interrupt(pid_t process) {
   return false;
 }
 
-PlaneCliOutcome plane_cli_run(const ScratchFolder& scratch, std::vector<std::string> arguments, bool interrupt = false) {
+PlaneCliOutcome plane_cli_run(const ScratchFolder& scratch, std::vector<std::string> arguments,
+                              bool interrupt = false) {
   const std::filesystem::path program = std::filesystem::path(FPO_BINARY_DIR) / "fpo-plane";
   arguments.insert(arguments.begin(), program);
   const ScratchFolder streams;
@@ -130,7 +131,9 @@ TEST_CASE("fpo-plane: bad numbers and bad files are one line, exit code 2, and n
   complaint(scratch, {"-n", "100"});
 }
 
-TEST_CASE("fpo-plane: every kind of plane_cli_run writes n samples inside the rectangle, the same bytes each time") {
+TEST_CASE(
+    "fpo-plane: every kind of plane_cli_run writes n samples inside the rectangle, the same bytes each "
+    "time") {
   const ScratchFolder scratch;
   scratch.write("ramp.pgm", "P2\n4 2\n9\n0 3 6 9\n0 3 6 9\n");
   scratch.write("curve.txt", "0.2 0.2\n0.3 0.25\n\n1.2 0.2\n");
@@ -173,7 +176,7 @@ TEST_CASE("fpo-plane: pictures of a torus and a rectangle, with all that can be 
   for (const std::string border : {"--quiet", "--bounded"}) {
     const PlaneCliOutcome o =
         plane_cli_run(scratch, {"-n", "100", "-o", "a.svg", "--iterations", "3", "--sizing", "waves5", border,
-                      "--draw-triangulation", "--draw-cells", "--draw-disks", "--draw-sizing"});
+                                "--draw-triangulation", "--draw-cells", "--draw-disks", "--draw-sizing"});
     REQUIRE(o.code == 0);
     const std::string svg = ScratchFolder::read(scratch / "a.svg");
     CHECK(svg.find("<circle") != std::string::npos);
@@ -185,9 +188,9 @@ TEST_CASE("fpo-plane: pictures of a torus and a rectangle, with all that can be 
 TEST_CASE("fpo-plane: an interrupted plane_cli_run writes what it has and exits with 130") {
   const ScratchFolder scratch;
   for (const std::string border : {"--quiet", "--bounded"}) {
-    const PlaneCliOutcome o =
-        plane_cli_run(scratch, {"-n", "500", "-o", "a.txt", "--iterations", "1000000", "--target-delta", "2", border},
-            true);
+    const PlaneCliOutcome o = plane_cli_run(
+        scratch, {"-n", "500", "-o", "a.txt", "--iterations", "1000000", "--target-delta", "2", border},
+        true);
     CHECK(o.code == 130);
     CHECK(num_lines(ScratchFolder::read(scratch / "a.txt")) == 500);
     std::filesystem::remove(scratch / "a.txt");

@@ -103,8 +103,8 @@ bool same(const std::vector<geom::WeightedPoint2>& a, const std::vector<geom::We
 }
 
 /// Exit code 2, one line that names the file, no output.
-void check_refused(const RangePlace& at, const std::string& program, const std::vector<std::string>& arguments,
-                   const std::string& line) {
+void check_refused(const RangePlace& at, const std::string& program,
+                   const std::vector<std::string>& arguments, const std::string& line) {
   const ProgramResult refused = at.run(program, arguments);
   CHECK(refused.code == 2);
   CHECK(refused.out == "");

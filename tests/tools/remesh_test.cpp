@@ -36,7 +36,8 @@ struct RemeshPlace {
 };
 
 /// Exit code 2, one line on stderr that contains `reason`, nothing on stdout, no file written or touched.
-void remesh_check_refused(const RemeshPlace& place, const std::vector<std::string>& arguments, const std::string& reason) {
+void remesh_check_refused(const RemeshPlace& place, const std::vector<std::string>& arguments,
+                          const std::string& reason) {
   std::string line;
   for (const std::string& argument : arguments) line += argument + " ";
   CAPTURE(line);
@@ -92,8 +93,9 @@ TEST_CASE("fpo-remesh: no output is written under a name that says another forma
   const RemeshPlace place;
   const auto refused = [&](const std::string& option, const std::string& name, const std::string& endings) {
     const std::string unknown = std::filesystem::path(name).extension().string();
-    remesh_check_refused(place, {"torus.obj", "-n", "50", "-o", "out.obj", option, name},
-                  option + ": " + name + ": unknown extension '" + unknown + "' (use " + endings + ")");
+    remesh_check_refused(
+        place, {"torus.obj", "-n", "50", "-o", "out.obj", option, name},
+        option + ": " + name + ": unknown extension '" + unknown + "' (use " + endings + ")");
   };
   refused("--picture", "x.png", ".svg");
   refused("--rpd", "y.ply", ".obj");

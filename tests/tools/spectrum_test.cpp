@@ -68,7 +68,8 @@ double mean_power(const std::vector<Row>& table) {
   return sum / static_cast<double>(table.size());
 }
 
-void spectrum_check_refused(const SpectrumPlace& place, const std::vector<std::string>& arguments, const std::string& reason) {
+void spectrum_check_refused(const SpectrumPlace& place, const std::vector<std::string>& arguments,
+                            const std::string& reason) {
   CAPTURE(reason);
   const auto before = place.files();
   const ProgramResult result = place.run(arguments);
@@ -167,9 +168,10 @@ TEST_CASE("fpo-spectrum: bad use and bad input are refused in one line, with not
   spectrum_check_refused(place, {"noise1.txt", "sphere.obj", "-o", "out"}, "do not mix");
   spectrum_check_refused(place, {"noise1.txt", "--bounded", "--periodogram", "-o", "out"}, "--periodogram");
   spectrum_check_refused(place, {"noise1.txt", "far.txt", "--periodogram", "-o", "out"}, "equally many");
-  spectrum_check_refused(place, {"on_sphere.xyz", "-o", "out"}, "on_sphere.xyz: points in space need --surface");
+  spectrum_check_refused(place, {"on_sphere.xyz", "-o", "out"},
+                         "on_sphere.xyz: points in space need --surface");
   spectrum_check_refused(place, {"sphere.obj", "--bounded", "-o", "out"}, "--bounded");
   spectrum_check_refused(place, {"sphere.obj", "--sizes", "sizes.txt", "-o", "out"}, "--sizes");
-  spectrum_check_refused(place, {"on_sphere.xyz", "--surface", "sphere.obj", "--sizes", "short.txt", "-o", "out"},
-                "short.txt");
+  spectrum_check_refused(
+      place, {"on_sphere.xyz", "--surface", "sphere.obj", "--sizes", "short.txt", "-o", "out"}, "short.txt");
 }

@@ -95,7 +95,8 @@ TEST_CASE("cell moments: a wrong idea of the spacing costs time only; threads do
 
 TEST_CASE("cell moments: the energy's derivative is -2 times the first moment, with any density") {
   const TriMesh mesh = fixtures::blob(6);
-  const Sizing even = Sizing::uniform(hexagonal_spacing(mesh.area(), 150)), varying = cell_moments_graded(mesh);
+  const Sizing even = Sizing::uniform(hexagonal_spacing(mesh.area(), 150)),
+               varying = cell_moments_graded(mesh);
   for (const Sizing* sizing : {&even, &varying}) {
     VoronoiMoments moments(mesh, *sizing, 0.2, 2);
     std::vector<SurfaceSample> samples = random_samples(mesh, *sizing, 150, 8);

@@ -109,8 +109,9 @@ TEST_CASE("local feature size: half the distance of two plates, whatever their o
   fixtures::add_grid(v, f, 2, Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.1, 1, 0));
   const TriMesh plate(v, f);
   for (const double distance : {0.05, 0.1, 0.2}) {
-    const TriMesh both =
-        joined(plate, local_feature_size_mapped(plate, [=](const Vec3& x) { return Vec3(x + Vec3(0, 0, distance)); }));
+    const TriMesh both = joined(plate, local_feature_size_mapped(plate, [=](const Vec3& x) {
+                                  return Vec3(x + Vec3(0, 0, distance));
+                                }));
     const auto locations = random_locations(both, 300);
     const auto medial = medial_points(both, {.spacing = 0.02});
     const std::vector<double> size = local_feature_size(locations, medial);
@@ -190,17 +191,18 @@ TEST_CASE("local feature size: moves and scales with the surface, whatever the o
   const TriMesh mesh = geom::make_shape("blob", 12, 3);
   const double spacing = 0.06;
   const auto size = local_feature_size(mesh, {.spacing = spacing});
-  const auto larger = local_feature_size(local_feature_size_mapped(mesh, [](const Vec3& x) { return Vec3(x * 0x1p20); }),
-                                         {.spacing = spacing * 0x1p20});
+  const auto larger =
+      local_feature_size(local_feature_size_mapped(mesh, [](const Vec3& x) { return Vec3(x * 0x1p20); }),
+                         {.spacing = spacing * 0x1p20});
   bool exact = true;
   for (VertexId v(0); v.index() < size.size(); v = VertexId(v.value + 1))
     exact &= larger[v] == size[v] * 0x1p20;
   CHECK(exact);
 
   const Eigen::AngleAxisd turn(1.1, Vec3(1, 2, 3).normalized());
-  auto turned =
-      local_feature_size(local_feature_size_mapped(mesh, [&](const Vec3& x) { return Vec3(turn * x * 3.7 + Vec3(5, 6, 7)); }),
-                         {.spacing = spacing * 3.7});
+  auto turned = local_feature_size(
+      local_feature_size_mapped(mesh, [&](const Vec3& x) { return Vec3(turn * x * 3.7 + Vec3(5, 6, 7)); }),
+      {.spacing = spacing * 3.7});
   for (double& s : turned) s /= 3.7;
   CHECK(share_off({size.data(), size.size()}, {turned.data(), turned.size()}, spacing) < 0.01);
 
@@ -218,8 +220,8 @@ TEST_CASE("local feature size: does not collapse on a dense noisy sphere") {
   const TriMesh smooth = geom::make_shape("sphere", 40);  // edges of about 0.03
   geom::Rng rng(11);
   for (const double noise : {0.002, 0.005, 0.01}) {
-    const TriMesh mesh =
-        local_feature_size_mapped(smooth, [&](const Vec3& x) { return Vec3(x * (1 + rng.uniform(-noise, noise))); });
+    const TriMesh mesh = local_feature_size_mapped(
+        smooth, [&](const Vec3& x) { return Vec3(x * (1 + rng.uniform(-noise, noise))); });
     const auto [low, high] = range(local_feature_size(mesh, {.spacing = 0.1}));
     CAPTURE(noise);
     CHECK(low > 0.85);

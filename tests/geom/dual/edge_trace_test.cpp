@@ -20,7 +20,6 @@ using fixtures::Weights;
 
 namespace {
 
-
 /// A dual, and its diagram by brute force.
 struct EdgeTraceScene {
   EdgeTraceScene(const TriMesh& mesh, std::size_t n, Weights weights)
@@ -150,8 +149,8 @@ TEST_CASE("edge trace: the edges of a cell's border sweep out its area") {
       for (const CircleId c : scene.dual.dual().circles_of(s)) {
         const EmptyCircle& circle = scene.dual.dual().circle(c);
         const TracedEdge::Extent extent =
-            extent_of_edge(scene.dual.dual().mesh(), scene.site(s), scene.site(EdgeTraceScene::right_of(circle, s)),
-                           scene.edge_of(circle, s));
+            extent_of_edge(scene.dual.dual().mesh(), scene.site(s),
+                           scene.site(EdgeTraceScene::right_of(circle, s)), scene.edge_of(circle, s));
         sum += extent.twice_area;
         size2 = std::max(size2, extent.far2);
       }

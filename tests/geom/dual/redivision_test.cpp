@@ -18,7 +18,6 @@ using fixtures::Weights;
 
 namespace {
 
-
 struct General {
   General(const TriMesh& mesh, const std::vector<fixtures::Placed>& samples, CornerTypes types)
       : state(mesh, types, nullptr), redivision(state) {

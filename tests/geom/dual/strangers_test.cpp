@@ -22,7 +22,6 @@ using Scene = fixtures::DualScene;
 
 namespace {
 
-
 Vec3 in_ball(const Vec3& center, double radius, Rng& rng) {
   Vec3 v = fixtures::random_vector(rng);
   while (v.norm() > 1) v = fixtures::random_vector(rng);

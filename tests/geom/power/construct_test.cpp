@@ -162,39 +162,42 @@ TEST_CASE("construct: the error of a bisector stays within its bound") {
 }
 
 TEST_CASE("construct: a corner on an edge is as near to the exact one as stated") {
-  const ConstructCount count = construct_for_each_scene(2, [](const ConstructScene& s, ConstructCount& count) {
-    for (const auto& [i, k] : {std::pair(0u, 1u), std::pair(1u, 2u), std::pair(0u, 2u)}) {
-      const Vec3 &a = s.q[i], &b = s.q[k];
-      const int at_a = form(a, s.exact[0], s.exact[1]).sign(), at_b = form(b, s.exact[0], s.exact[1]).sign();
-      if (at_a * at_b > 0 || (at_a == 0 && at_b == 0)) continue;
-      const HomogeneousPoint exact = on_edge(a, b, s.exact[0], s.exact[1]);
-      const Bisector f = s.bisector(1);
-      const RoundedPoint rounded = geom::corner_on_edge(a, b, f(a), f(b), f.error, s.extent);
-      CHECK(within(rounded, exact));
-      CHECK(within(exact_corner_on_edge(a, b, s.ranked(0), s.ranked(1), s.extent), exact));
-      ++count.corners;
-      count.certain += rounded.tolerance <= 0x1p-32 * s.extent;
-    }
-  });
+  const ConstructCount count =
+      construct_for_each_scene(2, [](const ConstructScene& s, ConstructCount& count) {
+        for (const auto& [i, k] : {std::pair(0u, 1u), std::pair(1u, 2u), std::pair(0u, 2u)}) {
+          const Vec3 &a = s.q[i], &b = s.q[k];
+          const int at_a = form(a, s.exact[0], s.exact[1]).sign(),
+                    at_b = form(b, s.exact[0], s.exact[1]).sign();
+          if (at_a * at_b > 0 || (at_a == 0 && at_b == 0)) continue;
+          const HomogeneousPoint exact = on_edge(a, b, s.exact[0], s.exact[1]);
+          const Bisector f = s.bisector(1);
+          const RoundedPoint rounded = geom::corner_on_edge(a, b, f(a), f(b), f.error, s.extent);
+          CHECK(within(rounded, exact));
+          CHECK(within(exact_corner_on_edge(a, b, s.ranked(0), s.ranked(1), s.extent), exact));
+          ++count.corners;
+          count.certain += rounded.tolerance <= 0x1p-32 * s.extent;
+        }
+      });
   CHECK(count.certain > count.corners / 2);
   CHECK(count.certain < count.corners);
 }
 
 TEST_CASE("construct: a corner in a facet is as near to the exact one as stated") {
-  const ConstructCount count = construct_for_each_scene(3, [](const ConstructScene& s, ConstructCount& count) {
-    if (!corner_is_in_facet(s)) return;
-    const HomogeneousPoint exact =
-        in_facet(FacetCorners{&s.q[0], &s.q[1], &s.q[2]}, s.exact[0], s.exact[1], s.exact[2]);
-    const RoundedPoint rounded =
-        geom::corner_in_facet(s.q[0], s.q[1], s.q[2], linear_form(s.bisector(1), s.q[0], s.q[1], s.q[2]),
-                              linear_form(s.bisector(2), s.q[0], s.q[1], s.q[2]), s.extent);
-    CHECK(within(rounded, exact));
-    CHECK(
-        within(exact_corner_in_facet(s.q[0], s.q[1], s.q[2], s.ranked(0), s.ranked(1), s.ranked(2), s.extent),
-               exact));
-    ++count.corners;
-    count.certain += rounded.tolerance <= 0x1p-32 * s.extent;
-  });
+  const ConstructCount count =
+      construct_for_each_scene(3, [](const ConstructScene& s, ConstructCount& count) {
+        if (!corner_is_in_facet(s)) return;
+        const HomogeneousPoint exact =
+            in_facet(FacetCorners{&s.q[0], &s.q[1], &s.q[2]}, s.exact[0], s.exact[1], s.exact[2]);
+        const RoundedPoint rounded =
+            geom::corner_in_facet(s.q[0], s.q[1], s.q[2], linear_form(s.bisector(1), s.q[0], s.q[1], s.q[2]),
+                                  linear_form(s.bisector(2), s.q[0], s.q[1], s.q[2]), s.extent);
+        CHECK(within(rounded, exact));
+        CHECK(within(
+            exact_corner_in_facet(s.q[0], s.q[1], s.q[2], s.ranked(0), s.ranked(1), s.ranked(2), s.extent),
+            exact));
+        ++count.corners;
+        count.certain += rounded.tolerance <= 0x1p-32 * s.extent;
+      });
   CHECK(count.certain > count.corners / 4);
   CHECK(count.certain < count.corners);
 }

@@ -87,7 +87,8 @@ TEST_CASE("divided surface: equals brute force, and any number of threads gives 
         const std::vector<FacetId> facets = facets_along_curve(surface.mesh);
         const std::vector<Piece> pieces = divided(surface.mesh, points, facets, 1);
         const Clipper::Sites sites(points.begin(), points.end());
-        CHECK(divided_surface_canonical(pieces) == oracle::restricted_power_diagram(surface.mesh, sites, first_ids(n)));
+        CHECK(divided_surface_canonical(pieces) ==
+              oracle::restricted_power_diagram(surface.mesh, sites, first_ids(n)));
         for (const int threads : {2, 5}) CHECK(same(pieces, divided(surface.mesh, points, facets, threads)));
       }
 }

@@ -37,8 +37,10 @@ std::pair<double, double> radii(const TriMesh& mesh, double height) {
 
 TEST_CASE("thin shapes: sheets are as thin as their rows say") {
   CHECK(thin_shapes_volume(geom::make_shape("plate")) == doctest::Approx(1.0 / 40));
-  CHECK(thin_shapes_volume(geom::make_shape("paper")) == doctest::Approx(1.0 / 100));  // a shear keeps volumes
-  CHECK(thin_shapes_volume(geom::make_shape("comb")) == doctest::Approx(0.05 * (0.2 * 0.9 + 12 * 0.8 * 0.02)));
+  CHECK(thin_shapes_volume(geom::make_shape("paper")) ==
+        doctest::Approx(1.0 / 100));  // a shear keeps volumes
+  CHECK(thin_shapes_volume(geom::make_shape("comb")) ==
+        doctest::Approx(0.05 * (0.2 * 0.9 + 12 * 0.8 * 0.02)));
   CHECK(thin_shapes_volume(geom::make_shape("boxes")) == doctest::Approx(1 + 0.75 * 0.875 * 0.75));
   const double ball = thin_shapes_volume(geom::make_shape("sphere", 24));
   CHECK(thin_shapes_volume(geom::make_shape("shell")) == doctest::Approx(ball * (1 - 0.92 * 0.92 * 0.92)));
