@@ -297,7 +297,8 @@ std::string CommandLine::help() const {
   std::vector<std::string> groups;
   for (const Entry& entry : entries_)
     if (std::ranges::find(groups, entry.group) == groups.end()) groups.push_back(entry.group);
-  std::ranges::stable_partition(groups, [](const std::string& g) { return !g.starts_with("Expert"); });
+  std::stable_partition(groups.begin(), groups.end(),
+                        [](const std::string& g) { return !g.starts_with("Expert"); });
   for (const std::string& group : groups) {
     text += "\n" + group + "\n";
     for (const Entry& entry : entries_)

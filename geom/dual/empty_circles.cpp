@@ -12,7 +12,7 @@ bool circle_before(const EmptyCircle& a, const EmptyCircle& b) {
 }
 
 void EmptyCircle::sort_counterclockwise() {
-  std::ranges::rotate(sites, std::ranges::min_element(sites));
+  std::rotate(sites.begin(), std::ranges::min_element(sites), sites.end());
   clockwise = sites[2] < sites[1];
   if (clockwise) std::swap(sites[1], sites[2]);
 }

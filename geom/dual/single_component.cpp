@@ -8,7 +8,8 @@ namespace geom {
 bool SingleComponent::is_all(double cell_reach, double distance) {
   const DualState& state = around_.state;
   const Frame& frame = around_.frame;
-  const auto& [p, weight, level] = around_.site();
+  const Vec3& p = around_.site().position;
+  const double level = around_.site().level;
   link_.clear();
   for (int j = 0; j < around_.rim.size(); ++j) link_.push_back({frame.offset(j), frame.constant(j)});
   const double own = state.distance_at(cell_reach, around_.p);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -65,11 +66,17 @@ void for_each_edge(const std::vector<HalfEdge>& half_edges, Visit visit) {
   }
 }
 
-/// How many facets have the edge from a to b, in either direction. O(log F).
+/// Those of the edge from a to b, in either direction. O(log F).
+inline std::span<const HalfEdge> half_edges_at(const std::vector<HalfEdge>& half_edges, VertexId a,
+                                               VertexId b) {
+  const std::pair ends(std::min(a, b), std::max(a, b));
+  return {std::ranges::lower_bound(half_edges, ends, {}, &HalfEdge::ends),
+          std::ranges::upper_bound(half_edges, ends, {}, &HalfEdge::ends)};
+}
+
+/// How many facets have that edge. O(log F).
 inline std::size_t num_facets_at(const std::vector<HalfEdge>& half_edges, VertexId a, VertexId b) {
-  const auto found =
-      std::ranges::equal_range(half_edges, std::pair(std::min(a, b), std::max(a, b)), {}, &HalfEdge::ends);
-  return found.size();
+  return half_edges_at(half_edges, a, b).size();
 }
 
 }  // namespace geom

@@ -53,8 +53,7 @@ class FlatPass {
 
   /// The one facet beside t at the edge a b; none at borders and where there are more.
   FacetId beside(FacetId t, VertexId a, VertexId b) const {
-    const auto sides =
-        std::ranges::equal_range(half_edges_, std::pair(std::min(a, b), std::max(a, b)), {}, &HalfEdge::ends);
+    const std::span<const HalfEdge> sides = half_edges_at(half_edges_, a, b);
     if (sides.size() != 2) return FacetId();
     return sides[0].facet == t ? sides[1].facet : sides[0].facet;
   }

@@ -41,7 +41,9 @@ class Grid {
         at[i] = high[i];
       }
       if (!is_new) continue;
-      for (const Entry& entry : std::ranges::equal_range(entries_, at, {}, &Entry::cell)) visit(entry.vertex);
+      for (auto entry = std::ranges::lower_bound(entries_, at, {}, &Entry::cell);
+           entry != entries_.end() && entry->cell == at; ++entry)
+        visit(entry->vertex);
     }
   }
 

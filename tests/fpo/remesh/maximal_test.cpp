@@ -28,7 +28,10 @@ Sizing sizing_of(const TriMesh& mesh, std::size_t n, bool adaptive) {
 /// After some iterations of farthest point optimization with the local search.
 std::vector<SurfaceSample> optimized(const TriMesh& mesh, const Sizing& sizing, std::size_t n) {
   SurfaceDomain domain(mesh, sizing, random_samples(mesh, sizing, n, 3));
-  optimize(domain, {.max_iterations = 8, .scope = Scope::two_ring});
+  OptimizeOptions options;
+  options.max_iterations = 8;
+  options.scope = Scope::two_ring;
+  optimize(domain, options);
   std::vector<SurfaceSample> samples;
   for (std::size_t i = 0; i < n; ++i) samples.push_back(domain.sample(SiteId(i)));
   return samples;

@@ -12,6 +12,7 @@
 #include "geom/mesh/aabb_tree.h"
 #include "geom/rng.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/effort.h"
 #include "tests/fixtures/hard_surfaces.h"
 #include "tests/fixtures/placed_samples.h"
 #include "tests/oracle/restricted_dual_oracle.h"
@@ -183,7 +184,7 @@ TEST_CASE("fast way: regular sites stay so under its moves") {
         const std::vector<Placed> pool = fixtures::placed_samples(mesh, 20 * n, n, weights, 8);
         Parts parts(mesh, {pool.begin(), pool.begin() + static_cast<std::ptrdiff_t>(n)});
         Rng rng(n);
-        for (int move = 0; move < 24; ++move) {
+        for (int move = 0; move < fixtures::effort(12, 24); ++move) {
           CAPTURE(move);
           const SiteId p(static_cast<std::size_t>(rng.below(n)));
           (parts.remove(p) ? fast : general) += 1;

@@ -3,6 +3,7 @@
 #include "tests/fixtures/hard_surfaces.h"
 
 #include "doctest.h"
+#include "tests/fixtures/effort.h"
 #include "tests/fixtures/mirrored_dual.h"
 
 using namespace geom;
@@ -41,7 +42,7 @@ TEST_CASE("restricted dual on hard surfaces: equals brute force after every move
     for (const Weights weights : fixtures::all_weights)
       walk_on(surface,
               {.num_sites = 60, .weights = weights, .search = weights != Weights::none, .keeps_number = true},
-              15);
+              fixtures::effort(8, 15));
 }
 
 TEST_CASE("restricted dual on hard surfaces: equals brute force after every move, facets larger than cells") {

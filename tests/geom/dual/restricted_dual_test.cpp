@@ -10,6 +10,7 @@
 #include "geom/mesh/aabb_tree.h"
 #include "geom/shapes/shapes.h"
 #include "geom/sites/site_tree.h"
+#include "tests/fixtures/effort.h"
 #include "tests/fixtures/hard_surfaces.h"
 #include "tests/fixtures/mirrored_dual.h"
 #include "tests/oracle/restricted_power_oracle.h"
@@ -235,14 +236,14 @@ TEST_CASE(
   std::size_t fast = 0, in_place = 0, general = 0;
   for (const auto& [name, mesh] : surfaces)
     for (const Weights weights : {Weights::none, Weights::gentle, Weights::hiding})
-      for (const std::size_t n : {25u, 80u}) {
+      for (const std::size_t n : {std::size_t{25}, fixtures::effort<std::size_t>(60, 80)}) {
         CAPTURE(std::string(name));
         CAPTURE(static_cast<int>(weights));
         CAPTURE(n);
         DualWalk walk(mesh, {.num_sites = n, .weights = weights, .keeps_number = true, .seed = n});
         walk.build();
         walk.spread(1);
-        for (int step = 0; step < 100; ++step) {
+        for (int step = 0; step < fixtures::effort(60, 100); ++step) {
           CAPTURE(step);
           if (step % 3 != 0)  // else bounds that are too large may hide one that is not raised
             for (const SiteId p : walk.d.present()) walk.d.dual().reach(p);
@@ -254,9 +255,9 @@ TEST_CASE(
         in_place += ways.in_place;
         general += ways.general_insertions;
       }
-  CHECK(fast > 2000);
-  CHECK(in_place > 100);
-  CHECK(general > 100);
+  CHECK(fast > fixtures::effort<std::size_t>(1000, 2000));
+  CHECK(in_place > fixtures::effort<std::size_t>(50, 100));
+  CHECK(general > fixtures::effort<std::size_t>(50, 100));
 }
 
 // Small steps keep most edges, large ones few.
