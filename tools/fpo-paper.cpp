@@ -64,8 +64,8 @@ int paper(tools::CommandLine& cli) {
   io::write_file(tables, tools::paper_markdown(results, header));
   for (const tools::PaperModel& model : results.models)
     if (model.file.empty()) std::printf("missing %s\n", model.name.c_str());
-  std::printf("rows %zu\nspectra %zu\nseconds %.1f\nwrote %s %s\n", results.runs.size(),
-              results.spectra.size(), header.seconds, page.c_str(), tables.c_str());
+  std::printf("rows %zu\nspectra %zu\nseconds %.1f\ncpu_seconds %.1f\nwrote %s %s\n", results.runs.size(),
+              results.spectra.size(), header.seconds, results.cpu_seconds, page.c_str(), tables.c_str());
   return tools::exit_done;
 }
 

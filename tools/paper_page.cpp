@@ -148,7 +148,8 @@ std::string markdown_row(const io::HtmlTable::Row& row) {
 io::HtmlReport paper_page(const PaperResults& results, const PaperHeader& header) {
   io::HtmlReport page("Blue-Noise Remeshing with Farthest Point Optimization: the paper's results and ours");
   page.command(header.command);
-  page.paragraph("Version " + header.version + ", " + seconds_text(header.seconds) + " seconds.");
+  page.paragraph("Version " + header.version + ", " + seconds_text(header.seconds) + " seconds, " +
+                 seconds_text(results.cpu_seconds) + " of CPU.");
   page.paragraph("Models that are there: " + models_text(results, true) +
                  ". Missing: " + models_text(results, false) + ".");
   page.note(columns_note);

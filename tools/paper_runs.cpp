@@ -31,6 +31,24 @@ struct Job {
   std::function<void()> run;
 };
 
+/// A set that tables and figures may share: it is made once.
+struct Wanted {
+  std::string model;
+  std::size_t samples = 0;
+  bool adaptive = false;
+  std::string method;
+  std::uint64_t seed = 0;
+
+  auto operator<=>(const Wanted&) const = default;
+  std::string name() const {
+    return model + " " + std::to_string(samples) + (adaptive ? " adaptive " : " ") + method + ", seed " +
+           std::to_string(seed);
+  }
+};
+
+/// What becomes of a set, and the CPU seconds that it took.
+using Use = std::function<void(const fpo::RemeshResult&, double)>;
+
 /// The models' surfaces by their names in the paper, those that are there.
 using Surfaces = std::map<std::string, geom::TriMesh>;
 
@@ -93,6 +111,7 @@ class Experiments {
       : options_(options), surfaces_(surfaces) {
     if (options.tables) add_tables();
     if (options.spectra) add_spectra();
+    add_remeshes();
     if (options.convergence) add_convergence();
     if (options.runtimes) add_runtimes();
   }
@@ -105,18 +124,21 @@ class Experiments {
     geom::parallel_ranges(jobs_.size(), 1, options_.threads, [&](std::size_t first, std::size_t) {
       const double start = thread_seconds();
       jobs_[first].run();
+      const double seconds = thread_seconds() - start;
       const std::lock_guard lock(access);
       ++done;
+      cpu_seconds_ += seconds;
       if (!options_.progress) return;
       char text[160];
       std::snprintf(text, sizeof text, "%zu of %zu: %s, %.1f s", done, jobs_.size(),
-                    jobs_[first].name.c_str(), thread_seconds() - start);
+                    jobs_[first].name.c_str(), seconds);
       options_.progress(text);
     });
   }
 
   PaperResults results() {
     PaperResults r;
+    r.cpu_seconds = cpu_seconds_;
     r.runs = std::move(runs_);
     for (SpectrumSets& s : spectra_) {
       PaperSpectrum& out = r.spectra.emplace_back(std::move(s.about));
@@ -145,14 +167,6 @@ class Experiments {
     return found == surfaces_.end() ? nullptr : &found->second;
   }
 
-  fpo::RemeshResult remeshed(const std::string& model, fpo::RemeshOptions options, std::uint64_t seed) const
-      try {
-    options.seed = seed;
-    return fpo::remesh(*surface(model), options);
-  } catch (const geom::InputError& error) {
-    throw geom::InputError(model + ": " + error.what());
-  }
-
   /// A row for each method.
   void add_tables() {
     for (const PaperBlock& block : fpo::paper_blocks()) {
@@ -161,19 +175,13 @@ class Experiments {
     }
     for (std::size_t i = 0; i < runs_.size(); ++i) {
       const PaperBlock& b = runs_[i].block;
-      const auto method = std::ranges::find(paper_methods(), runs_[i].method, &PaperMethod::name);
-      const fpo::RemeshOptions options = options_for(*method, b.samples, b.adaptive, options_);
-      jobs_.push_back({"table " + std::to_string(b.table) + " " + b.model + " " + std::to_string(b.samples) +
-                           (b.adaptive ? " adaptive " : " ") + method->name,
-                       cost(options), [this, i, options] { run_table(runs_[i], options); }});
+      uses_[{b.model, b.samples, b.adaptive, runs_[i].method, options_.seed}].push_back(
+          [this, i](const fpo::RemeshResult& result, double seconds) {
+            PaperRun& run = runs_[i];
+            run.seconds = seconds;
+            run.figures = figures_of(measure(result.mesh, *surface(run.block.model), 1));
+          });
     }
-  }
-
-  void run_table(PaperRun& run, const fpo::RemeshOptions& options) const {
-    const double start = thread_seconds();
-    const fpo::RemeshResult result = remeshed(run.block.model, options, options_.seed);
-    run.seconds = thread_seconds() - start;
-    run.figures = figures_of(measure(result.mesh, *surface(run.block.model), 1));
   }
 
   void add_spectra() {
@@ -189,18 +197,33 @@ class Experiments {
     const std::size_t i = spectra_.size();
     spectra_.push_back({{c.figure, c.model, method.name, c.samples, {}, io::Svg(1, 1)}, {}});
     spectra_[i].sets.resize(static_cast<std::size_t>(num_sets));
-    const fpo::RemeshOptions options = options_for(method, c.samples, c.adaptive, options_);
-    for (std::size_t set = 0; set < spectra_[i].sets.size(); ++set) {
-      const std::uint64_t seed = options_.seed + set;
-      jobs_.push_back(
-          {"figure " + std::to_string(c.figure) + " " + c.model + " " + method.name + " set " +
-               std::to_string(set + 1),
-           cost(options) + 20.0 * static_cast<double>(c.samples), [this, i, set, seed, c, options] {
-             const fpo::RemeshResult result = remeshed(c.model, options, seed);
-             spectra_[i].sets[set] = spectrum_of(*surface(c.model), result, options_.radius, c.adaptive);
-             if (set == 0) spectra_[i].about.picture = thumbnail(result.mesh);
-           }});
+    for (std::size_t set = 0; set < spectra_[i].sets.size(); ++set)
+      uses_[{c.model, c.samples, c.adaptive, method.name, options_.seed + set}].push_back(
+          [this, i, set, c](const fpo::RemeshResult& result, double) {
+            spectra_[i].sets[set] = spectrum_of(*surface(c.model), result, options_.radius, c.adaptive);
+            if (set == 0) spectra_[i].about.picture = thumbnail(result.mesh);
+          });
+  }
+
+  /// A job for each set, whoever uses it.
+  void add_remeshes() {
+    for (const auto& [wanted, uses] : uses_) {
+      const auto method = std::ranges::find(paper_methods(), wanted.method, &PaperMethod::name);
+      fpo::RemeshOptions options = options_for(*method, wanted.samples, wanted.adaptive, options_);
+      options.seed = wanted.seed;
+      jobs_.push_back({wanted.name(), cost(options), [this, &wanted, &uses, options] {
+                         const double start = thread_seconds();
+                         const fpo::RemeshResult result = remeshed(wanted.model, options);
+                         const double seconds = thread_seconds() - start;
+                         for (const Use& use : uses) use(result, seconds);
+                       }});
     }
+  }
+
+  fpo::RemeshResult remeshed(const std::string& model, const fpo::RemeshOptions& options) const try {
+    return fpo::remesh(*surface(model), options);
+  } catch (const geom::InputError& error) {
+    throw geom::InputError(model + ": " + error.what());
   }
 
   void add_convergence() {
@@ -231,12 +254,14 @@ class Experiments {
   }
 
   static double cost(const fpo::RemeshOptions& o) {
-    return static_cast<double>(o.num_samples) * (o.optimize.max_iterations + 10);
+    return static_cast<double>(o.num_samples) * (o.optimize.max_iterations + 30);
   }
 
   const PaperOptions& options_;
   const Surfaces& surfaces_;
+  std::map<Wanted, std::vector<Use>> uses_;
   std::vector<Job> jobs_;
+  double cpu_seconds_ = 0;
   std::vector<PaperRun> runs_;
   std::vector<SpectrumSets> spectra_;
   std::vector<Convergence> convergence_;

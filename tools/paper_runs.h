@@ -61,9 +61,11 @@ struct PaperResults {
   Convergence convergence;                      ///< figure 10, left: the mean over the models that are there
   std::vector<std::string> convergence_models;  ///< these
   std::vector<RuntimeCurve> runtimes;
+  double cpu_seconds = 0;  ///< of all jobs
 };
 
-/// Runs everything, `threads` jobs at a time. Deterministic but for times. Throws geom::InputError if no
+/// Runs everything, `threads` jobs at a time; a set that tables and figures share is made once. Deterministic
+/// but for times. Throws geom::InputError if no
 /// model of the paper is there, or one cannot be read or remeshed. Cost: some 40 minutes of CPU for eight
 /// models.
 PaperResults run_paper(const PaperOptions& options);
