@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <set>
+#include <string>
 #include <tuple>
 
 #include "geom/check.h"
@@ -108,7 +109,8 @@ std::vector<Item> collect(const TriMesh& mesh, const MeshPicture& picture, const
   return items;
 }
 
-/// Short names for (colour, facet or point) pairs: a, b, ..., z, aa, ...; each becomes one CSS rule.
+/// Names of (colour, facet or point) pairs; each becomes one CSS rule. A name tells its rule: pictures on one
+/// page share their rules.
 class Classes {
  public:
   explicit Classes(const MeshPicture& picture) : picture_(picture) {}
@@ -116,13 +118,12 @@ class Classes {
   std::string name_of(const Item& item) {
     const bool point = !item.facet.valid();
     const std::string colour = css(item.colour);
-    const auto [entry, is_new] = names_.try_emplace({point, colour});
-    if (!is_new) return entry->second;
-    std::size_t number = names_.size();
-    for (; number > 0; number = (number - 1) / 26)
-      entry->second.insert(entry->second.begin(), static_cast<char>('a' + (number - 1) % 26));
-    rules_ += "." + entry->second + "{" + declarations(point, colour) + "}\n";
-    return entry->second;
+    const std::string kind = point                     ? "p" + width(2 * picture_.point_radius) + "-"
+                             : picture_.edge_width > 0 ? "f"
+                                                       : "s";
+    const std::string name = kind + colour.substr(1);
+    if (names_.insert(name).second) rules_ += "." + name + "{" + declarations(point, colour) + "}\n";
+    return name;
   }
   const std::string& rules() const { return rules_; }
 
@@ -135,7 +136,7 @@ class Classes {
   static std::string width(double pixels) { return std::to_string(std::lround(pixels * units_per_pixel)); }
 
   const MeshPicture& picture_;
-  std::map<std::pair<bool, std::string>, std::string> names_;
+  std::set<std::string> names_;
   std::string rules_;
 };
 

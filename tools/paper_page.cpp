@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "tools/paper_table.h"
 
@@ -66,32 +67,40 @@ SpectrumScale common_scale(const PaperResults& results, int figure) {
   return scale_of(all);
 }
 
+/// Of all methods on one model: figures 7 and 8.
+io::HtmlPlot radial_means(const PaperResults& results, int figure, const std::string& model) {
+  io::Chart chart{"Radial means, " + model, {"frequency \u00d7 spacing", 0, 3}, {"power"}, {}, {{.y = 1}}};
+  for (const PaperSpectrum& s : results.spectra) {
+    if (s.figure != figure || s.model != model) continue;
+    io::Series series;
+    series.name = s.method;
+    series.colour = colours[chart.series.size() % colours.size()].code;
+    for (std::size_t i = 0; i < s.mean.curve.frequency.size(); ++i)
+      series.points.emplace_back(s.mean.curve.frequency[i], s.mean.curve.mean[i]);
+    chart.series.push_back(std::move(series));
+  }
+  const std::string legend = legend_instead_of_names(chart);
+  return {io::draw_chart(chart, {560, 300}), legend};
+}
+
 void add_spectra(io::HtmlReport& page, const PaperResults& results, int figure, const std::string& heading) {
-  std::vector<io::HtmlPlot> plots;
+  std::vector<io::HtmlPlot> plots, means;
+  std::string model;
   const SpectrumScale scale = common_scale(results, figure);
-  io::Chart radial{"Radial means", {"frequency \u00d7 spacing", 0, 3}, {"power"}, {}, {{.y = 1}}};
   for (const PaperSpectrum& s : results.spectra) {
     if (s.figure != figure) continue;
     const std::string name = s.model + ", " + s.method;
     plots.push_back({s.picture, name + ", " + std::to_string(s.samples) + " samples: the first set"});
     plots.push_back({draw_spectrum(s.mean, scale), name});
-    io::Series series;
-    series.colour = colours[radial.series.size() % colours.size()].code;
-    for (std::size_t i = 0; i < s.mean.curve.frequency.size(); ++i)
-      series.points.push_back({s.mean.curve.frequency[i], s.mean.curve.mean[i]});
-    series.name = name;
-    radial.series.push_back(std::move(series));
+    const bool first = s.model != std::exchange(model, s.model);
+    if (first && figure != 9) means.push_back(radial_means(results, figure, model));
   }
   page.heading(heading);
-  if (plots.empty()) {
+  if (plots.empty())
     page.note("Left out, or no model of it is there.");
-    return;
-  }
+  else
+    page.plots(means);
   page.plots(plots);
-  if (radial.series.size() < 2) return;
-  const std::string legend = legend_instead_of_names(radial);
-  const std::vector<io::HtmlPlot> together = {{io::draw_chart(radial, {560, 300}), legend}};
-  page.plots(together);
 }
 
 void add_convergence(io::HtmlReport& page, const PaperResults& results) {
@@ -155,7 +164,7 @@ io::HtmlReport paper_page(const PaperResults& results, const PaperHeader& header
   page.note(columns_note);
   for (int number = 2; number <= 4; ++number) {
     page.heading(table_titles[static_cast<std::size_t>(number - 2)]);
-    page.table(paper_table(results, number));
+    if (const io::HtmlTable table = paper_table(results, number); !table.rows.empty()) page.table(table);
     if (const std::string missing = missing_blocks(results, number); !missing.empty()) page.note(missing);
   }
   add_spectra(page, results, 7, "Figure 7: spectra of uniform samples");

@@ -96,10 +96,11 @@ fpo::PowerSpectrum spectrum_of(const geom::TriMesh& surface, const fpo::RemeshRe
       options);
 }
 
+/// So large that it fits beside its spectrum on the page.
 io::Svg thumbnail(const geom::TriMesh& mesh) {
   io::MeshPicture picture;
-  picture.size = 400;
-  picture.edge_width = 0.3;
+  picture.size = 300;
+  picture.edge_width = 0.25;
   picture.back_faces = geom::topology(mesh).boundary_edges > 0;
   return io::draw_mesh(geom::scaled(mesh, geom::factor_to_unit_box(mesh)), picture);
 }

@@ -1,6 +1,7 @@
 #include "io/svg.h"
 
 #include <cstdlib>
+#include <map>
 
 #include "doctest.h"
 #include "io/mesh_picture.h"
@@ -133,6 +134,27 @@ TEST_CASE("draw_mesh: points come after the facets they lie on and before those 
   for (std::size_t at = text.find("d=\""); at != text.npos; at = text.find("d=\"", at + 1))
     order += text[text.find('"', at + 3) - 1] == 'z' ? "facet " : "point ";
   CHECK(order == "facet point facet point ");
+}
+
+TEST_CASE("draw_mesh: on one page no picture changes the looks of another: a class name has one rule") {
+  std::map<std::string, std::string> rules;
+  for (const bool edges : {true, false})
+    for (const std::uint8_t red : {10, 120, 255}) {
+      io::MeshPicture picture;
+      picture.surface = {red, 80, 200};
+      picture.edge_width = edges ? 0.5 : 0;
+      picture.points = {{0, 0, 2}};
+      picture.point_radius = 1 + red / 100;
+      const std::string text = io::draw_mesh(sphere(6), picture).document();
+      const std::size_t end = text.find("</style>");
+      for (std::size_t at = text.find("<style>.") + 7; at < end; at = text.find('\n', at) + 1) {
+        const std::size_t open = text.find('{', at), close = text.find('}', at);
+        if (open > end) break;
+        const std::string rule = text.substr(open, close - open);
+        CHECK(rules.try_emplace(text.substr(at, open - at), rule).first->second == rule);
+      }
+    }
+  CHECK(rules.size() > 20);
 }
 
 TEST_CASE("draw_mesh: colours per facet, and what cannot be drawn") {
