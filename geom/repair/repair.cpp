@@ -6,6 +6,7 @@
 #include "geom/mesh/scaling.h"
 #include "geom/repair/clean.h"
 #include "geom/repair/copies.h"
+#include "geom/repair/dents.h"
 #include "geom/repair/flat_facets.h"
 #include "geom/repair/holes.h"
 #include "geom/repair/orient.h"
@@ -35,6 +36,7 @@ class Work {
     if (steps.orient) orient();
     if (steps.copies) drop_copies();
     if (steps.holes) fill_holes(*steps.holes);
+    if (steps.dents) fill_dents();
     if (steps.split) split(Fans::split);
   }
 
@@ -137,6 +139,11 @@ class Work {
     }
   }
 
+  void fill_dents() {
+    const std::size_t dents = geom::fill_dents(vertices_, facets_, {});
+    if (dents > 0) lines.push_back("filled " + counted(dents, "dent in a border", "dents in borders"));
+  }
+
   Table<VertexId, Vec3> vertices_;
   Table<FacetId, TriMesh::Facet> facets_;
   double factor_;
@@ -144,7 +151,7 @@ class Work {
 
 }  // namespace
 
-RepairSteps all_steps() { return {-1, true, -1, true, true, -1}; }
+RepairSteps all_steps() { return {-1, true, -1, true, true, -1, true}; }
 
 Repaired repaired(const TriMesh& mesh, const RepairSteps& steps) {
   const double factor = factor_to_unit_box(mesh);

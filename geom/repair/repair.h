@@ -18,10 +18,11 @@ struct RepairSteps {
   bool orient = false;
   bool copies = false;          ///< drop parts that lie on another one (copies.h)
   std::optional<double> holes;  ///< close borders up to this length; negative: those of all_steps()
+  bool dents = false;           ///< fill what is missing at borders (dents.h)
 };
 
 /// All of them, each with its usual limits: crumbs as in parts.h, copies as in copies.h, holes
-/// as in holes.h.
+/// as in holes.h, dents as in dents.h.
 RepairSteps all_steps();
 
 struct Repaired {
