@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "fpo/features/feature_samples.h"
+#include "fpo/features/fold_sides.h"
 
 namespace fpo {
 
@@ -181,16 +182,19 @@ FeatureChoice choose_features(const TriMesh& mesh, FeatureOptions options, const
   FeatureChoice result{find_features(mesh, options), {}};
   const auto needed = [&] { return least_number_of_samples(mesh, result.features, plan.fixed); };
   // Collapsing takes its time where there are thousands of short curves: noise goes first.
+  const bool noise = options.yielding && is_noise(fold_sides(mesh, result.features));
   const bool disorder = options.yielding && is_disorder(result.features);
-  if (disorder || (options.yielding && has_creases(result.features) && 2 * needed() > plan.num_samples)) {
+  if (noise || disorder ||
+      (options.yielding && has_creases(result.features) && 2 * needed() > plan.num_samples)) {
     const std::size_t curves = result.features.curves.size(), least = needed();
     options.crease_angle = options.weak_crease_angle = 180;
     options.apex_angle = 0;
     result.features = find_features(mesh, options);
     result.given_up = "creases dropped: " + std::to_string(curves) + " curves ";
-    result.given_up += disorder ? "cross each other everywhere"
-                                : "would take at least " + std::to_string(least) + " of " +
-                                      std::to_string(plan.num_samples) + " samples";
+    result.given_up += noise      ? "are folded to both sides by turns, as in noise"
+                       : disorder ? "cross each other everywhere"
+                                  : "would take at least " + std::to_string(least) + " of " +
+                                        std::to_string(plan.num_samples) + " samples";
     if (least <= plan.num_samples) result.given_up += "; --features 45 keeps them";
   }
   if (options.yielding && needed() > plan.num_samples) {

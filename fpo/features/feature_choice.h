@@ -29,8 +29,8 @@ struct FeatureChoice {
 ///
 /// If the features are `yielding`: creases that fade out count as closed from twenty spacings on, and are
 /// dropped if shorter than two; all creases are dropped if with them the features would need more than half
-/// of the samples, or if they cross each other everywhere; then corners, if borders need more samples than
-/// there are. Borders stay. Else nothing is dropped.
+/// of the samples, if they cross each other everywhere, or if they are folded as noise is (fold_sides.h);
+/// then corners, if borders need more samples than there are. Borders stay. Else nothing is dropped.
 FeatureChoice choose_features(const geom::TriMesh& mesh, FeatureOptions options, const SamplingPlan& plan);
 
 /// Joins the ends of curves that are shorter than `reach`, the shortest first; `features` is of that mesh.

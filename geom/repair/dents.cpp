@@ -33,8 +33,8 @@ class Dents {
       area_ += normal(f).norm() / 2;
       for (std::size_t i = 0; i < 3; ++i)
         if (const auto known = angle_.find(f[i]); known != angle_.end())
-          known->second += angle(vertices[f[(i + 1) % 3]] - vertices[f[i]],
-                                 vertices[f[(i + 2) % 3]] - vertices[f[i]]);
+          known->second +=
+              angle(vertices[f[(i + 1) % 3]] - vertices[f[i]], vertices[f[(i + 2) % 3]] - vertices[f[i]]);
     }
   }
 
