@@ -74,8 +74,11 @@ std::vector<std::string> shape_warnings(const fpo::RemeshResult& result) {
     lines.push_back(line("%zu angles are below 30 degrees, the smallest is %.1f",
                          result.measures.angles_below_30, result.measures.theta_min));
   if (result.broken_feature_edges > 0)
-    lines.push_back(line("%zu of %zu feature edges are no edges of the remesh", result.broken_feature_edges,
-                         result.feature_edges));
+    lines.push_back(line(
+        "%zu of %zu feature edges are no edges of the remesh, the first at (%.6g, %.6g, %.6g): curves are "
+        "closer there than samples; about -n %zu would do",
+        result.broken_feature_edges, result.feature_edges, result.edge_advice.first.x(),
+        result.edge_advice.first.y(), result.edge_advice.first.z(), rounded_up(result.edge_advice.samples)));
   return lines;
 }
 

@@ -22,11 +22,15 @@ double beyond(double gap) { return std::max({least_gap - gap, gap - most_gap, 0.
 
 CurveSlides::CurveSlides(const geom::TriMesh& mesh, const Features& features, const FeatureSamples& samples,
                          const Sizing& sizing)
-    : sizing_(sizing), tracks_(samples.samples.size()) {
+    : sizing_(sizing), tracks_(samples.samples.size()), beside_(samples.samples.size()) {
   for (std::size_t c = 0; c < features.curves.size(); ++c) {
     metrics_.emplace_back(mesh, features.curves[c], sizing);
     loops_.push_back(features.curves[c].loop);
     const std::vector<SiteId>& chain = samples.chains[c];
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+      beside_[chain[i]].push_back(chain[i + 1]);
+      beside_[chain[i + 1]].push_back(chain[i]);
+    }
     const std::size_t ends = loops_[c] ? 0 : 1;
     for (std::size_t i = ends; i + 1 < chain.size(); ++i) {
       const SiteId before = i > 0 ? chain[i - 1] : chain[chain.size() - 2];
@@ -65,9 +69,9 @@ bool CurveSlides::has_its_edges(const SurfaceDomain& domain, SiteId x) const {
   domain.dual().link(x, around);
   around.push_back(x);
   return std::ranges::all_of(around, [&](SiteId y) {
-    if (!can_slide(y)) return true;
+    if (y.index() >= beside_.size()) return true;
     domain.dual().link(y, link);
-    return std::ranges::all_of(std::array{tracks_[y].before, tracks_[y].after},
+    return std::ranges::all_of(beside_[y],
                                [&](SiteId z) { return std::ranges::find(link, z) != link.end(); });
   });
 }

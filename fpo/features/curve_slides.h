@@ -21,8 +21,7 @@ class CurveSlides {
   /// samples before and after it are neither closer than .6 nor farther than 1.3 of the wanted length, unless
   /// that gets better. Requires can_slide(x). O(length of the curve in mesh edges).
   std::vector<SurfaceSample> places(const SurfaceDomain& domain, SiteId x) const;
-  /// Are the edges from x to the samples before and after it edges of the RRT, and those from its neighbours
-  /// that can slide likewise?
+  /// Are the edges of the chains at x and at its neighbours edges of the RRT?
   bool has_its_edges(const SurfaceDomain& domain, SiteId x) const;
 
  private:
@@ -35,6 +34,7 @@ class CurveSlides {
   std::vector<CurveMetric> metrics_;
   std::vector<bool> loops_;
   geom::Table<SiteId, Track> tracks_;
+  geom::Table<SiteId, std::vector<SiteId>> beside_;  ///< on the curves of each sample of the features
 };
 
 }  // namespace fpo

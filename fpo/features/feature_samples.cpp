@@ -9,6 +9,7 @@
 #include <string>
 
 #include "fpo/features/curve_domain.h"
+#include "fpo/features/facing_samples.h"
 #include "fpo/optimize.h"
 #include "geom/check.h"
 #include "geom/mesh/aabb_tree.h"
@@ -74,6 +75,7 @@ class Layout {
   const std::vector<SurfaceSample>& samples() const { return samples_; }
   const std::vector<Stretch>& stretches() const { return stretches_; }
   const CurveMetric& metric(std::size_t curve) const { return metrics_[curve]; }
+  std::span<const CurveMetric> metrics() const { return metrics_; }
   double missing_shares() const { return missing_shares_; }
 
   /// Edges of each stretch if lengths are divided by `stretching`.
@@ -320,22 +322,26 @@ FeatureSamples sample_features(const TriMesh& mesh, const Features& features,
   const Shells shells(layout, edges);
   FeatureSamples result{layout.samples(), {}, layout.missing_shares(), layout.samples().size()};
   result.chains.resize(features.curves.size());
+  ChainPlaces chain_places(features.curves.size());
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const Stretch& s = layout.stretches()[i];
     const CurveMetric& metric = layout.metric(s.curve);
     std::vector<SiteId>& chain = result.chains[s.curve];
-    if (s.from.valid() && chain.empty()) chain.push_back(s.from);
+    std::vector<double>& on_chain = chain_places[s.curve];
+    if (s.from.valid() && chain.empty()) chain.push_back(s.from), on_chain.push_back(s.start);
     std::vector<double> places =
         spread(s.length, !s.from.valid(), edges[i] - (s.from.valid() ? 1 : 0), seed + i);
     shells.keep(s, places);
     for (const double t : places) {
-      chain.emplace_back(result.samples.size());
+      chain.emplace_back(result.samples.size()), on_chain.push_back(s.start + t);
       result.samples.push_back(
           metric.at(s.start + t < metric.length() ? s.start + t : s.start + t - metric.length()));
       result.missing_shares += 1 - static_cast<double>(features.curves[s.curve].sheets) / 2;
     }
     chain.push_back(s.from.valid() ? s.to : chain.front());
+    on_chain.push_back(s.from.valid() ? s.start + s.length : on_chain.front() + s.length);
   }
+  face_each_other(features, layout.metrics(), std::move(chain_places), most, result);
   return result;
 }
 

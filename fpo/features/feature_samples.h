@@ -36,7 +36,8 @@ std::vector<SurfaceSample> points_on_surface(const geom::TriMesh& mesh, std::spa
 /// edges, and only one of several curves between the same two corners may be a single edge. `fixed` points on
 /// a curve divide it. Where curves leave a corner at an angle a below 60 degrees, all of these have their
 /// first sample at the same distance from it, longer than later gaps by as much as it takes for triangles
-/// between the curves to have angles of min(30, a). Throws InputError, naming the least number, if that is
+/// between the curves to have angles of min(30, a). Samples of curves that are close face each other
+/// (facing_samples.h). Throws InputError, naming the least number, if that is
 /// more than `most`. Deterministic.
 FeatureSamples sample_features(const geom::TriMesh& mesh, const Features& features,
                                std::span<const SurfaceSample> fixed, const Sizing& sizing, std::size_t most,

@@ -104,8 +104,8 @@ class LocalResampling {
   bool wide_enough(SiteId x);
   bool can_slide(SiteId x) const { return slides_ && slides_->can_slide(x); }
   bool can_move(SiteId x) const { return !domain_.is_fixed(x) || can_slide(x); }
-  /// Is a sample that has slid still joined to those before and after it?
-  bool is_joined(SiteId x) const { return !can_slide(x) || slides_->has_its_edges(domain_, x); }
+  /// Are the samples of curves around it still joined to those before and after them?
+  bool is_joined(SiteId x) const { return !slides_ || slides_->has_its_edges(domain_, x); }
   std::vector<SurfaceSample> places_around(SiteId x);
 
   SurfaceDomain& domain_;

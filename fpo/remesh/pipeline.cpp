@@ -296,10 +296,8 @@ std::unique_ptr<SurfaceDomain> with_room(std::unique_ptr<SurfaceDomain> domain, 
 
 void count_creases(const Features& features, const FeatureSamples& samples, RemeshResult& result) {
   for (std::size_t c = 0; c < features.curves.size(); ++c)
-    if (features.curves[c].sheets == 2) {
-      ++result.crease_curves;
-      result.crease_edges += samples.chains[c].size() - 1;
-    }
+    if (features.curves[c].sheets == 2)
+      ++result.crease_curves, result.crease_edges += samples.chains[c].size() - 1;
 }
 
 /// What follows the optimization: angles, fidelity.
@@ -366,6 +364,7 @@ RemeshResult remesh_task(const Task& task, RemeshOptions options) {
   result.feature_edges = num_edges(shared.features);
   count_creases(task.features, shared.features, result);
   result.broken_feature_edges = num_broken_edges(result.mesh, shared.features);
+  result.edge_advice = edge_advice(result.mesh, shared.features);
   for (std::size_t v = 0; v < task.input.num_vertices(); ++v)
     result.sizing.push_back(sizing.at(geom::VertexId(v)));
   for (const SurfaceSample& sample : result.samples) result.wanted.push_back(sizing.at(sample));
@@ -431,16 +430,21 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
 
 /// Creases that nobody asked for are kept unless that alone does harm.
 RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {
-  RemeshResult result = remesh_sheets(surface, chosen_features(surface, options), options);
+  const FeatureChoice choice = chosen_features(surface, options);
+  RemeshResult result = remesh_sheets(surface, choice, options);
   if (result.crease_curves == 0 || !options.features->yielding || options.method != Method::fpo ||
-      interrupted(options) || !geom::topology(surface).manifold() || result.type.ok())
+      interrupted(options) || !geom::topology(surface).manifold())
     return result;
+  const std::string harm =
+      harm_of_creases(surface, choice.features, result.type.ok(), result.measures.theta_min);
+  if (harm.empty()) return result;
   RemeshOptions without = options;
   without.features->crease_angle = without.features->weak_crease_angle = 180;
   RemeshResult plain = remesh_sheets(surface, chosen_features(surface, without), without);
-  if (interrupted(options) || !plain.type.ok()) return result;
+  const bool better = !result.type.ok() || plain.measures.theta_min > 2 * result.measures.theta_min;
+  if (interrupted(options) || !plain.type.ok() || !better) return result;
   plain.given_up = "creases dropped: with these " + std::to_string(result.crease_curves) +
-                   " curves kept the remesh would be of another type; --features 45 keeps them";
+                   " curves kept the remesh would " + harm + "; --features 45 keeps them";
   return plain;
 }
 
@@ -456,6 +460,7 @@ RemeshResult remesh_there(const geom::TriMesh& input, const RemeshOptions& optio
   result.mesh = geom::scaled(result.mesh, 1 / factor);
   for (SurfaceSample& sample : result.samples) sample.position /= factor;
   for (geom::Vec3& place : result.advice.places) place /= factor;
+  result.edge_advice.first /= factor;
   for (double& h : result.sizing) h /= factor;
   for (double& h : result.wanted) h /= factor;
   for (CellPolygon& cell : result.cells)
@@ -477,6 +482,7 @@ RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options) tr
   result.mesh = geom::moved_by(result.mesh, middle);
   for (SurfaceSample& sample : result.samples) sample.position += middle;
   for (geom::Vec3& place : result.advice.places) place += middle;
+  result.edge_advice.first += middle;
   for (CellPolygon& cell : result.cells)
     for (geom::Vec3& corner : cell.corners) corner += middle;
   return result;

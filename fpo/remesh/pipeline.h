@@ -11,6 +11,7 @@
 #include "fpo/optimize.h"
 #include "fpo/remesh/angles.h"
 #include "fpo/remesh/dual.h"
+#include "fpo/remesh/edge_advice.h"
 #include "fpo/remesh/fidelity.h"
 #include "fpo/remesh/final_measures.h"
 #include "fpo/remesh/maximal.h"
@@ -72,6 +73,7 @@ struct RemeshResult {
   std::string given_up;                  ///< features that are not kept, and why, for users; empty: none
   Protection protection;                 ///< of those edges
   std::size_t broken_feature_edges = 0;  ///< those that are no edges of the mesh
+  EdgeAdvice edge_advice;                ///< where, and how many samples would do
   ShortestEdgeResult shortest_edges;
   OptimizeResult optimization;
   bool stood_in = false;         ///< the surface is of needles: most was done on a coarser one (stand_in.h)

@@ -1,6 +1,7 @@
 #include "fpo/remesh/protect.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@ namespace {
 
 constexpr int rounds = 10;
 constexpr double most_share = 8;  // of the usual weight: larger disks would swallow all around them
+constexpr double crowded = 0.5;   // wanted lengths to the next sample of the features
 
 using Edge = std::pair<SiteId, SiteId>;
 
@@ -29,14 +31,46 @@ std::vector<Edge> missing_edges(const SurfaceDomain& domain, const FeatureSample
   return missing;
 }
 
-/// So that its disk reaches the middle of an edge of this length. False if it does already or never may.
-bool raise_weight(SurfaceDomain& domain, SiteId x, double length2) {
-  const double share = 1 + length2 / 4 / domain.full_weight(x);
-  if (!(share > domain.weight_share(x)) || share > most_share) return false;
+/// Distances from the samples of the features to the nearest others, in what makes a crowd: at most 1.
+std::vector<double> room_at(const SurfaceDomain& domain, const FeatureSamples& features) {
+  const std::size_t count = features.samples.size();
+  std::vector<double> room;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3& x = domain.sample(SiteId(i)).position;
+    const double enough = crowded * domain.sizing().at(domain.sample(SiteId(i)));
+    double nearest2 = enough * enough;
+    for (std::size_t j = 0; j < count; ++j)
+      if (i != j) nearest2 = std::min(nearest2, (domain.sample(SiteId(j)).position - x).squaredNorm());
+    room.push_back(std::sqrt(nearest2) / enough);
+  }
+  return room;
+}
+
+bool change_weight(SurfaceDomain& domain, SiteId x, double share) {
   const SurfaceSample place = domain.sample(x);
   domain.remove(x);
   domain.insert_at(x, place, share);
   return true;
+}
+
+/// Where samples are much closer than wanted, weights that are due to wanted lengths differ by more than the
+/// squares of distances: the weights are made those of the distances.
+std::size_t lower_weights(SurfaceDomain& domain, const std::vector<double>& room) {
+  std::size_t lowered = 0;
+  for (std::size_t i = 0; i < room.size(); ++i) {
+    const SiteId x(i);
+    const double share = room[i] * room[i];
+    if (domain.dual().site(x).weight > 0 && share < domain.weight_share(x))
+      lowered += change_weight(domain, x, share);
+  }
+  return lowered;
+}
+
+/// So that its disk reaches the middle of an edge of this length. False if it does already or never may.
+bool raise_weight(SurfaceDomain& domain, SiteId x, double length2) {
+  const double share = 1 + length2 / 4 / domain.full_weight(x);
+  if (!(share > domain.weight_share(x)) || share > most_share) return false;
+  return change_weight(domain, x, share);
 }
 
 bool move_away_from(SurfaceDomain& domain, const geom::Location3& middle) {
@@ -53,17 +87,22 @@ bool move_away_from(SurfaceDomain& domain, const geom::Location3& middle) {
 
 Protection protect_chains(SurfaceDomain& domain, const FeatureSamples& features) {
   Protection result;
+  std::vector<Edge> missing = missing_edges(domain, features);
+  if (missing.empty()) return result;
+  const std::vector<double> room = room_at(domain, features);
+  if (lower_weights(domain, room) > 0) missing = missing_edges(domain, features);
   std::set<SiteId> weighted;
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < rounds && !missing.empty(); ++round) {
     bool changed = false;
-    for (const auto& [a, b] : missing_edges(domain, features)) {
+    for (const auto& [a, b] : missing) {
       const Vec3 from = domain.sample(a).position, to = domain.sample(b).position;
       bool raised = false;
-      for (const SiteId x : {a, b})
-        if (raise_weight(domain, x, (to - from).squaredNorm())) {
-          weighted.insert(x);
-          raised = true;
-        }
+      if (room[a.index()] == 1 && room[b.index()] == 1)
+        for (const SiteId x : {a, b})
+          if (raise_weight(domain, x, (to - from).squaredNorm())) {
+            weighted.insert(x);
+            raised = true;
+          }
       const Vec3 middle = (from + to) / 2;
       const double level = (domain.dual().site(a).level + domain.dual().site(b).level) / 2;
       const bool moved = !raised && move_away_from(domain, {middle, level});
@@ -71,6 +110,7 @@ Protection protect_chains(SurfaceDomain& domain, const FeatureSamples& features)
       changed |= raised || moved;
     }
     if (!changed) break;
+    missing = missing_edges(domain, features);
   }
   result.weighted = weighted.size();
   return result;
