@@ -10,7 +10,7 @@
 
 namespace fpo {
 
-/// More are refused: ids and memory, 1 to 3 KB a sample (README, bench-scaling).
+/// More are refused: ids and memory, 1 to 3 KB a sample (tests/FIGURES.md).
 inline constexpr std::size_t max_samples = 20'000'000;
 
 /// Exactly n independent samples with density proportional to h^-2 (uniform by area if h is); a function of
