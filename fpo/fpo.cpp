@@ -4,9 +4,14 @@
 #include <string>
 #include <thread>
 
+#include "fpo/remesh/at_least.h"
+#include "fpo/remesh/refusal.h"
 #include "fpo/remesh/remesh_defaults.h"
 #include "fpo/surface/barycentric.h"
+#include "geom/mesh/aabb_tree.h"
 #include "geom/mesh/scaling.h"
+#include "geom/repair/clean.h"
+#include "geom/repair/parts.h"
 
 namespace fpo {
 namespace {
@@ -22,7 +27,19 @@ void require_three_columns(const std::string& name, Eigen::Index rows, Eigen::In
   geom::require(columns == 3, name + " is " + size_of(rows, columns) + ", not n x 3");
 }
 
-geom::TriMesh mesh_of(const Points& V, const Triangles& F) {
+/// What is remeshed.
+struct Input {
+  geom::TriMesh mesh;
+  std::vector<int> rows;  ///< of F, of the mesh's facets before anything was mended
+  bool mended = false;    ///< facets of the mesh are no rows
+};
+
+bool names_twice(const Triangles& F, Eigen::Index t) {
+  return F(t, 0) == F(t, 1) || F(t, 1) == F(t, 2) || F(t, 2) == F(t, 0);
+}
+
+/// Without facets that name a vertex twice, if it is to be clean.
+Input rows_of(const Points& V, const Triangles& F, bool clean) {
   require_three_columns("V", V.rows(), V.cols());
   require_three_columns("F", F.rows(), F.cols());
   geom::require(F.rows() > 0, "F is empty");
@@ -32,8 +49,24 @@ geom::TriMesh mesh_of(const Points& V, const Triangles& F) {
   geom::Table<geom::FacetId, geom::TriMesh::Facet> facets;
   facets.reserve(static_cast<std::size_t>(F.rows()));
   const auto corner = [&](Eigen::Index t, Eigen::Index i) { return geom::VertexId(std::int32_t{F(t, i)}); };
-  for (Eigen::Index t = 0; t < F.rows(); ++t) facets.push_back({corner(t, 0), corner(t, 1), corner(t, 2)});
-  return geom::TriMesh(std::move(vertices), std::move(facets));
+  Input input;
+  for (Eigen::Index t = 0; t < F.rows(); ++t) {
+    if (clean && names_twice(F, t)) continue;
+    facets.push_back({corner(t, 0), corner(t, 1), corner(t, 2)});
+    input.rows.push_back(static_cast<int>(t));
+  }
+  geom::require(!facets.empty(), "every facet names a vertex twice");
+  input.mesh = geom::TriMesh(std::move(vertices), std::move(facets));
+  return input;
+}
+
+Input input_of(const Points& V, const Triangles& F, bool clean) {
+  Input input = rows_of(V, F, clean);
+  if (!clean) return input;
+  geom::Cleaned cleaned = geom::cleaned(input.mesh);
+  input.mended = cleaned.done.any();
+  input.mesh = std::move(cleaned.mesh);
+  return input;
 }
 
 void set_sizes(const geom::TriMesh& input, const Eigen::VectorXd& sizes, RemeshOptions& options) {
@@ -47,10 +80,15 @@ void set_sizes(const geom::TriMesh& input, const Eigen::VectorXd& sizes, RemeshO
 
 /// By lengths, if there is no number. The limits of wanted lengths are those of ratios.
 void set_count(const geom::TriMesh& input, const Options& given, RemeshOptions& options) {
-  const Lengths lengths{given.edge_length, given.error, {}};
-  const bool by_lengths = lengths.edge_length || lengths.error || given.sizing == SizingKind::given;
-  if (given.count > 0)
-    geom::require(!given.edge_length && !given.error, "count and lengths exclude each other");
+  const Lengths lengths{given.edge_length, given.error, given.radius};
+  const bool has_length = given.edge_length || given.error || given.radius;
+  const bool by_lengths = has_length || given.sizing == SizingKind::given;
+  const bool disks = given.method == Method::mps || given.method == Method::cps;
+  geom::require(
+      !given.radius || (disks && !given.edge_length && !given.error && given.sizing == SizingKind::uniform),
+      "a radius is for mps or cps, by itself");
+  geom::require(!given.error || given.sizing == SizingKind::uniform, "error and sizing exclude each other");
+  if (given.count > 0) geom::require(!has_length, "count and lengths exclude each other");
   if (given.count > 0 || !by_lengths) return;
   if (options.limits.smallest == SizingLimits{}.smallest) options.limits.smallest = 1e-6;
   if (options.limits.largest == SizingLimits{}.largest) options.limits.largest = 1e6;
@@ -73,6 +111,12 @@ RemeshOptions remesh_options(const geom::TriMesh& input, const Options& given) {
     options.fixed.push_back(given.fixed.row(i).transpose());
   options.shortest_edge_removal = given.shortest_edge_removal;
   options.mend = given.mend;
+  options.sheets = given.sheets;
+  options.maximal = given.maximal;
+  options.surface.corners = given.corners;
+  options.surface.farthest = given.farthest;
+  if (given.min_angle) set_least_angle(options.angles, *given.min_angle);
+  if (given.min_delta) options.angles.enough_delta = *given.min_delta;
   options.optimize.interrupted = given.interrupted;
   options.optimize.on_iteration = given.on_iteration;
   options.optimize.on_move = given.on_move;
@@ -101,6 +145,8 @@ RemeshMeasures measures_of(const geom::TriMesh& input, const RemeshResult& resul
   return {.quality = quality_of(input, result.mesh),
           .input = geom::topology(input),
           .output = geom::topology(result.mesh),
+          .type = result.type,
+          .given_up = result.given_up,
           .fit = result.fit,
           .optimization = result.optimization,
           .hidden = result.hidden,
@@ -118,40 +164,55 @@ void set_triangles(const geom::TriMesh& mesh, Eigen::MatrixXi& F) {
     F.row(row++) << facet[0].value, facet[1].value, facet[2].value;
 }
 
-void set_places(const geom::TriMesh& input, const std::vector<SurfaceSample>& samples, Remesh& remesh) {
+/// The same samples by the nearest facets of the surface that was given. Scaled, where no square under- or
+/// overflows.
+std::vector<SurfaceSample> on_rows(const geom::TriMesh& surface, std::vector<SurfaceSample> samples) {
+  const double factor = geom::factor_to_unit_box(surface);
+  const geom::AabbTree tree(geom::scaled(surface, factor));
+  for (SurfaceSample& x : samples) x.facet = tree.closest(factor * x.position).facet;
+  return samples;
+}
+
+void set_places(const geom::TriMesh& input, const std::vector<int>& rows,
+                const std::vector<SurfaceSample>& samples, Remesh& remesh) {
   const std::vector<geom::Vec3> barycentric = barycentric_coordinates(input, samples);
   const auto n = static_cast<Eigen::Index>(samples.size());
   remesh.facet.resize(n);
   remesh.barycentric.resize(n, 3);
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    remesh.facet[i] = samples[at].facet.value;
+    remesh.facet[i] = rows[samples[at].facet.index()];
     remesh.barycentric.row(i) = barycentric[at];
   }
 }
 
 }  // namespace
 
-bool RemeshMeasures::same_topology() const {
-  return output.manifold() && output.unreferenced_vertices == 0 && input.euler == output.euler &&
-         input.components == output.components && input.boundary_loops == output.boundary_loops;
-}
-
 Remesh remesh(const Points& V, const Triangles& F, const Options& options) {
-  const geom::TriMesh input = mesh_of(V, F);
+  const Input given = input_of(V, F, options.clean);
+  const geom::TriMesh& input = given.mesh;
   RemeshOptions completed = remesh_options(input, options);
+  refuse_soup(input, geom::mesh_parts(input.vertices(), input.facets()).size(), completed.num_samples);
   std::vector<IterationReport> iterations;
   completed.optimize.on_iteration = [&](const IterationReport& report) {
+    if (report.iteration == 0) iterations.clear();  // the last of several runs counts
     iterations.push_back(report);
     if (options.on_iteration) options.on_iteration(report);
   };
-  const RemeshResult result = remesh(input, completed);
+  const RemeshResult result =
+      options.at_least ? remesh_at_least(input, completed).remesh : remesh(input, completed);
+  refuse_remnant(result.mesh);
   Remesh remesh;
   remesh.V.resize(static_cast<Eigen::Index>(result.mesh.num_vertices()), 3);
   Eigen::Index row = 0;
   for (const geom::Vec3& x : result.mesh.vertices()) remesh.V.row(row++) = x;
   set_triangles(result.mesh, remesh.F);
-  set_places(input, result.samples, remesh);
+  if (given.mended) {
+    const geom::TriMesh before = rows_of(V, F, options.clean).mesh;
+    set_places(before, given.rows, on_rows(before, result.samples), remesh);
+  } else {
+    set_places(input, given.rows, result.samples, remesh);
+  }
   remesh.wanted = vector_of(result.wanted);
   remesh.sizing = vector_of(result.sizing);
   remesh.measures = measures_of(input, result);

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "fpo/measure/quality.h"
 #include "fpo/remesh/effort.h"
@@ -26,9 +27,9 @@ namespace fpo {
 struct Options {
   /// Vertices of the remesh: exactly; with Poisson disks, whose parameter is a radius, about. 0: by lengths.
   std::size_t count = 0;
-  /// Instead of a count (lengths.h): wanted mean edge, wanted distance from the input. With neither, `sizes`
-  /// are lengths as they are.
-  std::optional<double> edge_length{}, error{};
+  /// Instead of a count (lengths.h): wanted mean edge, wanted distance from the input, radius of the disks of
+  /// mps and cps. With none of them, `sizes` are lengths as they are.
+  std::optional<double> edge_length{}, error{}, radius{};
   Effort quality = Effort::best;  ///< how good, how long (effort.h); what else is chosen wins
   Method method = Method::fpo;
   SizingKind sizing = SizingKind::uniform;
@@ -39,11 +40,22 @@ struct Options {
   /// = A, .weak_crease_angle = A}: folds by more than A degrees; none: nothing is.
   std::optional<FeatureOptions> features = automatic_features();
   Eigen::MatrixXd fixed{0, 3};  ///< points of the surface that become vertices: the first ones, bit for bit
+  /// As fpo-remesh does with files: facets that name a vertex twice, are repeated, doubled or without area go,
+  /// borders that coincide exactly are welded (geom/repair/clean.h). A sound surface is not touched.
+  bool clean = true;
+  bool at_least = false;  ///< more than `count`, about as many as it takes for the input's type (at_least.h)
   std::uint64_t seed = 1;
   int threads = 0;  ///< at most; 0: all cores. No matter to the result
   /// Stop when the least spacing exceeds it (section 3.2); left out: .926, or what `quality` says.
   std::optional<double> target_delta{};
   bool shortest_edge_removal = false, mend = true, rest = false;
+  Sheets sheets = Sheets::automatic;
+  bool maximal = false;  ///< in the end samples are moved until their disks cover the surface (maximal.h)
+  /// What angle optimization wants, degrees (the largest angle wanted is 156 - 4/3 of it), and how low delta
+  /// may become for it.
+  std::optional<double> min_angle{}, min_delta{};
+  geom::CornerTypes corners = geom::CornerTypes::c_only;  ///< where farthest points may be
+  Priority farthest = by_radius;                          ///< which empty circle is the farthest point
   /// Left out: what fpo-remesh's help says.
   std::optional<int> iterations{};
   std::optional<Scope> scope{};
@@ -62,14 +74,16 @@ struct RemeshMeasures {
   Quality quality;       ///< of the triangles; all 0 if there is none
   geom::Topology input;  ///< of V, F
   geom::Topology output;
+  TypeCheck type;               ///< of the output, component by component
+  std::string given_up;         ///< features that are not kept, and why, for users; empty: none
   SizingFit fit;                ///< of edges to wanted lengths
   OptimizeResult optimization;  ///< iterations, moves, and why it ended
   bool converged = false;  ///< whether the last iterations gained nothing (stopped_gaining() in effort.h)
   std::size_t hidden = 0;  ///< samples without a triangle
   std::size_t broken_feature_edges =
       0;  ///< edges between neighbours on curves that are no edges of the remesh
-  /// A 2-manifold with the Euler number, components and borders of the input.
-  bool same_topology() const;
+  /// A 2-manifold of the input's topological type.
+  bool same_topology() const { return type.ok(); }
 };
 
 /// Row i of V, facet, barycentric and wanted is about vertex i.
@@ -84,7 +98,7 @@ struct Remesh {
 };
 
 /// V: one vertex a row (x, y, z); F: one triangle a row, from 0. Throws geom::InputError on what cannot be
-/// remeshed (one line, for users), geom::Interrupted if interrupted before there was a result,
+/// remeshed (one line, for users; refusal.h among others), geom::Interrupted if interrupted before there was a result,
 /// std::bad_alloc, and geom::Bug.
 Remesh remesh(const Eigen::Ref<const Eigen::MatrixXd>& V, const Eigen::Ref<const Eigen::MatrixXi>& F,
               const Options& options);

@@ -72,8 +72,60 @@ fpo::Effort effort_of(std::int32_t quality) {
   throw geom::InputError("no quality has the number " + std::to_string(quality));
 }
 
+fpo::Sheets sheets_of(std::int32_t sheets) {
+  switch (sheets) {
+    case fpo_sheets_auto:
+      return fpo::Sheets::automatic;
+    case fpo_sheets_apart:
+      return fpo::Sheets::apart;
+    case fpo_sheets_together:
+      return fpo::Sheets::together;
+  }
+  throw geom::InputError("there is no way with sheets of number " + std::to_string(sheets));
+}
+
+std::optional<double> given_number(double value) { return value < 0 ? std::nullopt : std::optional(value); }
+std::optional<bool> given_choice(std::int32_t value) {
+  return value < 0 ? std::nullopt : std::optional(value != 0);
+}
+
+fpo::Priority farthest_of(const fpo_options& given) {
+  if (given.farthest_relative == 0) return fpo::by_radius;
+  const auto rules = fpo::farthest_rules();
+  const auto rule = std::ranges::find(rules, std::string_view("relative"), &fpo::FarthestRule::name);
+  geom::ensure(rule != rules.end(), "no rule for the farthest point is called relative");
+  return rule->priority;
+}
+
+/// The choices that few make.
+void add_choices(const fpo_options& given, fpo::Options& options) {
+  options.sheets = sheets_of(given.sheets);
+  options.at_least = given.at_least != 0;
+  options.maximal = given.maximal != 0;
+  options.clean = given.clean != 0;
+  options.mend = given.mend != 0;
+  options.rest = given.rest != 0;
+  options.shortest_edge_removal = given.ser != 0;
+  if (given.corners_all != 0) options.corners = geom::CornerTypes::all;
+  options.farthest = farthest_of(given);
+  options.min_angle = given_number(given.min_angle);
+  options.min_delta = given_number(given.min_delta);
+  if (given.gradation >= 0) options.limits.gradation = given.gradation;
+  if (given.min_size >= 0) options.limits.smallest = given.min_size;
+  if (given.max_size >= 0) options.limits.largest = given.max_size;
+  options.weight_scale = given_number(given.weight_scale);
+  if (given.tile_samples >= 0) options.tile_samples = static_cast<std::size_t>(given.tile_samples);
+  if (given.search >= 0)
+    options.scope = given.search == fpo_search_everywhere ? fpo::Scope::global : fpo::Scope::two_ring;
+  options.optimize_angles = given_choice(given.optimize_angles);
+  options.improve_fidelity = given_choice(given.improve_fidelity);
+  geom::require(given.num_fixed >= 0 && (given.num_fixed == 0 || given.fixed), "fixed points are missing");
+  if (given.num_fixed > 0) options.fixed = Rows<double>(given.fixed, given.num_fixed, 3);
+}
+
 fpo::Options options_of(const fpo_options& given, std::int64_t num_vertices) {
-  const bool by_lengths = given.edge_length > 0 || given.error > 0 || given.sizing == fpo_sizing_given;
+  const bool by_lengths =
+      given.edge_length > 0 || given.error > 0 || given.radius > 0 || given.sizing == fpo_sizing_given;
   geom::require(given.count > 0 || (given.count == 0 && by_lengths),
                 "the number of samples must be at least 1");
   fpo::Options options;
@@ -91,7 +143,9 @@ fpo::Options options_of(const fpo_options& given, std::int64_t num_vertices) {
   if (given.target_delta >= 0) options.target_delta = given.target_delta;
   if (given.edge_length > 0) options.edge_length = given.edge_length;
   if (given.error > 0) options.error = given.error;
+  if (given.radius > 0) options.radius = given.radius;
   options.quality = effort_of(given.quality);
+  add_choices(given, options);
   return options;
 }
 
@@ -186,6 +240,13 @@ extern "C" {
   options->iterations = -1;
   options->target_delta = -1;
   options->quality = fpo_quality_best;
+  options->sheets = fpo_sheets_auto;
+  options->clean = standard.clean;
+  options->mend = standard.mend;
+  options->min_angle = options->min_delta = -1;
+  options->gradation = options->min_size = options->max_size = options->weight_scale = -1;
+  options->tile_samples = -1;
+  options->search = options->optimize_angles = options->improve_fidelity = fpo_by_default;
 }
 
 [[gnu::visibility("default")]] int fpo_remesh(const double* vertices, std::int64_t num_vertices,

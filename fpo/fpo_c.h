@@ -1,6 +1,6 @@
 #pragma once
-/* The front door in C (fpo.h is the same in C++, with more options): plain arrays, and errors as text. Left
-   out, everything is as fpo-remesh does it. */
+/* The front door in C (fpo.h is the same in C++): plain arrays, and errors as text. Left out, everything is as
+   fpo-remesh does it. */
 
 #include <stddef.h>
 #include <stdint.h>
@@ -23,6 +23,9 @@ enum {
 enum { fpo_sizing_uniform = 0, fpo_sizing_lfs = 1, fpo_sizing_curvature = 2, fpo_sizing_given = 3 };
 
 enum { fpo_quality_best = 0, fpo_quality_good = 1, fpo_quality_draft = 2 };
+enum { fpo_sheets_auto = 0, fpo_sheets_apart = 1, fpo_sheets_together = 2 };
+enum { fpo_by_default = -1, fpo_no = 0, fpo_yes = 1 }; /* where the default depends on other options */
+enum { fpo_search_everywhere = 0, fpo_search_nearby = 1 };
 
 typedef struct fpo_options {
   int64_t count; /* vertices of the remesh; 0: by lengths */
@@ -40,6 +43,23 @@ typedef struct fpo_options {
   void* user;
   double edge_length, error; /* instead of a count: wanted mean edge, distance from the input; 0: not given */
   int32_t quality;           /* how long */
+  double radius;             /* likewise, of the disks of mps and cps; 0: not given */
+  int32_t sheets;
+  int32_t at_least;            /* 1: more than `count`, about as many as it takes for the input's type */
+  int32_t maximal;             /* 1: in the end samples are moved until their disks cover the surface */
+  int32_t clean, mend;         /* 0: facets as they are; 0: samples stay where the remesh is no surface */
+  int32_t rest, ser;           /* 1: samples rest where the target is met; 1: shortest edge removal first */
+  int32_t corners_all;         /* 1: farthest points may be on corners of all types */
+  int32_t farthest_relative;   /* 1: the farthest point is the largest circle for the wanted length there */
+  double min_angle, min_delta; /* wanted by angle optimization, degrees; what it may pay; negative: default */
+  double gradation;            /* wanted lengths change by so much per length; negative: default */
+  double min_size, max_size;   /* of wanted lengths, in even spacings; negative: default */
+  double weight_scale;         /* a sample's weight is (this times the wanted length)^2; negative: default */
+  int64_t tile_samples;        /* at most, in a tile; 0: no tiles; negative: default */
+  int32_t search;              /* everywhere, nearby, or fpo_by_default */
+  int32_t optimize_angles, improve_fidelity; /* fpo_no, fpo_yes, fpo_by_default */
+  const double* fixed; /* x, y, z of points of the surface that become the first vertices; may be null */
+  int64_t num_fixed;
 } fpo_options;
 
 /* Facets and vertices count from 0. Arrays belong to the library, until fpo_free(). */

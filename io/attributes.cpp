@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "io/extension.h"
@@ -149,13 +150,61 @@ class ObjAttributes {
   std::int32_t part_ = -1;
 };
 
+/// Texture coordinates of the faces of a PLY file. Corners of one vertex with the same coordinates share them.
+class PlyTextures {
+ public:
+  explicit PlyTextures(Attributes& result) : result_(result) {}
+
+  /// Faces of one or two corners are none.
+  void add(const PlyFace& face) {
+    if (face.corners.size() < 3) return;
+    std::vector<geom::Vec3> polygon;
+    std::vector<std::int32_t> texture;
+    for (std::size_t i = 0; i < face.corners.size(); ++i) {
+      const VertexId v(static_cast<std::size_t>(face.corners[i]));
+      polygon.push_back(result_.vertices[v]);
+      const bool known = face.texture.size() == 2 * face.corners.size();
+      texture.push_back(known ? number_of(v, {face.texture[2 * i], face.texture[2 * i + 1]}) : -1);
+    }
+    if (polygon.size() == 3) return append(face, texture, {0, 1, 2});
+    for (const std::array<int, 3>& triangle : triangulate(polygon)) append(face, texture, triangle);
+  }
+
+ private:
+  std::int32_t number_of(VertexId v, const geom::Vec2& at) {
+    if (!at.allFinite()) return -1;
+    const auto next = static_cast<std::int32_t>(result_.texture.size());
+    const auto [known, added] = numbers_.try_emplace({v, at.x(), at.y()}, next);
+    if (added) result_.texture.push_back(at);
+    return known->second;
+  }
+
+  void append(const PlyFace& face, const std::vector<std::int32_t>& texture,
+              const std::array<int, 3>& corners) {
+    AttributedTriangle triangle{{}, {}, 0};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto corner = static_cast<std::size_t>(corners[i]);
+      triangle.vertices[i] = VertexId(static_cast<std::size_t>(face.corners[corner]));
+      triangle.texture[i] = texture[corner];
+    }
+    result_.triangles.push_back(triangle);
+  }
+
+  Attributes& result_;
+  std::map<std::tuple<VertexId, double, double>, std::int32_t> numbers_;
+};
+
 Attributes ply_attributes(const InputFile& file, const std::filesystem::path& path) {
   Attributes result;
   std::size_t repeated = 0;
   result.vertices = read_mesh(path, repeated).vertices();
   result.properties = parse_ply_properties(file);
   for (const PlyElement& element : parse_ply_header(file).elements)
-    result.dropped |= element.name == "face" && element.properties.size() > 1;
+    if (element.name == "face")
+      for (const PlyProperty& property : element.properties)
+        result.dropped |= property.name != "texcoord" && !property.name.starts_with("vertex_ind");
+  PlyTextures textures(result);
+  for (const PlyFace& face : parse_ply_faces(file)) textures.add(face);
   return result;
 }
 

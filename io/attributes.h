@@ -22,8 +22,8 @@ struct AttributedTriangle {
 struct Attributes {
   geom::Table<geom::VertexId, geom::Vec3> vertices;
   std::vector<VertexProperty> properties;          ///< in OBJ the colour: red, green, blue, from 0 to 1
-  std::vector<geom::Vec2> texture;                 ///< OBJ: vt
-  std::vector<AttributedTriangle> triangles;       ///< OBJ: if it has texture coordinates or several parts
+  std::vector<geom::Vec2> texture;                 ///< OBJ: vt; PLY: texcoord of faces
+  std::vector<AttributedTriangle> triangles;       ///< if it has texture coordinates or several parts
   std::vector<std::vector<geom::VertexId>> lines;  ///< OBJ: l
   bool parts = false;                              ///< whether triangles have different parts
   bool dropped = false;                            ///< PLY: whether faces have numbers that are not read

@@ -49,6 +49,19 @@ std::string rotation_json(const SceneView& view) {
   return "{\"rotation\":" + numbers + "]}";
 }
 
+std::string scale_bar(const SceneScale& scale) {
+  if (scale.colours.empty()) return "";
+  std::string stops, labels;
+  for (const Colour colour : scale.colours) stops += "," + css(colour);
+  for (const std::string& label : scale.labels) {
+    labels += element("span", "", escaped(label));
+    labels.pop_back();
+  }
+  const std::string bar =
+      element("div", "class=\"bar\" style=\"background: linear-gradient(to right" + stops + ")\"", "");
+  return element("div", "class=\"scale\"", "\n" + bar + element("div", "class=\"labels\"", labels));
+}
+
 std::string json_block(std::string_view attributes, std::string_view json) {
   geom::ensure(json.find("</") == std::string_view::npos, "JSON in a page must not contain </");
   return element("script", "type=\"application/json\" " + std::string(attributes), std::string(json));
@@ -103,7 +116,8 @@ void HtmlReport::scenes(std::span<const Scene> scenes, const SceneView& view, co
   has_scenes_ = true;
   std::string figures;
   for (const Scene& scene : scenes) {
-    const std::string caption = "<b>" + escaped(scene.title) + "</b> " + escaped(scene.note);
+    const std::string caption =
+        "<b>" + escaped(scene.title) + "</b> " + escaped(scene.note) + scale_bar(scene.scale);
     figures +=
         element("figure", "class=\"scene\"",
                 "\n" + element("figcaption", "", caption) + json_block("class=\"scene\"", scene_json(scene)));

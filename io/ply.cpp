@@ -107,12 +107,13 @@ class BinaryValues {
 };
 
 /// What a property of a vertex or face means to us.
-enum class Role { ignored, x, y, z, weight, corners };
+enum class Role { ignored, x, y, z, weight, corners, texture };
 
 Role role_of(const PlyElement& element, const PlyProperty& property) {
   if (element.name == "face" && property.count && is_integer(property.type))
     return property.name == "vertex_indices" || property.name == "vertex_index" ? Role::corners
                                                                                 : Role::ignored;
+  if (element.name == "face" && property.count && property.name == "texcoord") return Role::texture;
   if (element.name != "vertex" || property.count) return Role::ignored;
   if (property.name == "x") return Role::x;
   if (property.name == "y") return Role::y;
@@ -137,6 +138,8 @@ class BodyReader {
   MeshBuilder& mesh() { return mesh_; }
   /// From here on numbers of vertices that mean nothing to us are kept.
   void keep(std::vector<VertexProperty>& properties) { kept_ = &properties; }
+  /// And faces with their texture coordinates.
+  void keep(std::vector<PlyFace>& faces) { faces_ = &faces; }
   const std::vector<double>& weights() const { return weights_; }
 
  private:
@@ -156,6 +159,7 @@ class BodyReader {
         weights_.push_back(vertex[3]);
       } else if (element.name == "face") {
         mesh_.add_facet(corners_, place);
+        if (faces_) faces_->push_back({corners_, std::exchange(texture_, {})});
       }
     }
   }
@@ -185,6 +189,10 @@ class BodyReader {
     if (length < 0) values_.fail("a list of negative length");
     if (static_cast<std::size_t>(length) > values_.room(property.type))
       values_.fail("truncated: a list of " + std::to_string(length) + " numbers");
+    if (role == Role::texture && faces_) {
+      for (std::int64_t i = 0; i < length; ++i) texture_.push_back(values_.real(property.type));
+      return;
+    }
     if (role != Role::corners) return values_.skip(property.type, static_cast<std::size_t>(length));
     corners_.resize(static_cast<std::size_t>(length));
     for (std::int64_t& corner : corners_) corner = values_.integer(property.type);
@@ -195,6 +203,8 @@ class BodyReader {
   MeshBuilder mesh_;
   std::vector<double> weights_;
   std::vector<std::int64_t> corners_;
+  std::vector<double> texture_;
+  std::vector<PlyFace>* faces_ = nullptr;
   std::vector<VertexProperty>* kept_ = nullptr;
   static constexpr std::size_t kept_none = static_cast<std::size_t>(-1);
   std::size_t next_kept_ = kept_none;  ///< of the vertex at hand
@@ -279,6 +289,29 @@ std::vector<VertexProperty> parse_ply_properties(const InputFile& file) {
   else
     run(BodyReader<TextValues>(file, header));
   return properties;
+}
+
+std::vector<PlyFace> parse_ply_faces(const InputFile& file) {
+  const PlyHeader header = parse_ply_header(file);
+  require_vertices(file, header);
+  require_faces(file, header);
+  const auto has_texture = [](const PlyElement& element) {
+    return element.name == "face" &&
+           std::ranges::any_of(element.properties, [&](const PlyProperty& property) {
+             return role_of(element, property) == Role::texture;
+           });
+  };
+  std::vector<PlyFace> faces;
+  if (std::ranges::none_of(header.elements, has_texture)) return faces;
+  const auto run = [&]<class Values>(BodyReader<Values> reader) {
+    reader.keep(faces);
+    reader.read();
+  };
+  if (header.binary)
+    run(BodyReader<BinaryValues>(file, header));
+  else
+    run(BodyReader<TextValues>(file, header));
+  return faces;
 }
 
 std::string to_ply(const geom::TriMesh& mesh) {

@@ -1,6 +1,7 @@
 #pragma once
 // PLY (Stanford polygon format).
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,14 @@ geom::TriMesh parse_ply(const InputFile& file, std::size_t* repeated = nullptr);
 
 /// The vertices alone, with the property "weight" where there is one (else 0); faces need not exist.
 std::vector<geom::WeightedPoint3> parse_ply_points(const InputFile& file);
+
+/// What a face says of its corners.
+struct PlyFace {
+  std::vector<std::int64_t> corners;  ///< numbers of vertices, which need not exist
+  std::vector<double> texture;        ///< its list `texcoord`: two numbers a corner, or of any other length
+};
+/// The faces as they stand, if they have lists `texcoord` of real numbers; else none.
+std::vector<PlyFace> parse_ply_faces(const InputFile& file);
 
 /// Every number of the vertices but x, y, z, as it stands; lists are passed over.
 std::vector<VertexProperty> parse_ply_properties(const InputFile& file);

@@ -24,6 +24,12 @@ struct SceneDot {
   std::uint8_t colour = 0;
 };
 
+/// What colours mean: shown as a bar with the labels below it, evenly spread.
+struct SceneScale {
+  std::vector<Colour> colours;      ///< from left to right; empty: none is shown
+  std::vector<std::string> labels;  ///< two at least
+};
+
 /// What a picture shows: everything in a ball that keeps its middle and size while the scene turns.
 struct SceneFrame {
   geom::Vec3 center{0, 0, 0};
@@ -32,6 +38,7 @@ struct SceneFrame {
 
 struct Scene {
   std::string title, note;  ///< beneath the picture
+  SceneScale scale = {};    ///< beneath that
   SceneFrame frame;
   std::vector<geom::Vec3> places;
   std::vector<SceneTriangle> triangles;

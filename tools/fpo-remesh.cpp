@@ -6,6 +6,7 @@
 
 #include "fpo/remesh/at_least.h"
 #include "fpo/remesh/pipeline.h"
+#include "fpo/remesh/refusal.h"
 #include "geom/mesh/scaling.h"
 #include "io/atomic_file.h"
 #include "io/coloured_ply.h"
@@ -67,24 +68,15 @@ void write_outputs(const tools::RemeshArguments& a, const geom::TriMesh& input,
 
 void warn(const std::string& line) { std::fprintf(stderr, "warning: %s\n", line.c_str()); }
 
-/// Where more than a quarter of the samples have no triangle, much of the surface is missing: what is left is
-/// no remesh.
-void refuse_remnant(const geom::TriMesh& mesh) {
-  const geom::Topology t = geom::topology(mesh);
-  geom::require(4 * t.unreferenced_vertices <= mesh.num_vertices(),
-                "the surface is thinner than the spacing of " + std::to_string(mesh.num_vertices()) +
-                    " samples: only " + std::to_string(t.vertices) + " of them have a triangle");
-}
-
 /// Complaints name the input.
 fpo::AtLeastResult remesh_named(const tools::SurfaceInput& input, const tools::RemeshArguments& a) try {
-  tools::refuse_soup(input, a.remesh.num_samples);
+  fpo::refuse_soup(input.mesh, input.parts, a.remesh.num_samples);
   fpo::AtLeastResult result;
   if (a.at_least)
     result = fpo::remesh_at_least(input.mesh, a.remesh);
   else
     result.remesh = fpo::remesh(input.mesh, a.remesh);
-  refuse_remnant(result.remesh.mesh);
+  fpo::refuse_remnant(result.remesh.mesh);
   return result;
 } catch (const geom::InputError& error) {
   throw geom::InputError(io::display_name(a.input) + ": " + error.what() +
@@ -100,7 +92,9 @@ int remesh(tools::CommandLine& cli) {
   tools::mark_features(a, read);
   tools::settle_sizing(a, read);
 
-  std::string log = "iteration,moved,delta,mean_delta,seconds\n";
+  const bool uniform = a.remesh.sizing == fpo::SizingKind::uniform;
+  std::string log = uniform ? "iteration,moved,delta,mean_delta,seconds\n"
+                            : "iteration,moved,delta_of_wanted,mean_delta_of_wanted,seconds\n";
   tools::RemeshRun run{cli.command(), a.input, a.remesh, {}, 0, cli.threads(), cli.quiet()};
   tools::Progress progress("optimizing", cli.quiet());
   const double total_moves = std::max(1.0, double(a.remesh.num_samples) * a.remesh.optimize.max_iterations);

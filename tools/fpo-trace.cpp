@@ -31,7 +31,7 @@ Arguments parse(tools::CommandLine& cli) {
   cli.describe("INPUT", "Runs the optimization up to one move, then shows how that one goes.");
   cli.integer(
       {.name = "count", .letter = 'n', .value = "COUNT", .help = "number of samples", .required = true}, a.n,
-      1, 20'000'000);
+      2, 20'000'000);
   cli.integer({.name = "move",
                .value = "M",
                .help = "which move, counted from 0 over all iterations",
@@ -179,11 +179,11 @@ void print_pieces_changed(const Pieces& before, const Pieces& after) {
 
 /// The picture of what the move goes by, even if only planned: the diagram without x, its largest circle.
 tools::TracePicture::Drawing without(const fpo::SurfaceDomain& domain, SiteId x,
-                                     const tools::TracePicture& picture) {
+                                     const tools::TracePicture& picture, const std::string& title) {
   fpo::SurfaceDomain copy = domain.rebuilt();
   copy.remove(x);
   const fpo::Circle c = copy.largest_empty(fpo::Scope::global);
-  return picture.draw(*copy.diagram(), x, c.id.valid() ? &copy.dual().circle(c.id) : nullptr);
+  return picture.draw(*copy.diagram(), x, c.id.valid() ? &copy.dual().circle(c.id) : nullptr, title);
 }
 
 int trace(tools::CommandLine& cli) {
@@ -200,27 +200,32 @@ int trace(tools::CommandLine& cli) {
   const SiteId x(a.move % a.n);
   const fpo::SurfaceSample old = domain.sample(x);
   const double radius = 3 * fpo::hexagonal_spacing(mesh.area(), a.n);
-  const tools::TracePicture picture(mesh, old, radius);
+  const tools::TracePicture here(mesh, old, radius);
+  const std::string title = "Move " + std::to_string(a.move) + " of sample " + std::to_string(x.value) + ", ";
   std::printf("move %zu: sample %d at (%.9g, %.9g, %.9g) in facet %d\n", a.move, x.value, old.position.x(),
               old.position.y(), old.position.z(), old.facet.value);
-  std::unique_ptr<geom::RestrictedPower> diagram = domain.diagram();
-  const auto before = picture.draw(*diagram, x, nullptr);
-  const auto removed = without(domain, x, picture);
-  const Pieces pieces_before = diagram->canonical();
+  const std::unique_ptr<geom::RestrictedPower> diagram = domain.diagram();
+  here.draw(*diagram, x, nullptr, title + "before: its old place").save(a.folder / "before");
+  without(domain, x, here, title + "the sample is out: its old place").save(a.folder / "removed");
 
   const geom::RestrictedDual::Ways ways = domain.dual().ways();
   narrator.listen(domain, domain.separation(x));
   domain.move(x, fpo::Scope::global);
   print_way(ways, domain.dual().ways());
-  const geom::Vec3& p = domain.sample(x).position;
+  const fpo::SurfaceSample now = domain.sample(x);
+  const geom::Vec3& p = now.position;
   std::printf("3 the sample is at (%.9g, %.9g, %.9g)\n", p.x(), p.y(), p.z());
-  diagram = domain.diagram();
-  print_pieces_changed(pieces_before, diagram->canonical());
-  const auto after = tools::TracePicture(mesh, domain.sample(x), radius).draw(*diagram, x, nullptr);
-  before.save(a.folder / "before");
-  removed.save(a.folder / "removed");
-  after.save(a.folder / "after");
-  std::printf("wrote before, removed, after (.svg, .obj) in %s\n", a.folder.c_str());
+  const std::unique_ptr<geom::RestrictedPower> diagram_after = domain.diagram();
+  print_pieces_changed(diagram->canonical(), diagram_after->canonical());
+  here.draw(*diagram_after, x, nullptr, title + "after: its old place").save(a.folder / "after");
+  const bool stays = p == old.position;
+  if (!stays) {
+    const tools::TracePicture there(mesh, now, radius);
+    there.draw(*diagram, x, nullptr, title + "before: its new place").save(a.folder / "there-before");
+    there.draw(*diagram_after, x, nullptr, title + "after: its new place").save(a.folder / "there-after");
+  }
+  std::printf("wrote before, removed, after%s (.svg, .obj) in %s\n",
+              stays ? "" : ", there-before, there-after", a.folder.c_str());
   return tools::exit_done;
 }
 

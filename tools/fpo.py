@@ -15,6 +15,8 @@ from types import SimpleNamespace
 METHODS = {'fpo': 0, 'cvt': 1, 'mps': 2, 'cps': 3, 'pps': 4, 'ccst': 5, 'vbs': 6, 'hps': 7}
 QUALITIES = {'best': 0, 'good': 1, 'draft': 2}
 SIZINGS = {'uniform': 0, 'lfs': 1, 'curvature': 2}
+SHEETS = {'auto': 0, 'apart': 1, 'together': 2}
+SEARCHES = {'everywhere': 0, 'nearby': 1}
 MEASURES = ('q_min', 'q_avg', 'theta_min', 'theta_max', 'delta', 'mean_delta')
 
 Double, Int, Long = ctypes.c_double, ctypes.c_int32, ctypes.c_int64
@@ -26,7 +28,19 @@ class Options(ctypes.Structure):
     _fields_ = [('count', Long), ('seed', ctypes.c_uint64), ('method', Int), ('sizing', Int),
                 ('sizes', ctypes.POINTER(Double)), ('feature_angle', Double), ('threads', Int), ('iterations', Int),
                 ('target_delta', Double), ('progress', Progress), ('user', ctypes.c_void_p), ('edge_length', Double),
-                ('error', Double), ('quality', Int)]
+                ('error', Double), ('quality', Int), ('radius', Double)]
+    _fields_ += [(name, Int) for name in ('sheets', 'at_least', 'maximal', 'clean', 'mend', 'rest', 'ser',
+                                          'corners_all', 'farthest_relative')]
+    _fields_ += [(name, Double) for name in ('min_angle', 'min_delta', 'gradation', 'min_size', 'max_size',
+                                             'weight_scale')]
+    _fields_ += [('tile_samples', Long), ('search', Int), ('optimize_angles', Int), ('improve_fidelity', Int),
+                 ('fixed', ctypes.POINTER(Double)), ('num_fixed', Long)]
+
+
+# What remesh() takes by name; words where there is a table of them.
+WORDS = {'method': METHODS, 'quality': QUALITIES, 'sheets': SHEETS, 'search': SEARCHES}
+NAMES = [name for name, _ in Options._fields_
+         if name not in ('count', 'sizing', 'sizes', 'progress', 'user', 'fixed', 'num_fixed')]
 
 
 class Result(ctypes.Structure):
@@ -60,22 +74,28 @@ def triples(pointer, count):
     return [tuple(pointer[3 * i:3 * i + 3]) for i in range(count)]
 
 
-def remesh(vertices, facets, count=0, sizing='uniform', progress=None, **options):
-    """Remeshes with `count` vertices, or by edge_length or error; options are those of fpo_c.h: these, quality ('draft',
-    'good', 'best'), seed, method, feature_angle, threads, iterations, target_delta. sizing: 'uniform', 'lfs', 'curvature' or a wanted edge length for each vertex. progress(done, delta)
-    stops the run by returning True. Raises ValueError on what cannot be remeshed, KeyboardInterrupt if there was no
-    result yet."""
+def remesh(vertices, facets, count=0, sizing='uniform', progress=None, fixed=None, **options):
+    """Remeshes with `count` vertices, or by edge_length, error or radius. sizing: 'uniform', 'lfs', 'curvature' or a
+    wanted edge length for each vertex. fixed: points that become vertices. progress(done, delta) stops the run by
+    returning True. Other options are those of fpo_c.h by their names (NAMES), with words for numbers (WORDS):
+    quality='draft', seed=7, at_least=True. Raises ValueError on what cannot be remeshed, KeyboardInterrupt if there
+    was no result yet."""
     library = load_library()
     given = Options()
     library.fpo_default_options(ctypes.byref(given))
     given.count = count
     for name, value in options.items():
-        if name not in ('seed', 'method', 'feature_angle', 'threads', 'iterations', 'target_delta', 'edge_length',
-                        'error', 'quality'):
+        if name not in NAMES:
             raise TypeError('there is no option ' + name)
-        words = {'method': METHODS, 'quality': QUALITIES}.get(name)
+        words = WORDS.get(name)
+        if words and value not in words:
+            raise ValueError(f'{name} is none of ' + ', '.join(words))
         setattr(given, name, words[value] if words else value)
+    if fixed is not None and len(fixed) > 0:
+        given.fixed, given.num_fixed = flat(fixed, Double), len(fixed)
     if isinstance(sizing, str):
+        if sizing not in SIZINGS:
+            raise ValueError('sizing is none of ' + ', '.join(SIZINGS))
         given.sizing = SIZINGS[sizing]
     else:
         if len(sizing) != len(vertices):

@@ -1,6 +1,7 @@
 #pragma once
 // What fpo-quality prints of a mesh, for all tools that show it.
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,8 +25,10 @@ struct Measures {
 /// The mesh by itself.
 Measures measure(const geom::TriMesh& mesh);
 /// The mesh, its distance to the surface that it approximates, whose area gives the unit of delta, and how
-/// its vertices cover that. Throws geom::InputError if the reference has no area.
-Measures measure(const geom::TriMesh& mesh, const geom::TriMesh& reference, int threads);
+/// its vertices cover that. `tell` is called now and then with the share that is done. Throws
+/// geom::InputError if the reference has no area.
+Measures measure(const geom::TriMesh& mesh, const geom::TriMesh& reference, int threads,
+                 const std::function<void(double)>& tell = {});
 
 /// Their names, as fpo-quality prints them, and values.
 std::vector<std::pair<std::string, double>> named(const Measures& measures);

@@ -288,11 +288,12 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   cli.toggle({.name = "optimize-angles", .help = "angle optimization afterwards", .standard = "on with fpo"},
              choices.optimize_angles);
   cli.group("Optimization");
-  cli.custom({.name = "min-angle",
-              .value = "A",
-              .help = "smallest angle that angle optimization wants, in degrees; the largest is 156 - 4A/3",
-              .standard = "33"},
-             [&](const std::string& text) { set_least_angle(a.remesh.angles, parse_number(text, 1, 45)); });
+  cli.custom(
+      {.name = "min-angle",
+       .value = "A",
+       .help = "smallest angle that angle optimization wants, in degrees; the largest is 156 - 4A/3",
+       .standard = "33"},
+      [&](const std::string& text) { fpo::set_least_angle(a.remesh.angles, parse_number(text, 1, 45)); });
   cli.number({.name = "min-delta",
               .value = "D",
               .help = "angle optimization and improvement of fidelity lower delta to this, not further: what "

@@ -8,7 +8,7 @@
 namespace tools {
 
 /// The remesh as a file of a.output's format. With --carry it has the input's vertex colours, scalar vertex
-/// properties (PLY) and texture coordinates (OBJ), interpolated where each sample lies; each triangle has the
+/// properties (PLY) and texture coordinates, interpolated where each sample lies; each triangle has the
 /// texture coordinates of the chart in which its middle lies, so that none smears over a seam. What the
 /// format cannot hold, and all of it without --carry, is named in a line: `dropped`, empty if nothing is.
 /// Throws geom::InputError.

@@ -1,7 +1,5 @@
 #include "tools/remesh_quality.h"
 
-#include <algorithm>
-
 namespace tools {
 
 fpo::Effort effort_of(const std::string& text) {
@@ -14,11 +12,6 @@ fpo::Effort effort_of(const std::string& text) {
 void use_quality(RemeshArguments& a, fpo::Effort effort, double target_delta) {
   fpo::use_effort(effort, a.remesh, a.choices);
   if (target_delta >= 0) a.remesh.optimize.target_delta = target_delta;
-}
-
-void set_least_angle(fpo::AngleOptions& angles, double smallest) {
-  angles.smallest = smallest;
-  angles.largest = std::min(180.0, 156 - 4 * smallest / 3);
 }
 
 }  // namespace tools

@@ -1,5 +1,5 @@
 #pragma once
-// How good, how long: --quality, --target-delta and --min-angle.
+// How good, how long: --quality and --target-delta.
 
 #include <string>
 
@@ -13,8 +13,5 @@ fpo::Effort effort_of(const std::string& text);
 
 /// A target on the command line (not negative) wins.
 void use_quality(RemeshArguments& a, fpo::Effort effort, double target_delta);
-
-/// The largest angle wanted goes with the smallest: 33 and 112, 36 and 108 degrees.
-void set_least_angle(fpo::AngleOptions& angles, double smallest);
 
 }  // namespace tools

@@ -1,7 +1,9 @@
 #include "tools/remesh_report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 
 #include "fpo/spectrum/spectrum_set.h"
 #include "geom/mesh/scaling.h"
@@ -18,11 +20,14 @@
 namespace tools {
 namespace {
 
-// Some 3 ms a sample, or half of that with the smaller radius, which blunts peaks by 5 percent.
-constexpr std::size_t most_fine_spectrum_samples = 6'000, most_spectrum_samples = 15'000;
-constexpr std::size_t most_still_facets = 20'000;               // some 600 KB
-constexpr double pictures_share = 0.05, measures_share = 0.15;  // of the time that a report takes
-constexpr double fine_radius = 12, coarse_radius = 8;
+constexpr std::size_t most_spectrum_samples = 15'000;
+constexpr std::size_t most_still_facets = 20'000;             // some 600 KB
+constexpr double pictures_share = 0.2, measures_share = 0.5;  // of the time that a report takes
+
+/// The spectrum takes some 4 to 8 us a sample times the square of its radius, an iteration some 8 us a sample:
+/// chosen so that a report takes no longer than the remesh. fpo-spectrum looks farther.
+double spectrum_radius(int iterations) { return std::clamp(0.6 * std::sqrt(iterations), 4.0, 6.0); }
+constexpr double spectrum_detail = 0.5;
 
 /// The result in units in which no square under- or overflows.
 fpo::RemeshResult scaled(const fpo::RemeshResult& result, double factor) {
@@ -45,6 +50,7 @@ std::string number(double value, const char* format = "%.6g") {
 
 io::HtmlTable run_table(const fpo::RemeshResult& result, const RemeshRun& run) {
   const fpo::OptimizeResult& o = result.optimization;
+  const bool uniform = run.options.sizing == fpo::SizingKind::uniform;
   io::HtmlTable table;
   table.words = true;
   table.rows = {
@@ -63,19 +69,19 @@ io::HtmlTable run_table(const fpo::RemeshResult& result, const RemeshRun& run) {
         std::to_string(result.feature_edges) + ", " + std::to_string(result.broken_feature_edges)}},
       {{"bad triangles before, after angle optimization",
         std::to_string(result.angles.bad_before) + ", " + std::to_string(result.angles.bad_after)}},
-      {{"delta, mean delta of the mesh",
+      {{uniform ? "delta, mean delta of the mesh" : "delta, mean delta of wanted lengths",
         number(result.measures.delta, "%.4f") + ", " + number(result.measures.mean_delta, "%.4f")}},
       {{"variation of length / wanted length", number(result.fit.cv, "%.4f")}},
       {{"seconds, threads", number(run.seconds, "%.3f") + " (optimization " + number(o.last.seconds, "%.3f") +
                                 "), " + std::to_string(run.threads)}}};
-  if (run.options.sizing != fpo::SizingKind::uniform)
+  if (!uniform)
     table.rows.push_back(
         {{"slope of log length against log wanted length", number(result.fit.slope, "%.4f")}});
   return table;
 }
 
 void add_spectrum(io::HtmlReport& page, const geom::TriMesh& input, const fpo::RemeshResult& result,
-                  const RemeshRun& run) {
+                  const RemeshRun& run, const std::function<void(double)>& tell) {
   page.heading("Spectrum");
   if (result.samples.size() > most_spectrum_samples || result.samples.size() < 2) {
     page.note("Left out: it takes long for more than " + std::to_string(most_spectrum_samples) +
@@ -86,17 +92,19 @@ void add_spectrum(io::HtmlReport& page, const geom::TriMesh& input, const fpo::R
   std::vector<geom::WeightedPoint3> points;
   for (std::size_t i = 0; i < result.samples.size(); ++i)
     points.push_back({result.samples[i].position, std::pow(result.wanted[geom::VertexId(i)], 2)});
-  const double radius = points.size() <= most_fine_spectrum_samples ? fine_radius : coarse_radius;
-  const fpo::SpectrumOptions options{.radius = radius, .threads = run.threads};
+  const double radius = spectrum_radius(result.optimization.last.iteration);
+  const fpo::SpectrumOptions options{.radius = radius, .threads = run.threads, .on_progress = tell};
   const fpo::SpectrumSurface surface(input);
   const fpo::SpacingRule rule = uniform ? fpo::SpacingRule::uniform : fpo::SpacingRule::weights;
   MeanSpectrum mean;
   mean.spectrum = fpo::differential_spectrum(
-      fpo::surface_set(std::span<const geom::WeightedPoint3>(points), surface, rule), options);
+      fpo::surface_set(std::span<const geom::WeightedPoint3>(points), surface, rule, spectrum_detail),
+      options);
   mean.curve = fpo::radial_curve(mean.spectrum, fpo::ring_width(options));
   const std::vector<io::HtmlPlot> plots = {
-      {draw_spectrum(mean), "Of this one set, by differential domain analysis with radius " + number(radius) +
-                                "; black is no power, mid gray that of white noise."}};
+      {draw_spectrum(mean),
+       "Of this one set, by differential domain analysis with radius " + number(radius, "%.2g") +
+           "; black is no power, mid gray that of white noise. fpo-spectrum resolves more."}};
   page.plots(plots);
 }
 
@@ -126,7 +134,10 @@ void add_measures(io::HtmlReport& page, const Measures& measures, const RemeshRu
 void write_remesh_report(const std::filesystem::path& path, const geom::TriMesh& input,
                          const fpo::RemeshResult& result, const RemeshRun& run) {
   Progress progress("report", run.quiet);
-  progress.update(0, run.iterations.empty() ? 0 : run.iterations.back().delta);
+  const auto tell = [&](double done) {
+    progress.update(done, run.iterations.empty() ? 0 : run.iterations.back().delta);
+  };
+  tell(0);
   const double factor = geom::factor_to_unit_box(input);
   const geom::TriMesh surface = geom::scaled_to_unit_box(input, factor);
   const fpo::RemeshResult drawn = scaled(result, factor);
@@ -143,7 +154,7 @@ void write_remesh_report(const std::filesystem::path& path, const geom::TriMesh&
   io::MeshPicture still;
   const geom::TriMesh coarse = geom::with_fewer_facets(drawn.mesh, most_still_facets);
   still.back_faces = geom::topology(coarse).boundary_edges > 0;
-  page.scenes(remesh_scenes({surface, run.options, drawn, result.sizing}, view), view,
+  page.scenes(remesh_scenes({surface, run.options, drawn, result.sizing, 1 / factor}, view), view,
               io::draw_mesh(coarse, still));
   page.heading("Triangles");
   const geom::Vec2 size(360, 260);
@@ -152,11 +163,13 @@ void write_remesh_report(const std::filesystem::path& path, const geom::TriMesh&
       {io::draw_chart(length_histogram(drawn.mesh, drawn.wanted), size)},
       {io::draw_chart(convergence_chart(run.iterations), size), "delta (blue) and its mean (red)."}};
   page.plots(plots);
-  const double delta = run.iterations.empty() ? 0 : run.iterations.back().delta;
-  progress.update(pictures_share, delta);
-  add_measures(page, measure(result.mesh, input, run.threads), run);
-  progress.update(measures_share, delta);
-  add_spectrum(page, surface, drawn, run);
+  tell(pictures_share);
+  const auto between = [&](double from, double to) {
+    return [=](double share) { tell(from + share * (to - from)); };
+  };
+  add_measures(page, measure(result.mesh, input, run.threads, between(pictures_share, measures_share)), run);
+  tell(measures_share);
+  add_spectrum(page, surface, drawn, run, between(measures_share, 1));
   page.heading("Run");
   page.table(run_table(result, run));
   page.save(path);

@@ -26,16 +26,48 @@ const char* name_of(fpo::StopReason reason, const RemeshRun& run) {
   return "unknown";
 }
 
-void add_run(Summary& s, const RemeshArguments& a, const fpo::RemeshResult& result, const RemeshRun& run) {
+/// In the unit box, where no square of a length under- or overflows. The mean edge is scaled back.
+struct Shape {
+  fpo::Quality quality;
+  double mean_edge = 0;
+};
+
+Shape shape_of(const geom::TriMesh& input, const geom::TriMesh& output) {
+  if (output.num_facets() == 0) return {};
+  const double factor = geom::factor_to_unit_box(input);
+  const geom::TriMesh mesh = geom::scaled(output, factor);
+  double sum = 0, weights = 0;  // an inner edge counts half in each of its facets
+  for (geom::FacetId t(0); t.index() < mesh.num_facets(); t = geom::FacetId(t.value + 1))
+    for (int e = 0; e < 3; ++e) {
+      const double weight = mesh.across(t, e).valid() ? 0.5 : 1;
+      sum += weight * (mesh.corner(t, e) - mesh.corner(t, (e + 1) % 3)).norm();
+      weights += weight;
+    }
+  return {fpo::quality(mesh, geom::scaled(input, factor).area()), sum / weights / factor};
+}
+
+/// In spacings of all vertices, as fpo-quality has it, or in the lengths wanted of those that are not fixed.
+struct Spacing {
+  bool uniform;
+  double delta, mean_delta;
+};
+
+Spacing spacing_of(const RemeshArguments& a, const fpo::RemeshResult& result, const Shape& shape) {
+  if (a.remesh.sizing != fpo::SizingKind::uniform)
+    return {false, result.measures.delta, result.measures.mean_delta};
+  return {true, shape.quality.delta, shape.quality.delta_avg};
+}
+
+void add_run(Summary& s, const RemeshArguments& a, const fpo::RemeshResult& result, const RemeshRun& run,
+             const Spacing& spacing) {
   const fpo::OptimizeResult& o = result.optimization;
-  const bool uniform = a.remesh.sizing == fpo::SizingKind::uniform;
   const bool interrupted = interrupt_flag();  // maybe after the optimization
   s.count("samples", result.samples.size());
   s.count("iterations", static_cast<std::size_t>(o.last.iteration));
   s.count("moves", o.moves);
   s.text("stopped", name_of(interrupted ? fpo::StopReason::interrupted : o.reason, run));
-  s.number(uniform ? "delta" : "delta_of_wanted", result.measures.delta, 6);
-  s.number(uniform ? "mean_delta" : "mean_delta_of_wanted", result.measures.mean_delta, 6);
+  s.number(spacing.uniform ? "delta" : "delta_of_wanted", spacing.delta, 6);
+  s.number(spacing.uniform ? "mean_delta" : "mean_delta_of_wanted", spacing.mean_delta, 6);
   s.number("seconds", o.last.seconds, 3);
   s.text("wrote", (a.output.empty() ? a.points : a.output).string());
 }
@@ -93,28 +125,10 @@ void add_rest(Summary& s, const RemeshArguments& a, const fpo::RemeshResult& res
   if (a.remesh.optimize_angles) {
     s.count("bad_triangles_before", result.angles.bad_before);
     s.count("bad_triangles_after", result.angles.bad_after);
-    s.text("mended", worded("%zu of %zu, %zu reweighted", result.angles.mended, result.angles.tried,
-                            result.angles.reweighted));
+    s.count("angles_tried", result.angles.tried);
+    s.count("angles_mended", result.angles.mended);
+    s.count("samples_reweighted", result.angles.reweighted);
   }
-}
-
-/// In the unit box, where no square of a length under- or overflows. The mean edge is scaled back.
-struct Shape {
-  fpo::Quality quality;
-  double mean_edge = 0;
-};
-
-Shape shape_of(const geom::TriMesh& input, const geom::TriMesh& output) {
-  const double factor = geom::factor_to_unit_box(input);
-  const geom::TriMesh mesh = geom::scaled(output, factor);
-  double sum = 0, weights = 0;  // an inner edge counts half in each of its facets
-  for (geom::FacetId t(0); t.index() < mesh.num_facets(); t = geom::FacetId(t.value + 1))
-    for (int e = 0; e < 3; ++e) {
-      const double weight = mesh.across(t, e).valid() ? 0.5 : 1;
-      sum += weight * (mesh.corner(t, e) - mesh.corner(t, (e + 1) % 3)).norm();
-      weights += weight;
-    }
-  return {fpo::quality(mesh, geom::scaled(input, factor).area()), sum / weights / factor};
 }
 
 void add_words(Summary& s, const RemeshArguments& a, const geom::TriMesh& input,
@@ -125,9 +139,6 @@ void add_words(Summary& s, const RemeshArguments& a, const geom::TriMesh& input,
   const fpo::OptimizeResult& o = result.optimization;
   s.line(
       worded("time      %.1f s; %d iterations, %s", run.seconds, o.last.iteration, name_of(o.reason, run)));
-  s.line(worded("spacing   smallest %.3f, mean %.3f of the %s", result.measures.delta,
-                result.measures.mean_delta,
-                a.remesh.sizing == fpo::SizingKind::uniform ? "hexagonal one" : "wanted length"));
 }
 
 }  // namespace
@@ -136,16 +147,19 @@ Summary summary_of(const RemeshArguments& a, const geom::TriMesh& input, const f
                    const RemeshRun& run, const std::optional<fpo::SurfaceDistance>& distance) {
   const fpo::RemeshResult& result = found.remesh;
   Summary s;
-  add_run(s, a, result, run);
+  const Shape shape = shape_of(input, result.mesh);
+  const Spacing spacing = spacing_of(a, result, shape);
+  add_run(s, a, result, run, spacing);
   if (found.runs > 1) {
     s.count("not_enough_samples", found.not_enough);
     s.count("runs", found.runs);
   }
   add_rest(s, a, result);
   add_words(s, a, input, result, run);
+  s.line(worded("spacing   smallest %.3f, mean %.3f of the %s", spacing.delta, spacing.mean_delta,
+                spacing.uniform ? "hexagonal one" : "wanted length"));
   add_features(s, a, result);
   if (result.mesh.num_facets() == 0) return s;
-  const Shape shape = shape_of(input, result.mesh);
   const fpo::Quality& q = shape.quality;
   s.number("edge_mean", shape.mean_edge, -1);
   s.number("Qmin", q.q_min, 6);

@@ -67,7 +67,7 @@ io::Chart length_histogram(const TriMesh& mesh, const fpo::VertexField& wanted) 
 }
 
 io::Chart convergence_chart(std::span<const fpo::IterationReport> iterations) {
-  io::Chart chart{"Convergence", {"iteration"}, {"in units of the spacing", 0.4, 1}, {}, {}};
+  io::Chart chart{"Convergence", {"iteration"}, {"in wanted edge lengths", 0.4, 1}, {}, {}};
   io::Series delta, mean;
   delta.colour = first_colour;
   mean.colour = second_colour;

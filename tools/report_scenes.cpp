@@ -11,6 +11,7 @@
 
 #include "fpo/features/features.h"
 #include "geom/mesh/vertex_clusters.h"
+#include "tools/report_maps.h"
 
 namespace tools {
 namespace {
@@ -92,18 +93,11 @@ std::vector<std::array<Vec3, 2>> feature_lines(const RemeshPictures& of, const W
 
 /// From blue for the least value to red for the largest, on a logarithmic scale.
 void colour_by(Scene& scene, const fpo::VertexField& values) {
-  constexpr int steps = 32;
   const auto [least, most] = std::ranges::minmax(values);
   const double range = std::log(most / least);
   if (!(range > 0)) return;
-  scene.palette.clear();
-  for (int i = 0; i < steps; ++i) {
-    const double s = 2.0 * i / (steps - 1) - 1;  // -1 to 1
-    const auto mix = [s](double low, double high) {
-      return static_cast<std::uint8_t>(std::lround(225 + std::abs(s) * ((s < 0 ? low : high) - 225)));
-    };
-    scene.palette.push_back({mix(59, 196), mix(92, 48), mix(196, 43)});
-  }
+  scene.palette = blue_to_red();
+  const auto steps = static_cast<double>(scene.palette.size());
   for (SceneTriangle& t : scene.triangles) {
     double sum = 0;
     for (const std::uint32_t v : t.corners) sum += std::log(values[VertexId(std::size_t{v})] / least);
@@ -123,11 +117,13 @@ Scene input_scene(const RemeshPictures& of, const Window& whole, const SceneLimi
   } else if (of.options.sizing != fpo::SizingKind::uniform) {
     colour_by(scene, of.result.sizing);
     const auto [least, most] = std::ranges::minmax(of.wanted_lengths);
-    char lengths[160];
-    std::snprintf(lengths, sizeof lengths,
-                  " Coloured by the wanted edge length: blue is short (%.4g), pale %.4g, red long (%.4g).",
-                  least, std::sqrt(least) * std::sqrt(most), most);
-    scene.note += lengths;
+    scene.note += " Coloured by the wanted edge length.";
+    if (least < most) scene.scale.colours = blue_to_red();
+    for (const double share : {0.0, 0.5, 1.0}) {
+      char length[32];
+      std::snprintf(length, sizeof length, "%.4g", std::pow(least, 1 - share) * std::pow(most, share));
+      scene.scale.labels.emplace_back(length);
+    }
   }
   scene.lines = feature_lines(of, whole);
   if (!scene.lines.empty()) scene.note += " Features in red.";
@@ -322,8 +318,11 @@ std::vector<Scene> remesh_scenes(const RemeshPictures& of, const io::SceneView& 
   const Window window = of.result.samples.size() <= limits.samples
                             ? whole
                             : window_of(of.result, view.towards_viewer, limits.samples / 2);
-  return {input_scene(of, whole, limits), sample_scene(of, window, limits),
-          cell_scene(of, window, limits, view.towards_viewer), remesh_scene(of, window)};
+  std::vector<Scene> scenes = {input_scene(of, whole, limits), sample_scene(of, window, limits),
+                               cell_scene(of, window, limits, view.towards_viewer), remesh_scene(of, window)};
+  for (Scene& map : remesh_maps(scenes.back(), of.result.mesh, {of.input, of.unit, of.options.threads}))
+    scenes.push_back(std::move(map));
+  return scenes;
 }
 
 }  // namespace tools

@@ -4,10 +4,8 @@
 #include <cstdio>
 #include <string>
 
-#include "geom/mesh/scaling.h"
 #include "geom/repair/clean.h"
 #include "geom/repair/diagnosis.h"
-#include "geom/repair/parts.h"
 #include "geom/repair/repair.h"
 #include "io/input_file.h"
 #include "io/mesh_io.h"
@@ -130,18 +128,6 @@ geom::TriMesh read_cleaned(const std::filesystem::path& path) {
   if (repeated > 0) done += (done.empty() ? "" : ", ") + repeated_in_words(repeated);
   if (!done.empty()) std::fprintf(stderr, "repaired: %s: %s\n", io::display_name(path).c_str(), done.c_str());
   return std::move(result.mesh);
-}
-
-void refuse_soup(const SurfaceInput& input, std::size_t num_samples) {
-  constexpr std::size_t few_parts = 8;
-  constexpr double least_samples = 4, most_share = 0.5;
-  if (input.parts <= few_parts) return;
-  const double factor = geom::factor_to_unit_box(input.mesh);
-  const geom::TriMesh unit = geom::scaled_to_unit_box(input.mesh, factor);
-  const double share = geom::share_of_small_parts(unit, static_cast<double>(num_samples), least_samples);
-  geom::require(share <= most_share, "the surface is in " + std::to_string(input.parts) +
-                                         " pieces, most of them too small for " + "four of " +
-                                         std::to_string(num_samples) + " samples each");
 }
 
 void print_notes(SurfaceInput& input) {

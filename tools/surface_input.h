@@ -46,10 +46,6 @@ SurfaceInput read_surface(const std::filesystem::path& path, const RepairArgumen
 /// Throws geom::InputError.
 geom::TriMesh read_cleaned(const std::filesystem::path& path);
 
-/// Refuses an input of which so many samples can make no surface: most of it lies in parts that get fewer
-/// than four of them. What can be done is said. Throws geom::InputError.
-void refuse_soup(const SurfaceInput& input, std::size_t num_samples);
-
 /// Prints the notes on stderr, and forgets them.
 void print_notes(SurfaceInput& input);
 

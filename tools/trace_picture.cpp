@@ -16,13 +16,16 @@ using geom::Vec3;
 namespace {
 
 constexpr double size = 640;  // pixels
-constexpr double caption_height = 28;
+constexpr double caption_height = 46;
 
 /// One of six quiet colours, so that neighbouring cells mostly differ.
 const char* colour(geom::SiteId s) {
   static constexpr const char* colours[] = {"#dbe9f6", "#fde6ce", "#dff0d8", "#f6dfe6", "#e8e2f3", "#f5f1cf"};
   return colours[s.index() % std::size(colours)];
 }
+
+/// Above the caption.
+bool is_framed(const Vec2& at) { return at.minCoeff() >= 0 && at.maxCoeff() <= size; }
 
 /// Whether a point of the surface lies in a part of a cell, up to rounding.
 bool holds(const fpo::CellPolygon& polygon, const geom::TriMesh& mesh, const Vec3& p) {
@@ -92,12 +95,12 @@ std::vector<fpo::CellPolygon> TracePicture::visible(const geom::RestrictedPower&
 }
 
 /// In the picture at all, for a point of facet t.
-bool TracePicture::on_sheet(const Vec3& p, geom::FacetId t) const {
-  return std::ranges::binary_search(sheet_, t) && (p - center_).norm() < 1.5 * radius_;
+bool TracePicture::is_seen(const Vec3& p, geom::FacetId t) const {
+  return std::ranges::binary_search(sheet_, t) && is_framed(project(p));
 }
 
 TracePicture::Drawing TracePicture::draw(const geom::RestrictedPower& diagram, geom::SiteId x,
-                                         const geom::EmptyCircle* circle) const {
+                                         const geom::EmptyCircle* circle, const std::string& title) const {
   io::Svg svg(size, size + caption_height);
   svg.rectangle({0, 0}, {size, size + caption_height}, R"(fill="#fff")");
   std::vector<io::GroupedPolygon> cells;
@@ -111,19 +114,22 @@ TracePicture::Drawing TracePicture::draw(const geom::RestrictedPower& diagram, g
     svg.polygon(corners, "fill=\"" + fill + R"(" stroke="#8899aa" stroke-width="0.6")");
   }
   for (const geom::SiteId s : sites) svg.circle(project(diagram.site(s).position), 3, R"(fill="#234")");
-  if (sites.contains(x)) svg.circle(project(diagram.site(x).position), 4.5, R"(fill="#c0392b")");
-  const bool circle_seen = circle && circle->radius2 > 0 && on_sheet(circle->center, circle->facet);
+  const bool seen = sites.contains(x) && is_framed(project(diagram.site(x).position));
+  if (seen) svg.circle(project(diagram.site(x).position), 4.5, R"(fill="#c0392b")");
+  const bool circle_seen = circle && circle->radius2 > 0 && is_seen(circle->center, circle->facet);
   if (circle_seen) {
     const double r = std::sqrt(circle->radius2) * size / (2 * radius_);
     svg.circle(project(circle->center), r, R"(fill="none" stroke="#c0392b" stroke-width="1.5")");
     svg.circle(project(circle->center), 2.5, R"(fill="none" stroke="#c0392b")");
   }
   svg.rectangle({0, size}, {size, caption_height}, R"(fill="#fff")");
+  const std::string font = R"(font-family="sans-serif" font-size="13" fill="#234")";
+  svg.text({10, size + 18}, title, font + R"( font-weight="bold")");
   std::string caption = "Power cells seen from outside";
-  caption += sites.contains(x) ? "; red: sample " + std::to_string(x.value)
-                               : "; sample " + std::to_string(x.value) + " is out or elsewhere";
+  caption += seen ? "; red: sample " + std::to_string(x.value)
+                  : "; sample " + std::to_string(x.value) + " is out or elsewhere";
   if (circle) caption += circle_seen ? "; circle: the farthest point" : "; the farthest point lies elsewhere";
-  svg.text({10, size + 18}, caption, R"(font-family="sans-serif" font-size="13" fill="#234")");
+  svg.text({10, size + 36}, caption, font);
   return {std::move(svg), std::move(cells)};
 }
 

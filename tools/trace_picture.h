@@ -2,6 +2,7 @@
 // A neighbourhood of the restricted power diagram, drawn flat.
 
 #include <filesystem>
+#include <string>
 
 #include "fpo/remesh/extract.h"
 #include "fpo/surface/initial_samples.h"
@@ -25,7 +26,9 @@ class TracePicture {
     /// Writes STEM.svg and STEM.obj (the cells).
     void save(const std::filesystem::path& stem) const;
   };
-  Drawing draw(const geom::RestrictedPower& diagram, geom::SiteId x, const geom::EmptyCircle* circle) const;
+  /// `title`: the caption's first line.
+  Drawing draw(const geom::RestrictedPower& diagram, geom::SiteId x, const geom::EmptyCircle* circle,
+               const std::string& title) const;
 
  private:
   geom::Vec2 project(const geom::Vec3& p) const;
@@ -34,7 +37,7 @@ class TracePicture {
   bool near(const fpo::CellPolygon& polygon) const;
   /// The cells to be drawn, the farthest from the viewer first.
   std::vector<fpo::CellPolygon> visible(const geom::RestrictedPower& diagram) const;
-  bool on_sheet(const geom::Vec3& p, geom::FacetId t) const;
+  bool is_seen(const geom::Vec3& p, geom::FacetId t) const;
 
   const geom::TriMesh& mesh_;
   geom::Vec3 center_, normal_, u_, v_;

@@ -24,6 +24,14 @@ inline void use_effort(Effort effort, RemeshOptions& options, Choices& choices) 
   if (effort == Effort::good) choices.rest = true;
 }
 
+/// The smallest angle that angle optimization wants, and the largest that goes with it (33 and 112 by default),
+/// in degrees.
+inline void set_least_angle(AngleOptions& angles, double smallest) {
+  geom::require(smallest >= 1 && smallest <= 45, "the smallest angle wanted must be from 1 to 45 degrees");
+  angles.smallest = smallest;
+  angles.largest = 156 - 4 * smallest / 3;
+}
+
 /// Whether the last quarter of the iterations (five at least) has gained nothing that is worth its time: less
 /// than .001 in the mean of delta, and no delta more than .002 above the best before.
 inline bool stopped_gaining(std::span<const IterationReport> iterations) {

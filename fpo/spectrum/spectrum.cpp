@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 
 #include "fpo/spectrum/differential_histogram.h"
@@ -71,25 +72,54 @@ class Scene {
   std::vector<SpectrumMass> places_;
 };
 
+/// Tells how much is done, by the number of places that were looked from, each weighted by what it sees.
+class Teller {
+ public:
+  Teller(const SpectrumOptions& o, double all) : tell_(o.on_progress), all_(all) {}
+  void add(double work) {
+    if (!tell_) return;
+    const std::lock_guard lock(access_);
+    done_ += work;
+    tell_(std::min(1.0, done_ / all_));
+  }
+
+ private:
+  const std::function<void(double)>& tell_;
+  double all_, done_ = 0;
+  std::mutex access_;
+};
+
+/// What a loop over places is told by.
+struct Loop {
+  std::size_t count;
+  double weight;  ///< of a place: how many pieces and samples it sees for each sample around it
+  Teller& teller;
+};
+
 /// Calls work(i, sums of i's part) for i in [0, count), and adds what the parts got to `total`.
 template <class Work>
-void share(std::size_t count, const SpectrumOptions& o, Sums& total, const Work& work) {
-  const std::size_t grain = (count + parts - 1) / parts;
+void share(const Loop& loop, const SpectrumOptions& o, Sums& total, const Work& work) {
+  constexpr std::size_t between = 64;  // places, between two reports
+  const std::size_t count = loop.count, grain = (count + parts - 1) / parts;
   std::vector<Sums> part((count + grain - 1) / grain, Sums(o));
   geom::parallel_ranges(count, grain, o.threads, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) work(i, part[first / grain]);
+    for (std::size_t i = first; i < last; ++i) {
+      work(i, part[first / grain]);
+      if (i % between == between - 1) loop.teller.add(static_cast<double>(between) * loop.weight);
+    }
   });
   for (const Sums& sums : part) total.merge(sums);
 }
 
 /// What is seen from samples and from viewpoints.
-void add_domain(const SpectrumSet& set, const Scene& samples, const SpectrumOptions& o, Sums& total) {
+void add_domain(const SpectrumSet& set, const Scene& samples, const SpectrumOptions& o, Sums& total,
+                Teller& teller) {
   const Scene background(set.background);
-  share(set.samples.size(), o, total, [&](std::size_t i, Sums& sums) {
+  share({set.samples.size(), background_density, teller}, o, total, [&](std::size_t i, Sums& sums) {
     background.look(set.samples[i], o.radius,
                     [&](std::uint32_t, const Vec2& d, double w) { sums.expected.add(d, w); });
   });
-  share(set.viewpoints.size(), o, total, [&](std::size_t i, Sums& sums) {
+  share({set.viewpoints.size(), 1 + background_density, teller}, o, total, [&](std::size_t i, Sums& sums) {
     const double mass = set.viewpoints[i].mass;
     samples.look(set.viewpoints[i].at, o.radius,
                  [&](std::uint32_t, const Vec2& d, double w) { sums.expected.add(d, mass * w); });
@@ -117,7 +147,9 @@ Sums sums_of(const SpectrumSet& set, const SpectrumOptions& o) {
   seen.insert(seen.end(), copies.begin(), copies.end());
   const Scene samples(std::move(seen));
   Sums total(o);
-  share(set.samples.size(), o, total, [&](std::size_t i, Sums& sums) {
+  const auto n = static_cast<double>(set.samples.size()), v = static_cast<double>(set.viewpoints.size());
+  Teller teller(o, n + (set.background.empty() ? 0 : n * background_density + v * (1 + background_density)));
+  share({set.samples.size(), 1, teller}, o, total, [&](std::size_t i, Sums& sums) {
     samples.look(set.samples[i], o.radius, [&](std::uint32_t j, const Vec2& d, double w) {
       if (j == i) return;
       sums.pairs.add(d, w);
@@ -127,7 +159,7 @@ Sums sums_of(const SpectrumSet& set, const SpectrumOptions& o) {
   if (set.background.empty())
     add_uniform_plane(static_cast<double>(set.samples.size()), o.radius, total);
   else
-    add_domain(set, samples, o, total);
+    add_domain(set, samples, o, total, teller);
   return total;
 }
 

@@ -2,6 +2,7 @@
 // Differential domain analysis (Wei, Wang 2011): the power spectrum of samples, uniform or adaptive, in the
 // plane or on a surface, from the differences between them (paper, section 6, figures 7 to 9).
 
+#include <functional>
 #include <vector>
 
 #include "fpo/spectrum/power_spectrum.h"
@@ -22,6 +23,8 @@ struct SpectrumOptions {
   double radius = 12;        ///< R: differentials up to this length count, in units of the spacing
   double max_frequency = 3;  ///< along each axis, in units of 1 / spacing
   int threads = 1;
+  /// Called with the share that is done, in (0, 1], maybe by other threads, but one at a time. Must not throw.
+  std::function<void(double)> on_progress{};
 };
 
 // With d(x, y) the differential from x to y, W(r) = cos^2(pi r / 2R) for r < R, T the squared cosine of the

@@ -219,7 +219,7 @@ SpectrumSet plane_set(std::span<const geom::WeightedPoint2> samples, const Plane
 }
 
 SpectrumSet surface_set(std::span<const geom::WeightedPoint3> samples, const SpectrumSurface& surface,
-                        SpacingRule rule) {
+                        SpacingRule rule, double detail) {
   geom::require(samples.size() >= 2, "a spectrum needs two samples at least");
   SpectrumSet set;
   for (const geom::WeightedPoint3& s : samples) set.samples.push_back(surface.place(s.position));
@@ -231,8 +231,8 @@ SpectrumSet surface_set(std::span<const geom::WeightedPoint3> samples, const Spe
     return density.masses(
         surface.pieces([&](const SpectrumPoint& x) { return density.piece_area(x, per_sample); }));
   };
-  set.viewpoints = pieces(viewpoint_density);
-  set.background = pieces(background_density);
+  set.viewpoints = pieces(detail * viewpoint_density);
+  set.background = pieces(detail * background_density);
   return set;
 }
 

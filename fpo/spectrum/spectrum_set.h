@@ -36,8 +36,10 @@ struct PlaneRegion {
 SpectrumSet plane_set(std::span<const geom::WeightedPoint2> samples, const PlaneRegion& region,
                       SpacingRule rule, double radius);
 
-/// Samples should lie on the surface or near it. Throws geom::InputError like plane_set().
+/// Samples should lie on the surface or near it. `detail`: how many times as many pieces a sample there are
+/// as spectrum.h says; fewer are faster and blur what is expected at small frequencies. Throws
+/// geom::InputError like plane_set().
 SpectrumSet surface_set(std::span<const geom::WeightedPoint3> samples, const SpectrumSurface& surface,
-                        SpacingRule rule);
+                        SpacingRule rule, double detail = 1);
 
 }  // namespace fpo

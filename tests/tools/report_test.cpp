@@ -18,9 +18,9 @@ using fixtures::ScratchFolder;
 
 namespace {
 
-/// A folder with a report of a cube in it: features, and all four scenes.
-struct ReportPlace {
-  explicit ReportPlace(std::vector<std::string> more = {}, const std::string& shape = "cube") {
+/// A folder with a report of a cube in it: features, and all scenes.
+struct Place {
+  explicit Place(std::vector<std::string> more = {}, const std::string& shape = "cube") {
     io::write_mesh(folder / (shape + ".obj"), geom::make_shape(shape));
     std::vector<std::string> arguments{shape + ".obj", "-n",       "150",         "--iterations", "5", "-o",
                                        "out.obj",      "--report", "report.html", "--threads",    "2"};
@@ -59,7 +59,7 @@ std::string browser() {
 TEST_CASE("fpo-remesh --report: well-formed, in one piece, of moderate size, the same again but for times") {
   const ReportPlace place, again;
   CHECK(nesting_fault(place.page) == "");
-  CHECK(occurrences(place.page, "<figure class=\"scene\">") == 4);
+  CHECK(occurrences(place.page, "<figure class=\"scene\">") == 6);
   CHECK(occurrences(place.page, "<svg ") == 4);  // two histograms, convergence, spectrum
   CHECK(place.page.find("fpo-remesh cube.obj -n 150 --iterations 5") != std::string::npos);
   CHECK(fixtures::is_self_contained(place.page));
@@ -108,7 +108,7 @@ TEST_CASE("fpo-remesh --report: a browser draws all scenes without complaint") {
        "file://" + (place.folder / "report.html").string()},
       place.folder.path());
   REQUIRE(result.code == 0);
-  CHECK(result.out.find("data-drawn=\"4\"") != std::string::npos);
-  CHECK(occurrences(result.out, "<canvas ") == 4);
+  CHECK(result.out.find("data-drawn=\"6\"") != std::string::npos);
+  CHECK(occurrences(result.out, "<canvas ") == 6);
   CHECK_MESSAGE(result.err.find("CONSOLE") == std::string::npos, result.err);
 }

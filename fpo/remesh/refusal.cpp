@@ -1,0 +1,30 @@
+#include "fpo/remesh/refusal.h"
+
+#include <string>
+
+#include "geom/check.h"
+#include "geom/mesh/scaling.h"
+#include "geom/repair/parts.h"
+
+namespace fpo {
+
+void refuse_soup(const geom::TriMesh& surface, std::size_t parts, std::size_t num_samples) {
+  constexpr std::size_t few_parts = 8;
+  constexpr double least_samples = 4, most_share = 0.5;
+  if (parts <= few_parts) return;
+  const double factor = geom::factor_to_unit_box(surface);
+  const geom::TriMesh unit = geom::scaled_to_unit_box(surface, factor);
+  const double share = geom::share_of_small_parts(unit, static_cast<double>(num_samples), least_samples);
+  geom::require(share <= most_share, "the surface is in " + std::to_string(parts) +
+                                         " pieces, most of them too small for four of " +
+                                         std::to_string(num_samples) + " samples each");
+}
+
+void refuse_remnant(const geom::TriMesh& remesh) {
+  const geom::Topology t = geom::topology(remesh);
+  geom::require(4 * t.unreferenced_vertices <= remesh.num_vertices(),
+                "the surface is thinner than the spacing of " + std::to_string(remesh.num_vertices()) +
+                    " samples: only " + std::to_string(t.vertices) + " of them have a triangle");
+}
+
+}  // namespace fpo
