@@ -40,8 +40,8 @@ struct Options {
   /// = A, .weak_crease_angle = A}: folds by more than A degrees; none: nothing is.
   std::optional<FeatureOptions> features = automatic_features();
   Eigen::MatrixXd fixed{0, 3};  ///< points of the surface that become vertices: the first ones, bit for bit
-  /// As fpo-remesh does with files: facets that name a vertex twice, are repeated, doubled or without area go,
-  /// borders that coincide exactly are welded (geom/repair/clean.h). A sound surface is not touched.
+  /// As fpo-remesh does with files: facets that name a vertex twice, are repeated, doubled or without area
+  /// go, borders that coincide exactly are welded (geom/repair/clean.h). A sound surface is not touched.
   bool clean = true;
   bool at_least = false;  ///< more than `count`, about as many as it takes for the input's type (at_least.h)
   std::uint64_t seed = 1;
@@ -98,8 +98,8 @@ struct Remesh {
 };
 
 /// V: one vertex a row (x, y, z); F: one triangle a row, from 0. Throws geom::InputError on what cannot be
-/// remeshed (one line, for users; refusal.h among others), geom::Interrupted if interrupted before there was a result,
-/// std::bad_alloc, and geom::Bug.
+/// remeshed (one line, for users; refusal.h among others), geom::Interrupted if interrupted before there was
+/// a result, std::bad_alloc, and geom::Bug.
 Remesh remesh(const Eigen::Ref<const Eigen::MatrixXd>& V, const Eigen::Ref<const Eigen::MatrixXi>& F,
               const Options& options);
 

@@ -1,6 +1,6 @@
 #pragma once
-/* The front door in C (fpo.h is the same in C++): plain arrays, and errors as text. Left out, everything is as
-   fpo-remesh does it. */
+/* The front door in C (fpo.h is the same in C++): plain arrays, and errors as text. Left out, everything is
+   as fpo-remesh does it. */
 
 #include <stddef.h>
 #include <stdint.h>

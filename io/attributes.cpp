@@ -150,7 +150,8 @@ class ObjAttributes {
   std::int32_t part_ = -1;
 };
 
-/// Texture coordinates of the faces of a PLY file. Corners of one vertex with the same coordinates share them.
+/// Texture coordinates of the faces of a PLY file. Corners of one vertex with the same coordinates share
+/// them.
 class PlyTextures {
  public:
   explicit PlyTextures(Attributes& result) : result_(result) {}

@@ -24,8 +24,8 @@ constexpr std::size_t most_spectrum_samples = 15'000;
 constexpr std::size_t most_still_facets = 20'000;             // some 600 KB
 constexpr double pictures_share = 0.2, measures_share = 0.5;  // of the time that a report takes
 
-/// The spectrum takes some 4 to 8 us a sample times the square of its radius, an iteration some 8 us a sample:
-/// chosen so that a report takes no longer than the remesh. fpo-spectrum looks farther.
+/// The spectrum takes some 4 to 8 us a sample times the square of its radius, an iteration some 8 us a
+/// sample: chosen so that a report takes no longer than the remesh. fpo-spectrum looks farther.
 double spectrum_radius(int iterations) { return std::clamp(0.6 * std::sqrt(iterations), 4.0, 6.0); }
 constexpr double spectrum_detail = 0.5;
 

@@ -75,9 +75,10 @@ double gray_at(const io::GrayImage& image, const geom::Vec2& texture) {
 /// Where a vertex has several texture coordinates the darkest counts; who has none is white.
 fpo::VertexField image_lengths(const RemeshArguments& a, const geom::TriMesh& mesh) {
   const io::Attributes attributes = io::read_attributes(a.input);
-  geom::require(!attributes.texture.empty(), io::display_name(a.input) +
-                                                 ": no texture coordinates (vt of OBJ, texcoord of PLY), by which " +
-                                                 io::display_name(a.sizing_file) + " could be seen");
+  geom::require(!attributes.texture.empty(),
+                io::display_name(a.input) +
+                    ": no texture coordinates (vt of OBJ, texcoord of PLY), by which " +
+                    io::display_name(a.sizing_file) + " could be seen");
   const io::GrayImage image = io::read_gray_image(a.sizing_file);
   geom::Table<geom::VertexId, double> density(attributes.vertices.size(), least_density);
   for (const io::AttributedTriangle& t : attributes.triangles)

@@ -24,8 +24,8 @@ inline void use_effort(Effort effort, RemeshOptions& options, Choices& choices) 
   if (effort == Effort::good) choices.rest = true;
 }
 
-/// The smallest angle that angle optimization wants, and the largest that goes with it (33 and 112 by default),
-/// in degrees.
+/// The smallest angle that angle optimization wants, and the largest that goes with it (33 and 112 by
+/// default), in degrees.
 inline void set_least_angle(AngleOptions& angles, double smallest) {
   geom::require(smallest >= 1 && smallest <= 45, "the smallest angle wanted must be from 1 to 45 degrees");
   angles.smallest = smallest;

@@ -23,7 +23,8 @@ struct SpectrumOptions {
   double radius = 12;        ///< R: differentials up to this length count, in units of the spacing
   double max_frequency = 3;  ///< along each axis, in units of 1 / spacing
   int threads = 1;
-  /// Called with the share that is done, in (0, 1], maybe by other threads, but one at a time. Must not throw.
+  /// Called with the share that is done, in (0, 1], maybe by other threads, but one at a time. Must not
+  /// throw.
   std::function<void(double)> on_progress{};
 };
 
