@@ -135,10 +135,11 @@ void PlaneDomain::apply(const Regular2::Change& change) {
 /// Loads in three steps, a move apart, for each needs what the one before has loaded: the site, a triangle at
 /// it, the triangles and sites around that.
 void PlaneDomain::expect(SiteId x) {
-  triangulation_.prefetch(x);
-  if (expected_[0].valid()) triangulation_.prefetch_corner(expected_[0]);
-  if (expected_[1].valid()) triangulation_.prefetch_around(expected_[1]);
-  if (expected_[2].valid()) triangulation_.prefetch_star(expected_[2]);
+  using enum Regular2::Ahead;
+  triangulation_.prefetch(x, site);
+  if (expected_[0].valid()) triangulation_.prefetch(expected_[0], corner);
+  if (expected_[1].valid()) triangulation_.prefetch(expected_[1], around);
+  if (expected_[2].valid()) triangulation_.prefetch(expected_[2], star);
   expected_ = {x, expected_[0], expected_[1]};
 }
 

@@ -95,7 +95,7 @@ VoronoiBalls::VoronoiBalls(std::vector<CoverPoint> points, const LocalFeatureSiz
       std::array<Vec3, 4> corner;
       std::ranges::transform(cell, corner.begin(), [&](SiteId s) { return triangulation.point(s).position; });
       balls_[k] = circumscribed_ball(corner);
-      if (balls_[k].radius > 0 && std::ranges::none_of(cell, &Regular3::is_guard)) judge(cell, balls_[k]);
+      if (balls_[k].radius > 0 && std::ranges::none_of(cell, &geom::is_guard)) judge(cell, balls_[k]);
     }
   });
 }
@@ -164,7 +164,7 @@ std::vector<bool> VoronoiBalls::poles() const {
     for (std::size_t k = 0; k < cells_.size(); ++k) {
       if (!(balls_[k].radius > 0)) continue;
       for (const SiteId s : cells_[k]) {
-        if (Regular3::is_guard(s)) continue;
+        if (geom::is_guard(s)) continue;
         auto& best = pole[s.index()];
         const Vec3& x = points_[s.index()].position;
         if (side == 1 && (balls_[k].center - x).dot(balls_[best[0]].center - x) >= 0) continue;

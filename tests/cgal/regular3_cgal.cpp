@@ -40,7 +40,7 @@ Tetrahedra sorted(Tetrahedra simplices) {
 /// What CGAL makes of the same sites and guards; `convert` turns a site into its weighted point.
 template <class Kernel, class Convert>
 Tetrahedra by_cgal(const Regular3& ours, std::vector<SiteId> sites, Convert convert) {
-  for (int k = 0; k < Regular3::guard_count; ++k) sites.push_back(Regular3::guard(k));
+  for (int k = 0; k < geom::guard_count; ++k) sites.push_back(geom::guard(k));
   Triangulation<Kernel> theirs;
   for (const SiteId s : sites) {
     const auto v = theirs.insert(convert(ours.point(s), s));

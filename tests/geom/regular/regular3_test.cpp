@@ -37,8 +37,8 @@ SimplexSet canonical(const Regular3& t) { return canonical(t.simplices()); }
 /// By the definition: all positively oriented quadruples whose orthosphere excludes all other sites.
 SimplexSet regular3_brute_force(const Regular3& t, const std::vector<SiteId>& present) {
   std::vector<SiteId> all = present;
-  for (int k = 0; k < Regular3::guard_count; ++k) all.push_back(Regular3::guard(k));
-  const auto ranked = [&](SiteId id) { return geom::RankedPoint3{&t.point(id), Regular3::rank(id)}; };
+  for (int k = 0; k < geom::guard_count; ++k) all.push_back(geom::guard(k));
+  const auto ranked = [&](SiteId id) { return geom::RankedPoint3{&t.point(id), geom::perturbation_rank(id)}; };
   SimplexSet simplices;
   const auto test = [&](Regular3::Simplex simplex) {
     const int side = geom::orient3(t.point(simplex[0]).position, t.point(simplex[1]).position,
@@ -201,9 +201,9 @@ TEST_CASE("regular3: guards alone triangulate their hull") {
                           Box3(Vec3(1e6, 1e6, 5), Vec3(1e6, 1e6, 5)), Box3(Vec3(-3, 7, 7), Vec3(-3, 7, 9))}) {
     const Regular3 t(box);
     t.check();
-    CHECK(canonical(t) == regular3_brute_force(t, {}));
-    for (int k = 0; k < Regular3::guard_count; ++k) {
-      CHECK(box.exteriorDistance(t.point(Regular3::guard(k)).position) >= 10 * box.diagonal().norm());
+    CHECK(canonical(t) == brute_force(t, {}));
+    for (int k = 0; k < geom::guard_count; ++k) {
+      CHECK(box.exteriorDistance(t.point(geom::guard(k)).position) >= 10 * box.diagonal().norm());
     }
   }
 }
@@ -381,7 +381,7 @@ TEST_CASE("regular3: errors") {
   CHECK_THROWS_AS(t.insert(SiteId(4), {{0, 0, 0}, 0}), geom::Bug);
   CHECK_THROWS_AS(t.insert(SiteId(), {{0, 0, 0}, 0}), geom::Bug);
   CHECK_THROWS_AS(t.remove(SiteId(5)), geom::Bug);
-  CHECK_THROWS_AS(t.remove(Regular3::guard(0)), geom::Bug);
+  CHECK_THROWS_AS(t.remove(geom::guard(0)), geom::Bug);
   t.check();
   CHECK(t.contains(SiteId(4)));
   CHECK_FALSE(t.contains(SiteId(5)));
