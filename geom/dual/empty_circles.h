@@ -33,6 +33,8 @@ struct EmptyCircle {
 
   bool touches(SiteId p) const { return sites[0] == p || sites[1] == p || sites[2] == p; }
   bool is_triangle() const { return sites[2].valid(); }
+  /// Does the edge of the diagram between a and b end here?
+  bool has_side(SiteId a, SiteId b) const { return is_triangle() && touches(a) && touches(b); }
   /// Puts sites that run counterclockwise in ascending order and notes which way they run then.
   void sort_counterclockwise();
   /// The place of p among the sites.

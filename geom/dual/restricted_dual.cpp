@@ -84,7 +84,7 @@ const RestrictedDual::Change& RestrictedDual::remove(SiteId p) {
     ++ways_.fast_removals;
     fast_.remove(change_);
   } else {
-    redivision_.plan(p);
+    redivision_.removal().plan(p);
     remove_generally(p);
   }
   return change_;
@@ -92,7 +92,7 @@ const RestrictedDual::Change& RestrictedDual::remove(SiteId p) {
 
 void RestrictedDual::remove_generally(SiteId p) {
   ++ways_.general_removals;
-  redivision_.remove(change_);
+  redivision_.removal().commit(change_);
   state_.set_shape(p, DualState::Shape::regular);
   forget_shapes();
 }
@@ -113,8 +113,8 @@ std::optional<RestrictedDual::Plan> RestrictedDual::plan_removal(SiteId p) {
   is_general_ = false;
   if (fast_.plan(p)) return Plan{fast_.rim(), fast_.circles(), fast_.reach(), fast_.max_radius2()};
   if (state_.types == CornerTypes::all || !has_cell(p)) return {};
-  redivision_.plan(p);
-  if (!redivision_.has_neighbours()) return {};
+  redivision_.removal().plan(p);
+  if (!redivision_.removal().has_neighbours()) return {};
   is_general_ = true;
   return general_plan();
 }
@@ -124,14 +124,15 @@ RestrictedDual::Plan RestrictedDual::plan_exactly(SiteId p) {
     return {fast_.rim(), fast_.circles(), fast_.reach(), fast_.max_radius2()};
   if (!is_general_) {
     fast_.cancel();
-    redivision_.plan(p);
+    redivision_.removal().plan(p);
     is_general_ = true;
   }
   return general_plan();
 }
 
 RestrictedDual::Plan RestrictedDual::general_plan() const {
-  return {redivision_.heirs(), redivision_.circles(), redivision_.reach(), redivision_.power()};
+  const GeneralRemoval& removal = redivision_.removal();
+  return {removal.heirs(), removal.circles(), removal.reach(), removal.power()};
 }
 
 const RestrictedDual::Change& RestrictedDual::stay(SiteId) {

@@ -18,6 +18,13 @@ constexpr std::size_t few = 40;       // sites are looked at one by one
 
 }  // namespace
 
+std::span<const CircleId> create_all(std::span<const EmptyCircle> found, EmptyCircles& circles,
+                                     DualChange& change) {
+  const std::size_t first = change.circles_created.size();
+  for (const EmptyCircle& circle : found) change.circles_created.push_back(circles.create(circle));
+  return std::span<const CircleId>(change.circles_created).subspan(first);
+}
+
 DualState::DualState(const TriMesh& surface, CornerTypes corners, NeighbourOracle* source)
     : mesh(surface),
       has_levels(surface.has_levels()),

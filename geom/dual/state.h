@@ -30,6 +30,10 @@ struct DualChange {
   std::vector<SiteId> cells;            ///< after a removal: those that won something
 };
 
+/// Creates these circles in their order. Valid until the next such.
+std::span<const CircleId> create_all(std::span<const EmptyCircle> found, EmptyCircles& circles,
+                                     DualChange& change);
+
 struct DualState {
   /// Without sites. Keeps a reference to the mesh. Throws InputError if it has no facet. `paper`: if given,
   /// it holds the same sites and names those that can matter to each other; else the tree does. If the mesh

@@ -47,8 +47,8 @@ struct Parts {
     if (is_fast) {
       fast.remove(change);
     } else {
-      redivision.plan(p);
-      redivision.remove(change);
+      redivision.removal().plan(p);
+      redivision.removal().commit(change);
       state.set_shape(p, Shape::regular);
     }
     present.erase(p);

@@ -71,10 +71,10 @@ TEST_CASE("redivision: reaches are those of the cells, and plans tell what the c
             if (key.second == p)
               for (const PolygonCorner& c : polygon.corners) has_neighbours |= c.edge.is_site();
           g.begin();
-          g.redivision.plan(p);
-          CHECK(g.redivision.has_neighbours() == has_neighbours);
-          const double reach = g.redivision.reach(), power = g.redivision.power();
-          g.redivision.remove(g.change);
+          g.redivision.removal().plan(p);
+          CHECK(g.redivision.removal().has_neighbours() == has_neighbours);
+          const double reach = g.redivision.removal().reach(), power = g.redivision.removal().power();
+          g.redivision.removal().commit(g.change);
           g.present.erase(p);
           const oracle::BruteDiagram after(mesh, g.state.sites, g.list());
           CHECK(is_close(reach, before.reach(p)));

@@ -1,0 +1,73 @@
+#pragma once
+// The edges of the diagram within a cell that goes, or around one that comes, put together facet by facet: which
+// circles lie beyond each other there.
+//
+//      *---o-----o---*        On each facet an edge between two cells is a segment. Its ends are circles to be,
+//    own   u     v  found     or points (o) on edges of the facet, where it goes on across (chains.h); or, in a
+//                             cell that goes, its circles, through which edges come in from outside.
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "geom/dual/cell_clipper.h"
+#include "geom/dual/state.h"
+
+namespace geom {
+
+/// One object serves many cells, one after the other.
+class CellEdges {
+ public:
+  explicit CellEdges(DualState& state) : state_(state) {}
+
+  /// Starts anew with the cell of p. `own`: its circles if it goes, none if it comes. `found`: the circles to
+  /// be; they must stay where they are.
+  void begin(SiteId p, std::span<const CircleId> own, std::span<const EmptyCircle> found);
+  /// Adds the edges of polygons: of p's own cell all, of a share those that are not on p's border, once for
+  /// both cells.
+  void add(const CellPieces& pieces);
+  /// After all of a cell that goes: joins what comes in through its circles to what is inside; it may leave
+  /// the cell and come back.
+  void join_across();
+  /// The circles to be are there, in their order: those at the ends of each edge get to know each other.
+  void connect(std::span<const CircleId> created) const;
+
+ private:
+  /// An end of an edge of the diagram, or of a part of it.
+  struct End {
+    enum Kind : char {
+      nowhere,  ///< a border of the surface
+      found,    ///< side of a circle to be: a place in found_
+      present,  ///< side of a circle that is there
+      own,      ///< a circle of p, a place in star_, where the edge goes on outside
+      open      ///< a point on an edge of the surface, where it goes on: 3 smaller facet + edge
+    } kind = nowhere;
+    std::uint8_t side = 0;
+    std::int64_t place = 0;
+  };
+  struct Open {
+    std::int64_t point;
+    SiteId a, b;
+    End other;
+  };
+  struct OwnCircle {
+    CircleId id;
+    End inside;  ///< where the edge goes that comes in here
+  };
+
+  void add_piece(const CellPieces& pieces, const CellPieces::Piece& piece);
+  End end_at(FacetId t, SiteId a, SiteId b, EdgeLabel label) const;
+  End follow(const End& end, SiteId a, SiteId b);
+  void join(const End& one, const End& two, SiteId a, SiteId b);
+  End outside(std::size_t own) const;
+
+  DualState& state_;
+  SiteId p_;
+  std::span<const EmptyCircle> found_;
+  std::vector<OwnCircle> star_;
+  std::vector<std::pair<End, End>> links_;
+  std::vector<Open> open_;
+};
+
+}  // namespace geom
