@@ -17,8 +17,8 @@ using fixtures::ScratchFolder;
 namespace {
 
 /// A surface by the name of one of the paper's models.
-struct Place {
-  explicit Place(const std::string& shape) {
+struct PaperPlace {
+  explicit PaperPlace(const std::string& shape) {
     std::filesystem::create_directories(folder / "models");
     io::write_mesh(folder / "models/EIGHT.off", geom::make_shape(shape));
     folder.write("models/eightfold.obj", "no mesh, and no model of the paper");
@@ -57,7 +57,7 @@ double value(const std::string& output, const std::string& name) {
 
 TEST_CASE(
     "fpo-paper: our rows are what fpo-remesh and fpo-quality give, beside the paper's; the rest is missing") {
-  const Place place("torus");
+  const PaperPlace place("torus");
   const ProgramResult result =
       place.run({"--sets", "1", "--radius", "3", "--threads", "2", "--methods", "ccst,ser,FPO"});
   REQUIRE_MESSAGE(result.code == 0, result.err);
@@ -95,7 +95,7 @@ TEST_CASE(
 }
 
 TEST_CASE("fpo-paper: any number of threads gives the same rows") {
-  const Place place("cube");
+  const PaperPlace place("cube");
   const auto rows = [&](const char* threads) {
     REQUIRE(place.run({"--no-spectra", "--no-convergence", "--methods", "fpo,ser,hps", "--threads", threads})
                 .code == 0);
@@ -108,7 +108,7 @@ TEST_CASE("fpo-paper: any number of threads gives the same rows") {
 }
 
 TEST_CASE("fpo-paper: it has the nine methods of table 1; another one is refused in one line") {
-  const Place place("cube");
+  const PaperPlace place("cube");
   const ProgramResult result = place.run({"--methods", "fpo,lattice"});
   CHECK(result.code == 2);
   CHECK(result.lines_on_stderr() == 1);
@@ -118,7 +118,7 @@ TEST_CASE("fpo-paper: it has the nine methods of table 1; another one is refused
 }
 
 TEST_CASE("fpo-paper: a folder without models or that is not there is refused in one line") {
-  const Place place("cube");
+  const PaperPlace place("cube");
   std::filesystem::remove(place.folder / "models/EIGHT.off");
   ProgramResult result = place.run({});
   CHECK(result.code == 2);

@@ -63,8 +63,8 @@ PlaneCliOutcome plane_cli_run(const ScratchFolder& scratch, std::vector<std::str
           ScratchFolder::read(streams / "err")};
 }
 
-/// Runs what must be refused; the complaint.
-std::string complaint(const ScratchFolder& scratch, const std::vector<std::string>& arguments) {
+/// Runs what must be refused; the plane_cli_complaint.
+std::string plane_cli_complaint(const ScratchFolder& scratch, const std::vector<std::string>& arguments) {
   const std::size_t entries = scratch.num_entries();
   const PlaneCliOutcome o = plane_cli_run(scratch, arguments);
   CHECK(o.code == 2);
@@ -86,7 +86,7 @@ TEST_CASE("fpo-plane: bad numbers and bad files are one line, exit code 2, and n
     std::vector<std::string> all = {"-n", count, "-o", "out.txt", "--log", "log.csv"};
     all.insert(all.end(), more.begin(), more.end());
     CAPTURE(all);
-    return complaint(scratch, all);
+    return plane_cli_complaint(scratch, all);
   };
   for (const std::string count :
        {"0", "3", "-5", "1e3", "99999999999", "340282366920938463463374607431768211456", "x", ""})
@@ -123,12 +123,12 @@ TEST_CASE("fpo-plane: bad numbers and bad files are one line, exit code 2, and n
   for (const std::string curves : {"long", "nothing"})
     CHECK(refused({"--sizing", curves + ".txt"}).find(curves + ".txt: ") != std::string::npos);
 
-  CHECK(complaint(scratch, {"-n", "100", "-o", "out.ply"}).find("out.ply") != std::string::npos);
+  CHECK(plane_cli_complaint(scratch, {"-n", "100", "-o", "out.ply"}).find("out.ply") != std::string::npos);
   CHECK(refused({"--log", "log.png"}).find("log.png: unknown extension '.png' (use .csv or .txt)") !=
         std::string::npos);
-  CHECK(complaint(scratch, {"-n", "100", "-o", "no/such/folder/out.txt"}).find("out.txt") !=
+  CHECK(plane_cli_complaint(scratch, {"-n", "100", "-o", "no/such/folder/out.txt"}).find("out.txt") !=
         std::string::npos);
-  complaint(scratch, {"-n", "100"});
+  plane_cli_complaint(scratch, {"-n", "100"});
 }
 
 TEST_CASE(

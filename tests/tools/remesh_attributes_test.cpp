@@ -69,8 +69,10 @@ std::string two_charts_as_ply() {
   return ply.str();
 }
 
-struct Place {
-  Place() { folder.write("sheet.obj", two_charts()), folder.write("sheet.ply", two_charts_as_ply()); }
+struct RemeshAttributesPlace {
+  RemeshAttributesPlace() {
+    folder.write("sheet.obj", two_charts()), folder.write("sheet.ply", two_charts_as_ply());
+  }
   ProgramResult run(const std::vector<std::string>& extra, const std::string& input = "sheet.obj") const {
     std::vector<std::string> arguments{input, "--iterations", "5"};
     arguments.insert(arguments.end(), extra.begin(), extra.end());
@@ -106,7 +108,7 @@ TEST_CASE("fpo-remesh --carry: a linear colour is that of the place, as OBJ and 
 }
 
 TEST_CASE("fpo-remesh --carry --features auto,seams: each triangle has the texture of its chart") {
-  const Place place;
+  const RemeshAttributesPlace place;
   struct Job {
     std::string input, features, output;
   };

@@ -19,8 +19,8 @@ using fixtures::ScratchFolder;
 namespace {
 
 /// A folder with a report of a cube in it: features, and all scenes.
-struct Place {
-  explicit Place(std::vector<std::string> more = {}, const std::string& shape = "cube") {
+struct ReportPlace {
+  explicit ReportPlace(std::vector<std::string> more = {}, const std::string& shape = "cube") {
     io::write_mesh(folder / (shape + ".obj"), geom::make_shape(shape));
     std::vector<std::string> arguments{shape + ".obj", "-n",       "150",         "--iterations", "5", "-o",
                                        "out.obj",      "--report", "report.html", "--threads",    "2"};

@@ -10,7 +10,7 @@ using geom::Vec3;
 
 namespace {
 
-TriMesh block(double x, double y, double z) {
+TriMesh facing_samples_block(double x, double y, double z) {
   return geom::mapped(geom::make_shape("cube"), [&](const Vec3& p) -> Vec3 {
     return {x * p.x(), y * p.y(), z * p.z()};
   });
@@ -76,7 +76,7 @@ TEST_CASE("facing samples: however thin a bar is, no ball about an edge holds an
   const Sizing sizing = Sizing::uniform(0.11);
   for (const double thick : {0.5, 0.2, 0.07, 0.03, 0.011}) {
     CAPTURE(thick);
-    const TriMesh bar = block(1, 0.37, thick);
+    const TriMesh bar = facing_samples_block(1, 0.37, thick);
     const Features features = find_features(bar);
     const FeatureSamples samples = sample_features(bar, features, {}, sizing, 5000, 1);
     const Placed there = placed(bar, features, sizing, samples);
@@ -105,7 +105,7 @@ TEST_CASE("facing samples: holes beside a border, gears, threads: empty balls, a
 }
 
 TEST_CASE("facing samples: nothing is added beyond the number that is allowed") {
-  const TriMesh bar = block(1, 0.37, 0.02);
+  const TriMesh bar = facing_samples_block(1, 0.37, 0.02);
   const Features features = find_features(bar);
   const std::size_t least = least_number_of_samples(bar, features, {});
   for (std::size_t most = least; most < least + 40; most += 7)

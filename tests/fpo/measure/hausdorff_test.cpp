@@ -40,7 +40,7 @@ TriMesh rectangles(const std::vector<std::array<Vec3, 3>>& spans, int k) {
   for (const auto& [corner, x, y] : spans) fixtures::add_grid(v, f, k, corner, x, y);
   return TriMesh(std::move(v), std::move(f));
 }
-TriMesh square(int k, double height) {
+TriMesh hausdorff_square(int k, double height) {
   return rectangles({{Vec3(0, 0, height), Vec3(1, 0, 0), Vec3(0, 1, 0)}}, k);
 }
 
@@ -85,12 +85,12 @@ TEST_CASE("hausdorff: nor from another triangulation of the same faces") {
     const SurfaceDistance d = surface_distance(moved(fixtures::box(Vec3(1, 1, 1), k)), fine);
     CHECK(d.max_bound <= 1e-14);
   }
-  CHECK(surface_distance(square(3, 0), square(7, 0)).max_bound <= 1e-14);
+  CHECK(surface_distance(hausdorff_square(3, 0), hausdorff_square(7, 0)).max_bound <= 1e-14);
 }
 
 TEST_CASE("hausdorff: parallel squares") {
   for (const double h : {1e-9, 0.01, 3.0}) {
-    const SurfaceDistance d = surface_distance(square(3, 0), square(4, h));
+    const SurfaceDistance d = surface_distance(hausdorff_square(3, 0), hausdorff_square(4, h));
     CHECK(d.max == Approx(h));
     check_gap(d, std::sqrt(2));
     CHECK(d.rms == Approx(h));
