@@ -68,9 +68,9 @@ struct Piece {
   Vec3 middle() const { return (from + to) / 2; }
 };
 
-class Facing {
+class FacingCurves {
  public:
-  Facing(const TriMesh& mesh, const Features& features, double spacing)
+  FacingCurves(const TriMesh& mesh, const Features& features, double spacing)
       : features_(features), reach_(narrow * spacing), tree_(mesh), grid_((narrow + piece_length) * spacing) {
     for (std::size_t c = 0; c < features.curves.size(); ++c) cut(mesh, c, piece_length * spacing);
     for (std::size_t i = 0; i < pieces_.size(); ++i) grid_.add(pieces_[i].middle(), i);
@@ -202,7 +202,7 @@ double widest(const std::vector<NarrowPlace>& places) {
 
 std::vector<NarrowPlace> narrow_places(const TriMesh& mesh, const Features& features, double spacing) {
   if (features.curves.empty()) return {};
-  return Facing(mesh, features, spacing).narrow_places();
+  return FacingCurves(mesh, features, spacing).narrow_places();
 }
 
 std::optional<NarrowSurface> narrow_surface(const TriMesh& mesh, const Features& features, double spacing,

@@ -19,7 +19,7 @@ namespace {
 constexpr int rounds = 20, patient_rounds = 12;  // nothing slides in the later ones
 constexpr double near = 0.35;                    // of an edge: its end goes there
 constexpr double least_piece = 0.02;  // of an edge that is divided, or of the distance that is seen
-constexpr double most_gap = 1.5;      // of the mean gap around, that a slide may leave
+constexpr double widest_gap = 1.5;    // of the mean gap around, that a slide may leave
 constexpr double longest = 1.25;      // in wanted lengths
 constexpr int bisections = 40;
 constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -182,7 +182,7 @@ class FacingSamples {
     const bool closes = i == 0 || i + 1 == chain.size();
     const double before = closes ? t[chain.size() - 2] - (i == 0 ? length(c) : 0) : t[i - 1],
                  after = closes ? t[1] + (i == 0 ? 0 : length(c)) : t[i + 1];
-    return std::max(foot - before, after - foot) < most_gap * (after - before) / 2;
+    return std::max(foot - before, after - foot) < widest_gap * (after - before) / 2;
   }
 
   bool slide(std::size_t c, std::size_t i, double foot) {

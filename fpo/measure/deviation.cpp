@@ -18,7 +18,7 @@ using geom::VertexId;
 
 namespace {
 
-constexpr std::size_t grain = 128;  // facets a thread takes at a time
+constexpr std::size_t batch = 128;  // facets a thread takes at a time
 
 /// The largest distance of points of a facet.
 double deviation_of(const TriMesh& mesh, FacetId t, const AabbTree& reference) {
@@ -60,12 +60,12 @@ Seen seen_from(const TriMesh& reference, FacetId t, const AabbTree& mesh) {
 geom::Table<FacetId, double> facet_deviations(const TriMesh& mesh, const TriMesh& reference, int threads) {
   const AabbTree tree(mesh), reference_tree(reference);
   geom::Table<FacetId, double> result(mesh.num_facets(), 0);
-  geom::parallel_ranges(mesh.num_facets(), grain, threads, [&](std::size_t first, std::size_t last) {
+  geom::parallel_ranges(mesh.num_facets(), batch, threads, [&](std::size_t first, std::size_t last) {
     for (FacetId t(first); t.index() < last; t = FacetId(t.value + 1))
       result[t] = deviation_of(mesh, t, reference_tree);
   });
   std::vector<Seen> seen(reference.num_facets());
-  geom::parallel_ranges(seen.size(), grain, threads, [&](std::size_t first, std::size_t last) {
+  geom::parallel_ranges(seen.size(), batch, threads, [&](std::size_t first, std::size_t last) {
     for (std::size_t t = first; t < last; ++t) seen[t] = seen_from(reference, FacetId(t), tree);
   });
   for (const Seen& of_facet : seen)

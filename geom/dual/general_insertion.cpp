@@ -1,14 +1,9 @@
 #include "geom/dual/general_insertion.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace geom {
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 void GeneralInsertion::insert(SiteId p, const WeightedPoint3& point, DualChange& change) {
   enter(p, point);

@@ -32,14 +32,14 @@ TEST_CASE("PLY: texture coordinates of faces, in text and binary") {
       "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
       "element face 2\nproperty list uchar int vertex_indices\nproperty list uchar float texcoord\n"
       "property int texnumber\nend_header\n" +
-      square + "3 0 1 2 6 0 0 0.5 0 0.5 1 7\n4 0 1 2 3 0 7\n";
+      ply_square + "3 0 1 2 6 0 0 0.5 0 0.5 1 7\n4 0 1 2 3 0 7\n";
   const std::vector<io::PlyFace> faces = io::parse_ply_faces({"a.ply", textured});
   REQUIRE(faces.size() == 2);
   CHECK(faces[0].corners == std::vector<std::int64_t>{0, 1, 2});
   CHECK(faces[0].texture == std::vector<double>{0, 0, 0.5, 0, 0.5, 1});
   CHECK(faces[1].corners.size() == 4);
   CHECK(faces[1].texture.empty());
-  CHECK(io::parse_ply_faces({"a.ply", header + square + "3 0 1 2\n3 0 2 3\n"}).empty());
+  CHECK(io::parse_ply_faces({"a.ply", header + ply_square + "3 0 1 2\n3 0 2 3\n"}).empty());
 }
 
 TEST_CASE("PLY text: comments, Windows line ends, records over several lines") {

@@ -38,7 +38,9 @@ SimplexSet canonical(const Regular3& t) { return canonical(t.simplices()); }
 SimplexSet regular3_brute_force(const Regular3& t, const std::vector<SiteId>& present) {
   std::vector<SiteId> all = present;
   for (int k = 0; k < geom::guard_count; ++k) all.push_back(geom::guard(k));
-  const auto ranked = [&](SiteId id) { return geom::RankedPoint3{&t.point(id), geom::perturbation_rank(id)}; };
+  const auto ranked = [&](SiteId id) {
+    return geom::RankedPoint3{&t.point(id), geom::perturbation_rank(id)};
+  };
   SimplexSet simplices;
   const auto test = [&](Regular3::Simplex simplex) {
     const int side = geom::orient3(t.point(simplex[0]).position, t.point(simplex[1]).position,
@@ -201,7 +203,7 @@ TEST_CASE("regular3: guards alone triangulate their hull") {
                           Box3(Vec3(1e6, 1e6, 5), Vec3(1e6, 1e6, 5)), Box3(Vec3(-3, 7, 7), Vec3(-3, 7, 9))}) {
     const Regular3 t(box);
     t.check();
-    CHECK(canonical(t) == brute_force(t, {}));
+    CHECK(canonical(t) == regular3_brute_force(t, {}));
     for (int k = 0; k < geom::guard_count; ++k) {
       CHECK(box.exteriorDistance(t.point(geom::guard(k)).position) >= 10 * box.diagonal().norm());
     }
