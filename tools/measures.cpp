@@ -72,6 +72,7 @@ std::vector<std::pair<std::string, double>> named(const Measures& m) {
       {"theta_lt30_pct", q.theta_lt30_pct},
       {"V567_pct", q.v567_pct},
       {"delta", q.delta},
+      {"mean_delta", q.delta_avg},
       {"delta_avg", q.delta_avg},
       {"edge_min", q.delta},
       {"edge_avg", q.edge_avg},

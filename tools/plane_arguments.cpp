@@ -111,6 +111,8 @@ PlaneArguments parse_plane_arguments(CommandLine& cli) {
   if (a.bounded && a.start) throw UsageError("--start is for tori: --bounded has random initial samples");
   geom::require(a.writes_svg() || a.writes_mesh() || io::lower_extension(a.output) == ".txt",
                 a.output.string() + ": use .txt, .svg, .off or .obj");
+  const bool draws = a.picture.triangulation || a.picture.cells || a.picture.disks || a.picture.colour;
+  if (draws && !a.writes_svg()) throw UsageError("--draw-... is for -o OUT.svg");
   if (local) a.scope = fpo::Scope::two_ring;
   if (global) a.scope = fpo::Scope::global;
   a.optimize.seed = cli.seed();

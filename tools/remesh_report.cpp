@@ -48,9 +48,11 @@ std::string number(double value, const char* format = "%.6g") {
   return text;
 }
 
-io::HtmlTable run_table(const fpo::RemeshResult& result, const RemeshRun& run) {
+io::HtmlTable run_table(const fpo::RemeshResult& result, const RemeshRun& run, const Measures& measures) {
   const fpo::OptimizeResult& o = result.optimization;
   const bool uniform = run.options.sizing == fpo::SizingKind::uniform;
+  const double delta = uniform ? measures.quality.delta : result.measures.delta;
+  const double mean_delta = uniform ? measures.quality.delta_avg : result.measures.mean_delta;
   io::HtmlTable table;
   table.words = true;
   table.rows = {
@@ -70,7 +72,7 @@ io::HtmlTable run_table(const fpo::RemeshResult& result, const RemeshRun& run) {
       {{"bad triangles before, after angle optimization",
         std::to_string(result.angles.bad_before) + ", " + std::to_string(result.angles.bad_after)}},
       {{uniform ? "delta, mean delta of the mesh" : "delta, mean delta of wanted lengths",
-        number(result.measures.delta, "%.4f") + ", " + number(result.measures.mean_delta, "%.4f")}},
+        number(delta, "%.4f") + ", " + number(mean_delta, "%.4f")}},
       {{"variation of length / wanted length", number(result.fit.cv, "%.4f")}},
       {{"seconds, threads", number(run.seconds, "%.3f") + " (optimization " + number(o.last.seconds, "%.3f") +
                                 "), " + std::to_string(run.threads)}}};
@@ -167,11 +169,12 @@ void write_remesh_report(const std::filesystem::path& path, const geom::TriMesh&
   const auto between = [&](double from, double to) {
     return [=](double share) { tell(from + share * (to - from)); };
   };
-  add_measures(page, measure(result.mesh, input, run.threads, between(pictures_share, measures_share)), run);
+  const Measures measures = measure(result.mesh, input, run.threads, between(pictures_share, measures_share));
+  add_measures(page, measures, run);
   tell(measures_share);
   add_spectrum(page, surface, drawn, run, between(measures_share, 1));
   page.heading("Run");
-  page.table(run_table(result, run));
+  page.table(run_table(result, run, measures));
   page.save(path);
 }
 

@@ -50,8 +50,9 @@ geom::TriMesh extract(const geom::RestrictedPower& diagram, std::size_t num_samp
         triangles.push_back(triangle);
     }
   });
-  geom::require(!triangles.empty(),
-                std::to_string(num_samples) + " samples are too few: their diagram has no triangle");
+  geom::require(!triangles.empty(), std::to_string(num_samples) +
+                                        (num_samples == 1 ? " sample is" : " samples are") +
+                                        " too few: their diagram has no triangle");
   std::ranges::sort(triangles);
   triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
 

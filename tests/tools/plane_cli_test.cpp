@@ -100,6 +100,7 @@ TEST_CASE("fpo-plane: bad numbers and bad files are one line, exit code 2, and n
   refused({"--local", "--global"});
   refused({"--bounded", "--start", "random"});
   refused({"--bounded"}, "0");
+  refused({"--draw-cells"});
 
   scratch.write("black.pgm", "P2\n2 2\n255\n0 0\n0 0\n");
   scratch.write("white.pgm", "P2\n2 2\n255\n255 255\n255 255\n");

@@ -113,7 +113,7 @@ TEST_CASE("fpo-remesh: bad use is refused in one line, and nothing is written") 
   refused({"torus.obj", "-n", "0", "-o", "out.obj"}, "-n: 0 is not between 1 and");
   refused({"torus.obj", "-n", "1000000000", "-o", "out.obj"}, "-n: 1000000000 is not between 1 and");
   refused({"torus.obj", "-n", "many", "-o", "out.obj"}, "-n: 'many' is not a whole number");
-  refused({"torus.obj", "-n", "1", "-o", "out.obj"}, "1 samples are too few");
+  refused({"torus.obj", "-n", "1", "-o", "out.obj"}, "1 sample is too few");
   refused({"torus.obj", "-n", "50", "-o", "none/out.obj"}, "cannot write none/out.obj: ");
   refused({"torus.obj", "-n", "50", "-o", "."}, ".");
   refused({"torus.obj", "-n", "50", "-o", "/proc/out.obj"}, "cannot write /proc/out.obj: ");

@@ -165,6 +165,24 @@ TEST_CASE("differential_spectrum: any number of threads gives the same bytes") {
   }
 }
 
+TEST_CASE("differential_spectrum: tells how much is done, and ends near all of it") {
+  const geom::TriMesh mesh = geom::make_shape("blob", 6);
+  const SpectrumSet set =
+      fpo::surface_set(fixtures::random_on(mesh, 600, 1), fpo::SpectrumSurface(mesh), SpacingRule::uniform);
+  std::vector<double> shares;
+  const auto power = [&](const std::function<void(double)>& tell) {
+    return fpo::differential_spectrum(set,
+                                      {.radius = 4, .max_frequency = 2, .threads = 2, .on_progress = tell})
+        .power;
+  };
+  const std::vector<double> told = power([&](double share) { shares.push_back(share); });
+  REQUIRE(shares.size() > 10);
+  CHECK(std::ranges::is_sorted(shares));
+  CHECK(shares.back() > 0.8);
+  CHECK(shares.back() <= 1);
+  CHECK(told == power({}));
+}
+
 TEST_CASE("differential_spectrum: white noise is flat in the plane") {
   const auto noise = [](bool periodic, SpacingRule rule) {
     return mean_over_sets(6, [&](std::uint64_t seed) {
