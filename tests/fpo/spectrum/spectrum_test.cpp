@@ -4,6 +4,7 @@
 
 #include "fpo/spectrum/spectrum.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
