@@ -29,6 +29,8 @@ constexpr double most_growth = 1.35;  // of the lengths elsewhere
 constexpr double smallest = 0.1, largest = 0.8;  // of the least length in narrow places, in other lengths
 constexpr double least_help = 0.5;  // the length that is wanted over the least one, where that is of use
 constexpr double split_slope = 0.3, split_length = 1.5;
+constexpr double most_facets = 60;  // of the split surface, a sample
+constexpr int most_passes = 60;     // of splitting: needles never come to an end
 
 /// Items by cells of a cubic lattice.
 class Grid {
@@ -221,7 +223,11 @@ std::optional<NarrowSurface> narrow_surface(const TriMesh& mesh, const Features&
   for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
     result.split.parents.push_back(t);
   // Middles are given the mean of their ends; then what the places allow there, which may be less.
-  while (has_long_edges(result.split.mesh, Sizing(result.split.mesh, result.split.h), split_length)) {
+  const double even = mesh.area() / (spacing * spacing);
+  const double most = static_cast<double>(mesh.num_facets()) + most_facets * even;
+  for (int pass = 0;
+       has_long_edges(result.split.mesh, Sizing(result.split.mesh, result.split.h), split_length); ++pass) {
+    if (pass == most_passes || static_cast<double>(result.split.mesh.num_facets()) > most) return {};
     SplitSurface next =
         split_long_edges(result.split.mesh, Sizing(result.split.mesh, result.split.h), split_length, {});
     for (FacetId& parent : next.parents) parent = result.split.parents[parent];

@@ -32,7 +32,8 @@ struct NarrowSurface {
   VertexField distances;  ///< from the nearest place; both +infinity far from all
 };
 
-/// None if there is no narrow place.
+/// None if there is no narrow place, or if facets are such needles that they cannot be split with some sixty
+/// facets a sample.
 std::optional<NarrowSurface> narrow_surface(const geom::TriMesh& mesh, const Features& features,
                                             double spacing, double gradation);
 

@@ -233,8 +233,8 @@ class FacingSamples {
 
 }  // namespace
 
-// |c - x|^2 - |c - a|^2 = (a - x) . (2 c - a - x). In doubles: a difference, two and a sum, a product, two sums:
-// six roundings (filters.h).
+// With u = a - x the difference of the squares is u . (2 c - a - x). In doubles: a difference, two and a sum,
+// a product, two sums: six roundings (filters.h).
 bool is_as_near(const Vec3& c, const Vec3& a, const Vec3& x) {
   const Vec3 u = a - x, v = c - a, w = c - x;
   const double value = u.dot(v + w);
