@@ -1,9 +1,7 @@
 #include "fpo/features/feature_choice.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 
 #include "fpo/features/feature_samples.h"
@@ -169,32 +167,6 @@ bool is_disorder(const Features& features) {
 }
 
 }  // namespace
-
-double smallest_corner_angle(const TriMesh& mesh, const Features& features) {
-  std::map<VertexId, std::vector<geom::Vec3>> leaving;
-  for (const FeatureCurve& curve : features.curves) {
-    if (curve.loop) continue;
-    const std::size_t last = curve.vertices.size() - 1;
-    for (const auto& [corner, next] : {std::pair(std::size_t{0}, std::size_t{1}), std::pair(last, last - 1)})
-      leaving[curve.vertices[corner]].push_back(mesh.position(curve.vertices[next]) -
-                                                mesh.position(curve.vertices[corner]));
-  }
-  double least = 180;
-  for (const auto& [corner, ways] : leaving)
-    for (std::size_t i = 0; i < ways.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        least = std::min(
-            least, 180 / std::numbers::pi * std::atan2(ways[i].cross(ways[j]).norm(), ways[i].dot(ways[j])));
-  return least;
-}
-
-std::string harm_of_creases(const TriMesh& mesh, const Features& features, bool right_type,
-                            double theta_min) {
-  constexpr double useless = 5;
-  if (!right_type) return "be of another type";
-  if (theta_min >= std::min(useless, smallest_corner_angle(mesh, features) / 2)) return {};
-  return "have angles of " + std::to_string(static_cast<int>(theta_min)) + " degrees";
-}
 
 Features with_short_curves_collapsed(const TriMesh& mesh, Features features, double reach) {
   Collapse(mesh, features, reach).run();

@@ -33,15 +33,6 @@ struct FeatureChoice {
 /// then corners, if borders need more samples than there are. Borders stay. Else nothing is dropped.
 FeatureChoice choose_features(const geom::TriMesh& mesh, FeatureOptions options, const SamplingPlan& plan);
 
-/// The smallest angle between two curves at a corner, along their first mesh edges there, in degrees: no
-/// triangle between them has a larger smallest angle. 180: there is none.
-double smallest_corner_angle(const geom::TriMesh& mesh, const Features& features);
-
-/// What creases have done to a remesh with these features, for users: another type, or angles below 5 degrees
-/// and half of smallest_corner_angle(). Empty: nothing.
-std::string harm_of_creases(const geom::TriMesh& mesh, const Features& features, bool right_type,
-                            double theta_min);
-
 /// Joins the ends of curves that are shorter than `reach`, the shortest first; `features` is of that mesh.
 /// Ends of strips, borders and non-manifold edges stay as they are. What closes to a loop shorter than three
 /// times that goes. O(curves^2) if many are short.

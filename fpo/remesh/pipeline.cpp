@@ -430,21 +430,16 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
 
 /// Creases that nobody asked for are kept unless that alone does harm.
 RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {
-  const FeatureChoice choice = chosen_features(surface, options);
-  RemeshResult result = remesh_sheets(surface, choice, options);
+  RemeshResult result = remesh_sheets(surface, chosen_features(surface, options), options);
   if (result.crease_curves == 0 || !options.features->yielding || options.method != Method::fpo ||
-      interrupted(options) || !geom::topology(surface).manifold())
+      interrupted(options) || !geom::topology(surface).manifold() || result.type.ok())
     return result;
-  const std::string harm =
-      harm_of_creases(surface, choice.features, result.type.ok(), result.measures.theta_min);
-  if (harm.empty()) return result;
   RemeshOptions without = options;
   without.features->crease_angle = without.features->weak_crease_angle = 180;
   RemeshResult plain = remesh_sheets(surface, chosen_features(surface, without), without);
-  const bool better = !result.type.ok() || plain.measures.theta_min > 2 * result.measures.theta_min;
-  if (interrupted(options) || !plain.type.ok() || !better) return result;
+  if (interrupted(options) || !plain.type.ok()) return result;
   plain.given_up = "creases dropped: with these " + std::to_string(result.crease_curves) +
-                   " curves kept the remesh would " + harm + "; --features 45 keeps them";
+                   " curves kept the remesh would be of another type; --features 45 keeps them";
   return plain;
 }
 

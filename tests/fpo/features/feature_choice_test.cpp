@@ -191,15 +191,3 @@ TEST_CASE("feature choice: short curves collapse, but not at the ends of strips"
   CHECK(with_short_curves_collapsed(chamfered, find_features(chamfered), 0.05).curves.size() == 48);
   CHECK(with_short_curves_collapsed(plate, find_features(plate), 0.05).curves.size() == 12);
 }
-
-TEST_CASE("feature choice: angles of corners, and what creases have done if it is not their corners' doing") {
-  const TriMesh cube = geom::make_shape("cube"), wedge = geom::make_shape("wedge");
-  const Features of_cube = find_features(cube), of_wedge = find_features(wedge);
-  CHECK(smallest_corner_angle(cube, of_cube) == doctest::Approx(90));
-  CHECK(smallest_corner_angle(wedge, of_wedge) == doctest::Approx(15));
-  CHECK(smallest_corner_angle(cube, {}) == 180);
-  CHECK(harm_of_creases(cube, of_cube, true, 30).empty());
-  CHECK(harm_of_creases(cube, of_cube, true, 0.3) == "have angles of 0 degrees");
-  CHECK(harm_of_creases(cube, of_cube, false, 30) == "be of another type");
-  CHECK(harm_of_creases(wedge, of_wedge, true, 7.6).empty());
-}
