@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "fpo/remesh/at_least.h"
+#include "fpo/remesh/crowd.h"
 #include "fpo/remesh/pipeline.h"
 #include "fpo/remesh/refusal.h"
 #include "geom/mesh/scaling.h"
@@ -72,6 +73,7 @@ void warn(const std::string& line) { std::fprintf(stderr, "warning: %s\n", line.
 fpo::AtLeastResult remesh_named(const tools::SurfaceInput& input, const tools::RemeshArguments& a) try {
   fpo::refuse_soup(input.mesh, input.parts, a.remesh.num_samples);
   fpo::AtLeastResult result;
+  if (a.remesh.sheets != fpo::Sheets::apart) fpo::refuse_crowd(input.mesh, a.remesh.num_samples);
   if (a.at_least)
     result = fpo::remesh_at_least(input.mesh, a.remesh);
   else

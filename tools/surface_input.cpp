@@ -56,7 +56,8 @@ SurfaceInput repaired(const geom::TriMesh& mesh, const std::string& name, std::s
 }
 
 void diagnose(SurfaceInput& input, bool is_repaired) try {
-  const geom::Diagnosis found = geom::diagnosis(input.mesh, false);
+  geom::Diagnosis found = geom::diagnosis(input.mesh, false);
+  if (is_repaired) found.split_vertices = 0;  // repair has set them apart
   const std::string faults = geom::in_words(found);
   if (!faults.empty())
     input.faults =

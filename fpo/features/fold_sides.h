@@ -1,6 +1,6 @@
 #pragma once
-// Which way creases are folded. An edge of a machined part (paper, section 5) is convex, or concave, all along;
-// folds of noise are both by turns.
+// Which way creases are folded. An edge of a machined part (paper, section 5) is convex, or concave, all
+// along; folds of noise are both by turns.
 
 #include "fpo/features/features.h"
 

@@ -166,7 +166,16 @@ void break_rules(Soup& soup, Rng& rng) {
   }
 }
 
+/// Do all facets name vertices that there are?
+bool has_its_vertices(const Soup& soup) {
+  const auto known = [&](std::int32_t v) {
+    return v >= 0 && static_cast<std::size_t>(v) < soup.vertices.size();
+  };
+  return std::ranges::all_of(soup.facets, [&](const auto& f) { return std::ranges::all_of(f, known); });
+}
+
 void spoil(Soup& soup, Rng& rng) {
+  if (!has_its_vertices(soup)) return;  // rules are broken already
   constexpr void (*kinds[])(Soup&, Rng&) = {
       spoil_coordinates, spoil_coordinates,     nudge,     scale,         scale,
       move_far,          round_to_grid,         coincide,  double_facets, turn_facets,

@@ -1,0 +1,46 @@
+// Input of which no remesh can be made.
+
+#include "fpo/remesh/crowd.h"
+
+#include "doctest.h"
+#include "geom/check.h"
+#include "geom/rng.h"
+#include "geom/shapes/mesh_parts.h"
+#include "geom/shapes/shapes.h"
+#include "tests/fixtures/spoilt.h"
+#include "tests/fixtures/surfaces.h"
+
+using geom::TriMesh;
+using geom::Vec3;
+
+TEST_CASE("crowd: single facets, more pieces than samples and heaps of sheets are refused") {
+  const TriMesh sphere = geom::make_shape("sphere", 4);
+  geom::Rng rng(1);
+  const TriMesh soup = fixtures::split_vertices(sphere, 1e-3, rng);
+  CHECK_THROWS_AS(fpo::refuse_crowd(soup, 5 * soup.num_facets()), geom::InputError);
+  CHECK_NOTHROW(fpo::refuse_crowd(soup, 100 * soup.num_facets()));
+
+  TriMesh dust = sphere;
+  for (int i = 1; i <= 20; ++i)
+    dust = geom::joined(dust, geom::mapped(sphere, [&](const Vec3& p) {
+                          return Vec3(1e-3 * p + 3 * sphere.diagonal() * i * Vec3(1, 0, 0));
+                        }));
+  CHECK_THROWS_AS(fpo::refuse_crowd(dust, 20), geom::InputError);
+  CHECK_NOTHROW(fpo::refuse_crowd(dust, 21));
+
+  TriMesh stack = fixtures::tilted_square(4);
+  const TriMesh square = stack;
+  const Vec3 up = 1e-3 * square.diagonal() * square.normal(geom::FacetId(0)).normalized();
+  for (int k = 1; k < 24; ++k)
+    stack = geom::joined(
+        stack, geom::mapped(square, [&](const Vec3& p) { return Vec3(p + static_cast<double>(k) * up); }));
+  CHECK_THROWS_AS(fpo::refuse_crowd(stack, 500), geom::InputError);
+}
+
+TEST_CASE("crowd: whatever is a surface is not refused") {
+  for (const auto& [name, mesh] : fixtures::surfaces())
+    for (const std::size_t n : {10u, 300u, 5000u}) {
+      CAPTURE(name);
+      CHECK_NOTHROW(fpo::refuse_crowd(mesh, n));
+    }
+}
