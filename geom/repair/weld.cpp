@@ -4,6 +4,7 @@
 #include <set>
 #include <span>
 
+#include "geom/check.h"
 #include "geom/disjoint_sets.h"
 #include "geom/mesh/half_edges.h"
 
@@ -144,11 +145,14 @@ double usual_tolerance(const Table<VertexId, Vec3>& vertices, const Facets& face
   double tolerance = std::min(1e-6 * box.diagonal().norm(), 0.01 * borders.median);
   if (10 * borders.edges <= borders.all) return tolerance;
   std::size_t left = borders_left(vertices, facets, tolerance);
-  while (10 * left > borders.all && 10 * tolerance < 0.1 * borders.median) {
-    const std::size_t next = borders_left(vertices, facets, 10 * tolerance);
-    if (2 * next > left) break;
-    tolerance *= 10;
-    left = next;
+  try {
+    for (double wider = 10 * tolerance; left > 0 && wider < 0.1 * borders.median; wider *= 10) {
+      const std::size_t next = borders_left(vertices, facets, wider);
+      if (2 * next > left) continue;
+      tolerance = wider;
+      left = next;
+    }
+  } catch (const InputError&) {  // it reaches over most vertices
   }
   return tolerance;
 }

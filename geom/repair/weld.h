@@ -21,8 +21,8 @@ Welding weld_borders(const Places& places, Table<FacetId, TriMesh::Facet>& facet
 
 /// The distance within which borders are welded if nobody names one: 1e-6 diagonals, but at most a hundredth
 /// of the median border edge (a stray facet far away makes the diagonal long). Where more than a tenth of the
-/// edges are borders even so, as in a soup whose corners differ by more, it is ten times that, and again, as
-/// long as this halves them and stays below a tenth of the median border edge. O(F log F).
+/// edges are borders even so, as in a soup whose corners differ by more, it is the power of ten times that
+/// which halves them last, below a tenth of the median border edge. O(F log F).
 double usual_tolerance(const Table<VertexId, Vec3>& vertices, const Table<FacetId, TriMesh::Facet>& facets);
 
 }  // namespace geom
