@@ -33,7 +33,9 @@
 #include <span>
 #include <vector>
 
+#include "geom/dual/edge_part.h"
 #include "geom/dual/frame.h"
+#include "geom/dual/segment_ends.h"
 #include "geom/reused.h"
 
 namespace geom {
@@ -73,42 +75,23 @@ class Flood {
   FacetId facet(std::size_t i) const { return facets_[i].id; }  ///< that was met
 
  private:
-  using Node = std::int32_t;  ///< a B: its number; a circle's or corner's end: -1 - its number
   struct Facet {
     FacetId id;
     std::array<Frame::Slot, 3> corners;
     std::array<bool, 3> done;  ///< edges
-    std::int32_t first_end;    ///< of its list in ends_; -1: empty
+    SegmentEnds::List ends;
   };
-  struct End {
-    std::int32_t label;
-    Node node;
-    std::int32_t next;
-  };
-  /// While ends are joined: the first one of a label.
-  struct Waiting {
-    std::uint32_t stamp = 0;
-    Node node = 0;
-    bool is_joined = false;
-  };
-  static constexpr int num_names = Frame::most + 1;  ///< of sites and the origin
-  /// Where an interval of the edge from u to v begins or ends: at the vertex, or where the origin is as near
-  /// as a site.
-  static constexpr int at_vertex = -1;
-  struct Interval {
-    int begin, end;
+  /// On the edge being traced, where sites i and j (none: the origin) are equally near.
+  struct Point {
+    int i, j;
+    SegmentEnds::Node node;
   };
 
   std::uint32_t meet(FacetId t);
   bool trace_edge(std::uint32_t slot, std::size_t e);
-  enum class Meets { no, yes, unsure };
-  static Meets interval(const Frame::Vertex& u, const Frame::Vertex& v, Interval& out);
-  bool divide(const Frame::Vertex& u, const Frame::Vertex& v, const Interval& part);
+  bool divide(const Frame::Vertex& u, const Frame::Vertex& v, const EdgePart& part);
   bool add_point(const Frame::Vertex& u, const Frame::Vertex& v, int i, int j);
   bool add_vertex(Frame::Slot s);
-  void add_end(Facet& facet, std::int32_t label, Node node);
-  bool join_ends(const Facet& facet);
-  static std::int32_t label_of(int i, int j) { return i < j ? i * num_names + j : j * num_names + i; }
 
   const TriMesh& mesh_;
   Frame& frame_;
@@ -118,17 +101,10 @@ class Flood {
   Reused<Corner> corners_;
   std::vector<std::uint32_t> vertex_seen_;  ///< by slots of the frame: of which trace()
   double radius2_ = 0;
-  struct Point {
-    std::int32_t label;
-    Node node;
-  };
-  Reused<Point> on_edge_;  ///< of the edge being traced
+  Reused<Point> on_edge_;
   std::vector<int> owners_;
-  Reused<End> ends_;
-  Reused<std::array<Node, 2>> links_;  ///< of each B: the other ends of its segments
-  Reused<Node> links_of_ends_;         ///< of each other end: that of its segment
-  std::array<Waiting, num_names * num_names> waiting_;
-  std::uint32_t stamp_ = 0, trace_ = 0;
+  SegmentEnds ends_;
+  std::uint32_t trace_ = 0;
 };
 
 }  // namespace geom
