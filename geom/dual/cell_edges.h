@@ -1,10 +1,10 @@
 #pragma once
-// The edges of the diagram within a cell that goes, or around one that comes, put together facet by facet: which
-// circles lie beyond each other there.
+// The edges of the diagram within a cell that goes, or around one that comes, put together facet by facet:
+// which circles lie beyond each other there.
 //
-//      *---o-----o---*        On each facet an edge between two cells is a segment. Its ends are circles to be,
-//    own   u     v  found     or points (o) on edges of the facet, where it goes on across (chains.h); or, in a
-//                             cell that goes, its circles, through which edges come in from outside.
+//      *---o-----o---*        On each facet an edge between two cells is a segment. Its ends are circles to
+//    own   u     v  found     be, or points (o) on edges of the facet, where it goes on across (chains.h);
+//                             or, in a cell that goes, its circles, where edges come in from outside.
 
 #include <cstdint>
 #include <span>

@@ -88,7 +88,7 @@ bool CellProof::find_corners() {
 /// May p beat circles that are not reached? They would be of an irregular site.
 bool CellProof::may_beat_unreached() {
   DualState& state = around_.state;
-  if (state.not_regular().empty()) return false;
+  if (state.shapes.not_regular().empty()) return false;
   const WeightedPoint3& point = around_.site();
   const std::span<const CircleId> reached = around_.rim.inside();
   suspects_.clear();

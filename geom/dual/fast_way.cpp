@@ -14,10 +14,10 @@ using margin::more;
 
 bool FastWay::plan(SiteId p) {
   around_.strangers.forget();
-  if (state_.types == CornerTypes::all) return false;
-  if (state_.shape(p) == DualState::Shape::unknown) certify(p);
+  if (state_.corners.types() == CornerTypes::all) return false;
+  if (state_.shapes[p] == CellShape::unknown) certify(p);
   around_.p = p;
-  return state_.shape(p) == DualState::Shape::regular && around_.rim.open_star(state_, p) && hole_.plan();
+  return state_.shapes[p] == CellShape::regular && around_.rim.open_star(state_, p) && hole_.plan();
 }
 
 void FastWay::remove(DualChange& change) {
@@ -85,7 +85,7 @@ bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, Dua
     const CellProof::Corner& corner = cell_.corners()[static_cast<std::size_t>(j)];
     EmptyCircle moved = state_.circles[rim.inner(j)];
     moved.facet = corner.facet;
-    state_.center_circle(moved, corner.point.position);
+    state_.corners.center(moved, corner.point.position);
     state_.circles.move(rim.inner(j), moved.center, moved.radius2, moved.facet);
     change.circles_moved.push_back(rim.inner(j));
   }
@@ -142,7 +142,7 @@ void FastWay::raise_reaches(const WeightedPoint3& old) {
 
 bool FastWay::insert(SiteId p, const WeightedPoint3& point, FacetId home, CircleId first,
                      DualChange& change) {
-  if (state_.types == CornerTypes::all) return false;
+  if (state_.corners.types() == CornerTypes::all) return false;
   around_.p = p;
   around_.self = Frame::none;
   around_.forget();
@@ -157,7 +157,7 @@ bool FastWay::insert(SiteId p, const WeightedPoint3& point, FacetId home, Circle
   state_.enter(p);
   state_.home[p] = home;
   state_.set_reach(p, cell_.reach());
-  state_.set_shape(p, DualState::Shape::regular);
+  state_.set_shape(p, CellShape::regular);
   for (const SiteId r : rim()) lower_reach(r);
   name_rim(change);
   return true;
@@ -170,7 +170,7 @@ void FastWay::make_star(DualChange& change) {
   for (int j = 0; j < rim.size(); ++j) {
     const CellProof::Corner& corner = cell_.corners()[static_cast<std::size_t>(j)];
     change.circles_created.push_back(state_.circles.create(
-        state_.circle_of({around_.p, rim[j], rim[rim.next(j)]}, corner.facet, corner.point)));
+        state_.corners.circle_of({around_.p, rim[j], rim[rim.next(j)]}, corner.facet, corner.point)));
   }
   const auto id = [&](int j) { return change.circles_created[created + static_cast<std::size_t>(j)]; };
   for (int j = 0; j < rim.size(); ++j) {
@@ -190,7 +190,7 @@ void FastWay::make_star(DualChange& change) {
 void FastWay::lower_reach(SiteId r) {
   const WeightedPoint3& site = state_.sites[r];
   const Sheet* sheet = around_.sheets.known(r, site.level);
-  if (state_.shape(r) != DualState::Shape::regular || !sheet) return;
+  if (state_.shapes[r] != CellShape::regular || !sheet) return;
   double far2 = 0;
   Vec3 twice_area(0, 0, 0);
   for (const CircleId c : state_.circles.of_site(r)) {
@@ -216,10 +216,10 @@ void FastWay::lower_reach(SiteId r) {
 void FastWay::certify(SiteId p) {
   around_.p = p;
   around_.forget();
-  const bool is_regular = state_.types != CornerTypes::all && state_.home[p].valid() &&
+  const bool is_regular = state_.corners.types() != CornerTypes::all && state_.home[p].valid() &&
                           around_.rim.open_star(state_, p) && cell_.prove_present();
   if (is_regular) state_.set_reach(p, std::min(state_.reach[p], cell_.reach()));
-  state_.set_shape(p, is_regular ? DualState::Shape::regular : DualState::Shape::irregular);
+  state_.set_shape(p, is_regular ? CellShape::regular : CellShape::irregular);
 }
 
 }  // namespace geom

@@ -58,7 +58,7 @@ void GeneralInsertion::erase_beaten(SiteId p, DualChange& change) {
 /// Mostly doubles tell.
 bool GeneralInsertion::is_beaten(const EmptyCircle& circle, SiteId p) const {
   if (state_.lead_at(circle, state_.sites[p]).positive()) return false;
-  return state_.clipper.beats_at(state_.corner_of(circle, 2 * state_.clipper.most_tolerance()), p,
+  return state_.clipper.beats_at(state_.corners.corner_of(circle, 2 * state_.clipper.most_tolerance()), p,
                                  state_.clipper.bisector_of(circle.sites[0], p));
 }
 
@@ -67,7 +67,7 @@ void GeneralInsertion::find_circles(SiteId p) {
   for (const CellPieces::Piece& piece : cell_.pieces)
     for (std::size_t k = 0; k < piece.size; ++k) {
       EmptyCircle circle;
-      if (state_.corner_circle_of_any({piece.facet, p, cell_.corners_of(piece)}, k, circle))
+      if (state_.corners.find_of_any({piece.facet, p, cell_.corners_of(piece)}, k, circle))
         found_.push_back(circle);
     }
   std::ranges::sort(found_, circle_before);

@@ -1,6 +1,6 @@
 #pragma once
-// Insertion of p in the general way (redivision.h). The circles that it beats go: they belong to sites of which it
-// takes something. The new circles are the corners of p's cell.
+// Insertion of p in the general way (redivision.h). The circles that it beats go: they belong to sites of
+// which it takes something. The new circles are the corners of p's cell.
 
 #include <vector>
 

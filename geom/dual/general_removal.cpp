@@ -33,7 +33,7 @@ void GeneralRemoval::find_circles() {
     if (std::ranges::find(heirs_, piece.owner) == heirs_.end()) heirs_.push_back(piece.owner);
     EmptyCircle circle;
     for (std::size_t k = 0; k < share.size(); ++k)
-      if (division_.is_new(share, k) && state_.corner_circle({piece.facet, piece.owner, share}, k, circle))
+      if (division_.is_new(share, k) && state_.corners.find({piece.facet, piece.owner, share}, k, circle))
         found_.push_back(circle);
   }
   std::ranges::sort(heirs_);

@@ -1,6 +1,6 @@
 #pragma once
-// Removal of p in the general way (redivision.h). The circles of p go, and its cell is divided among the others
-// (vacancy_division.h). The new circles are the corners of their shares that p's cell did not have.
+// Removal of p in the general way (redivision.h). The circles of p go, and its cell is divided among the
+// others (vacancy_division.h). The new circles are the corners of their shares that p's cell did not have.
 
 #include <span>
 #include <vector>

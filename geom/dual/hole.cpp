@@ -20,7 +20,8 @@ bool Hole::plan() {
   for (const Triangle& triangle : triangles()) {
     const auto& [a, b, c] = triangle.corners;
     const Rim& rim = around_.rim;
-    circles_.push_back(around_.state.circle_of({rim[a], rim[b], rim[c]}, triangle.facet, triangle.point));
+    circles_.push_back(
+        around_.state.corners.circle_of({rim[a], rim[b], rim[c]}, triangle.facet, triangle.point));
     max_radius2_ = std::max(max_radius2_, circles_.back().radius2);
   }
   return true;

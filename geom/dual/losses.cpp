@@ -7,7 +7,7 @@
 namespace geom {
 
 bool Losses::hang_together(SiteId s, const Newcomer& p, std::span<const CircleId> reached) {
-  if (state_.shape(s) != DualState::Shape::regular) return false;
+  if (state_.shapes[s] != CellShape::regular) return false;
   const WeightedPoint3& site = state_.sites[s];
   if (site.level != p.point.level) return false;
   const double radius = state_.distance_at(state_.reach[s], s);

@@ -17,7 +17,7 @@ void Redivision::build(int threads, DualChange& change) {
     EmptyCircle circle;
     for (const auto& [owner, corners] : pieces) {
       for (std::size_t k = 0; k < corners.size(); ++k)
-        if (state_.corner_circle({t, owner, corners}, k, circle))
+        if (state_.corners.find({t, owner, corners}, k, circle))
           change.circles_created.push_back(state_.circles.create(circle));
       state_.reach[owner] = std::max(state_.reach[owner], state_.clipper.bound_power(t, owner, corners));
     }

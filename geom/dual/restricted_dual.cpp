@@ -58,7 +58,7 @@ void RestrictedDual::insert_anyhow(SiteId p, const WeightedPoint3& point, FacetI
   redivision_.insert(p, point, change_);
   state_.home[p] = home;
   forget_shapes();
-  state_.set_shape(p, DualState::Shape::unknown);
+  state_.set_shape(p, CellShape::unknown);
 }
 
 /// One of the circles around the nearest site that the point beats, probably; none if there is none.
@@ -93,7 +93,7 @@ const RestrictedDual::Change& RestrictedDual::remove(SiteId p) {
 void RestrictedDual::remove_generally(SiteId p) {
   ++ways_.general_removals;
   redivision_.removal().commit(change_);
-  state_.set_shape(p, DualState::Shape::regular);
+  state_.set_shape(p, CellShape::regular);
   forget_shapes();
 }
 
@@ -105,14 +105,14 @@ void RestrictedDual::forget_shapes() {
       for (const SiteId s : circle(c).sites)
         if (s.valid()) around.push_back(s);
   for (const SiteId s : around)
-    if (state_.tree.contains(s)) state_.set_shape(s, DualState::Shape::unknown);
+    if (state_.tree.contains(s)) state_.set_shape(s, CellShape::unknown);
 }
 
 std::optional<RestrictedDual::Plan> RestrictedDual::plan_removal(SiteId p) {
   begin();
   is_general_ = false;
   if (fast_.plan(p)) return Plan{fast_.rim(), fast_.circles(), fast_.reach(), fast_.max_radius2()};
-  if (state_.types == CornerTypes::all || !has_cell(p)) return {};
+  if (state_.corners.types() == CornerTypes::all || !has_cell(p)) return {};
   redivision_.removal().plan(p);
   if (!redivision_.removal().has_neighbours()) return {};
   is_general_ = true;

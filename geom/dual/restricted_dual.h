@@ -92,7 +92,7 @@ class RestrictedDual {
   };
   const Ways& ways() const { return ways_; }
   /// Sites whose cells are not known to be connected, with one border through all their circles (fast_way.h).
-  std::size_t num_irregular() const { return state_.not_regular().size(); }
+  std::size_t num_irregular() const { return state_.shapes.not_regular().size(); }
 
   /// Verifies lists and bounds; throws Bug. O(circles).
   void check() const;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "geom/check.h"
 #include "geom/mesh/scaling.h"
@@ -25,20 +24,15 @@ std::span<const CircleId> create_all(std::span<const EmptyCircle> found, EmptyCi
   return std::span<const CircleId>(change.circles_created).subspan(first);
 }
 
-DualState::DualState(const TriMesh& surface, CornerTypes corners, NeighbourOracle* source)
+DualState::DualState(const TriMesh& surface, CornerTypes types, NeighbourOracle* source)
     : mesh(surface),
       has_levels(surface.has_levels()),
-      types(corners),
       extent(extent_of(surface)),
       paper(source),
       clipper(surface, sites, extent),
+      corners(clipper, mesh, sites, types),
       facets(surface, facets_along_curve(surface)) {
   ensure(!paper || !has_levels, "restricted dual: the regular triangulation knows no levels");
-  if (types == CornerTypes::c_only) return;
-  first_facet.resize(mesh.num_vertices());
-  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
-    for (const VertexId v : mesh.facet(t))
-      if (!first_facet[v].valid()) first_facet[v] = t;
 }
 
 void DualState::admit(SiteId p, const WeightedPoint3& point) {
@@ -48,8 +42,7 @@ void DualState::admit(SiteId p, const WeightedPoint3& point) {
     sites.resize(p.index() + 1);
     reach.resize(p.index() + 1, -std::numeric_limits<double>::infinity());
     home.resize(p.index() + 1);
-    shape_.resize(p.index() + 1, Shape::regular);
-    place_of_.resize(p.index() + 1, 0);
+    shapes.resize(p.index() + 1);
   }
   sites[p] = point;
   heaviest_ = std::max(heaviest_, point.weight);
@@ -69,41 +62,22 @@ void DualState::leave(SiteId p) {
 
 void DualState::follow(SiteId p, const Vec3& from) {
   tree.move(p, sites[p]);
-  if (!grid.is_in_use()) return;
-  grid.move(p, from, sites[p].position);
-  if (shape_[p] != Shape::regular) grid_of_these_.move(p, from, sites[p].position);
-}
-
-void DualState::set_shape(SiteId p, Shape shape) {
-  if ((shape_[p] == Shape::regular) != (shape == Shape::regular)) {
-    if (shape == Shape::regular) {
-      const SiteId last = not_regular_.back();
-      not_regular_[place_of_[p]] = last;
-      place_of_[last] = place_of_[p];
-      not_regular_.pop_back();
-      if (grid.is_in_use()) grid_of_these_.remove(p, sites[p].position);
-    } else {
-      if (grid.is_in_use()) grid_of_these_.insert(p, sites[p].position);
-      place_of_[p] = static_cast<std::uint32_t>(not_regular_.size());
-      not_regular_.push_back(p);
-    }
-  }
-  shape_[p] = shape;
+  if (grid.is_in_use()) grid.move(p, from, sites[p].position);
+  shapes.follow(p, from, sites[p].position);
 }
 
 void DualState::irregular_rivals(SiteId p, std::vector<SiteId>& out) {
   const double distance = 2 * distance_at(largest_reach());
-  if (grid.is_in_use() && grid_of_these_.is_short(distance)) {
-    grid_of_these_.near(sites[p].position, distance, out);
-  } else if (not_regular_.size() <= few) {
-    out.insert(out.end(), not_regular_.begin(), not_regular_.end());
-  } else {
-    const auto old = static_cast<std::ptrdiff_t>(out.size());
-    tree.rivals(sites[p], out);
-    out.erase(
-        std::remove_if(out.begin() + old, out.end(), [&](SiteId s) { return shape(s) == Shape::regular; }),
-        out.end());
+  if (shapes.find_near(sites[p].position, distance, out)) return;
+  const std::span<const SiteId> suspects = shapes.not_regular();
+  if (suspects.size() <= few) {
+    out.insert(out.end(), suspects.begin(), suspects.end());
+    return;
   }
+  const auto old = static_cast<std::ptrdiff_t>(out.size());
+  tree.rivals(sites[p], out);
+  const auto is_regular = [&](SiteId s) { return shapes[s] == CellShape::regular; };
+  out.erase(std::remove_if(out.begin() + old, out.end(), is_regular), out.end());
 }
 
 void DualState::choose_search() {
@@ -112,8 +86,7 @@ void DualState::choose_search() {
   const double spacing = std::sqrt(area / static_cast<double>(num_sites));
   if (least.weight != most.weight || !(spacing > 0) || extent > 1e5 * spacing) return;
   grid = SiteGrid(cell_of_grid * spacing, num_sites);
-  grid_of_these_ = SiteGrid(2 * cell_of_grid * spacing, 0);
-  for (const SiteId p : not_regular_) grid_of_these_.insert(p, sites[p].position);
+  shapes.use_grid(2 * cell_of_grid * spacing, sites);
   for (SiteId p(0); p.index() < sites.size(); p = SiteId(p.value + 1))
     if (tree.contains(p)) grid.insert(p, sites[p].position);
 }
@@ -185,76 +158,6 @@ double DualState::distance_at(double power, SiteId p) const {
   const double weight = sites[p].weight;
   const double distance2 = power + weight + 1e-9 * (std::abs(power) + std::abs(weight));
   return distance2 > 0 ? std::sqrt(distance2) * (1 + 1e-9) : 0;
-}
-
-bool DualState::corner_circle(const Polygon& polygon, std::size_t corner, EmptyCircle& out) const {
-  const EdgeLabel before = polygon.corners[previous_corner(corner, polygon.corners.size())].edge,
-                  after = polygon.corners[corner].edge;
-  if ((before.is_site() && before.site() < polygon.owner) ||
-      (after.is_site() && after.site() < polygon.owner))
-    return false;
-  return corner_circle_of_any(polygon, corner, out);
-}
-
-bool DualState::corner_circle_of_any(const Polygon& polygon, std::size_t corner, EmptyCircle& out) const {
-  const EdgeLabel before = polygon.corners[previous_corner(corner, polygon.corners.size())].edge,
-                  after = polygon.corners[corner].edge;
-  out = EmptyCircle();
-  out.facet = polygon.facet;
-  out.sites[0] = polygon.owner;
-  if (before.is_site() && after.is_site()) {
-    out.sites = {polygon.owner, before.site(), after.site()};
-    out.sort_counterclockwise();
-  } else if (types == CornerTypes::c_only) {
-    return false;
-  } else if (before.is_site() || after.is_site()) {
-    const EdgeLabel edge = before.is_site() ? after : before, site = before.is_site() ? before : after;
-    const FacetId across = mesh.across(polygon.facet, edge.edge());
-    if (across.valid() && across < polygon.facet) return false;
-    out.sites = {std::min(polygon.owner, site.site()), std::max(polygon.owner, site.site()), SiteId()};
-    out.place = static_cast<std::int16_t>(1 + edge.edge());
-  } else {
-    const int i = after.edge();  // edges i - 1 and i meet in corner i
-    if (first_facet[mesh.facet(polygon.facet)[static_cast<std::size_t>(i)]] != polygon.facet) return false;
-    out.place = static_cast<std::int16_t>(4 + i);
-  }
-  center_circle(out, polygon.corners[corner].point.position);
-  return true;
-}
-
-EmptyCircle DualState::circle_of(const std::array<SiteId, 3>& sites_around, FacetId facet,
-                                 const RoundedPoint& place) const {
-  EmptyCircle circle;
-  circle.facet = facet;
-  circle.sites = sites_around;
-  circle.sort_counterclockwise();
-  center_circle(circle, place.position);
-  return circle;
-}
-
-CellCorner DualState::corner_of(const EmptyCircle& circle, double tolerance) const {
-  const auto edge = [](int e) { return EdgeLabel::facet_edge(e); };
-  CellCorner corner{circle.facet, circle.sites[0], EdgeLabel(), EdgeLabel(), {circle.center, tolerance}};
-  if (circle.is_triangle()) {
-    corner.before = EdgeLabel::bisector(circle.sites[1]);
-    corner.after = EdgeLabel::bisector(circle.sites[2]);
-  } else if (circle.sites[1].valid()) {
-    corner.before = edge(circle.place - 1);
-    corner.after = EdgeLabel::bisector(circle.sites[1]);
-  } else {
-    corner.before = edge(circle.place == 4 ? 2 : circle.place - 5);
-    corner.after = edge(circle.place - 4);
-  }
-  return corner;
-}
-
-void DualState::center_circle(EmptyCircle& circle, const Vec3& corner) const {
-  const Vec3 &q0 = mesh.corner(circle.facet, 0), &q1 = mesh.corner(circle.facet, 1),
-             &q2 = mesh.corner(circle.facet, 2);
-  circle.center =
-      snapped(corner.cwiseMax(q0.cwiseMin(q1).cwiseMin(q2)).cwiseMin(q0.cwiseMax(q1).cwiseMax(q2)));
-  const double level = clipper.levels().at(circle.facet, circle.center);
-  circle.radius2 = power(Location3(circle.center, level), sites[circle.sites[0]]);
 }
 
 }  // namespace geom

@@ -1,26 +1,21 @@
 #pragma once
 // What the restricted dual is made of: the surface, the sites, and the empty circles that follow from them.
-// Its operations (redivision.h, fast_way.h) share it.
+// Its operations (general_removal.h, general_insertion.h, fast_way.h) share it.
 
 #include <limits>
 #include <span>
 #include <vector>
 
+#include "geom/dual/corner_circles.h"
 #include "geom/dual/empty_circles.h"
 #include "geom/dual/lead.h"
+#include "geom/dual/site_shapes.h"
 #include "geom/mesh/facet_tree.h"
 #include "geom/power/clip.h"
 #include "geom/sites/site_grid.h"
 #include "geom/sites/site_tree.h"
 
 namespace geom {
-
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// Which corners of the diagram are registered as empty circles. Type C are the candidates for the farthest
-/// point in the paper (section 4.1); power being convex on a fragment, the farthest point of the whole
-/// surface can also be of type B (border, crease) or A (tip).
-enum class CornerTypes { c_only, all };
 
 /// What one update did. Valid until the next one. An id may be erased and created in the same change: erase
 /// first.
@@ -56,25 +51,7 @@ struct DualState {
   bool find_near(const Vec3& x, double distance, std::vector<SiteId>& out) const;
   /// NeighbourOracle::nearest().
   NeighbourOracle::Nearest nearest(const Location3& x, SiteId without) const;
-  /// A corner of a polygon of the diagram as a circle; none if another polygon registers it. Each C corner is
-  /// seen from three cells: the one of smallest id registers it. A B corner is registered by the smaller id
-  /// in the smaller facet, an A corner in the first facet of the vertex.
-  struct Polygon {
-    FacetId facet;
-    SiteId owner;
-    std::span<const PolygonCorner> corners;
-  };
-  bool corner_circle(const Polygon& polygon, std::size_t corner, EmptyCircle& out) const;
-  /// The same whichever of its cells registers it; a B corner still in the smaller facet only.
-  bool corner_circle_of_any(const Polygon& polygon, std::size_t corner, EmptyCircle& out) const;
-  /// The circle of three sites, counterclockwise, at that place.
-  EmptyCircle circle_of(const std::array<SiteId, 3>& sites, FacetId facet, const RoundedPoint& place) const;
-  /// A circle as a corner of the cell of its first site. `tolerance`: of its center.
-  CellCorner corner_of(const EmptyCircle& circle, double tolerance) const;
-  /// Sets center and radius2 of a circle whose facet and sites are known. The corner is rounded; a site may
-  /// come to the center: not outside of the facet's box, hence the mesh's.
-  void center_circle(EmptyCircle& circle, const Vec3& corner) const;
-  /// The power of its center to the point less that to its sites.
+  /// The power of a circle's center to the point less that to its sites.
   Sure lead_at(const EmptyCircle& circle, const WeightedPoint3& point) const {
     const WeightedPoint3& owner = sites[circle.sites[0]];
     const double off = 2 * clipper.most_tolerance();
@@ -101,35 +78,25 @@ struct DualState {
 
   const TriMesh& mesh;
   const bool has_levels;  ///< of the mesh: else all are 0
-  const CornerTypes types;
-  const double extent;  ///< bounds all coordinates
+  const double extent;    ///< bounds all coordinates
   NeighbourOracle* const paper;
   Clipper::Sites sites;
   SiteTree tree;
   SiteGrid grid;  ///< the same sites, where their density is even
   EmptyCircles circles;
   Clipper clipper;
+  CornerCircles corners;
   FacetTree facets;
   Table<SiteId, double> reach;  ///< an upper bound of the power in the cell; -infinity: the cell is empty
-  Table<VertexId, FacetId> first_facet;  ///< CornerTypes::all only: where a vertex's circle is registered
-  Table<SiteId, FacetId> home;           ///< a facet with the location of the site, or none
-  std::size_t num_sites = 0;             ///< that are in
+  Table<SiteId, FacetId> home;  ///< a facet with the location of the site, or none
+  std::size_t num_sites = 0;    ///< that are in
 
-  /// What is known of a site's cell (fast_way.h).
-  enum class Shape : char { regular, irregular, unknown };
-  Shape shape(SiteId p) const { return shape_[p]; }
-  /// Of a site that is in; one that goes out is made regular first.
-  void set_shape(SiteId p, Shape shape);
-  /// Those that are not regular.
-  std::span<const SiteId> not_regular() const { return not_regular_; }
-  /// Appends those of them that may lose something to p, and some more.
+  SiteShapes shapes;  ///< of sites that are in; one that goes out is made regular first
+  void set_shape(SiteId p, CellShape shape) { shapes.set(p, shape, sites[p].position); }
+  /// Appends the sites that are not regular and may lose something to p, and some more.
   void irregular_rivals(SiteId p, std::vector<SiteId>& out);
 
  private:
-  Table<SiteId, Shape> shape_;
-  std::vector<SiteId> not_regular_;
-  SiteGrid grid_of_these_;
-  Table<SiteId, std::uint32_t> place_of_;  ///< there
   double heaviest_ = 0;
   double largest_reach_ = 0;
   mutable std::vector<SiteId> found_;  // workspace

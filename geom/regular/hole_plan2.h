@@ -1,6 +1,7 @@
 #pragma once
-// How a hole in the plane is filled by the regular triangles of its corners, by gift wrapping. Every triangle has
-// a chord or edge of the hole and, of the corners beyond it, the one whose circle with the chord contains no other.
+// How a hole in the plane is filled by the regular triangles of its corners, by gift wrapping. Every triangle
+// has a chord or edge of the hole and, of the corners beyond it, the one whose circle with the chord contains
+// no other.
 //
 //          apex
 //           *           A chord (last, first) closes the chain first .. last of the hole's corners. Its

@@ -22,8 +22,8 @@ namespace geom {
 class Insertion2 {
  public:
   /// Makes a site that is stored a vertex, or hides it. `hint`: a triangle nearby, best one in conflict with
-  /// it; none for a walk from the last one created. Throws InputError, with nothing modified, if the cavity is
-  /// not within half a period of the site.
+  /// it; none for a walk from the last one created. Throws InputError, with nothing modified, if the cavity
+  /// is not within half a period of the site.
   void insert(Triangulation2& t, SiteId e, SimplexId hint);
 
  private:

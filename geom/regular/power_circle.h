@@ -1,5 +1,6 @@
 #pragma once
-// The circle orthogonal to the three weighted corners of a triangle: its center is a vertex of the power diagram.
+// The circle orthogonal to the three weighted corners of a triangle: its center is a vertex of the power
+// diagram.
 
 #include <array>
 #include <cmath>

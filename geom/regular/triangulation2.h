@@ -1,6 +1,6 @@
 #pragma once
-// Triangles on the flat torus, whom they join, and where each site is: what a regular triangulation is made of.
-// Its operations (insertion2.h, removal2.h) share it.
+// Triangles on the flat torus, whom they join, and where each site is: what a regular triangulation is made
+// of. Its operations (insertion2.h, removal2.h) share it.
 
 #include <array>
 #include <cstdint>
@@ -19,8 +19,8 @@ namespace geom {
 inline int ccw(int corner) { return corner == 2 ? 0 : corner + 1; }
 inline int cw(int corner) { return corner == 0 ? 2 : corner - 1; }
 
-/// Between operations it is what Regular2 promises. Edges are short, so that one corner seen from another is at
-/// the shortest periodic difference.
+/// Between operations it is what Regular2 promises. Edges are short, so that one corner seen from another is
+/// at the shortest periodic difference.
 struct Triangulation2 {
   using Triangle = std::array<SiteId, 3>;  ///< corners counterclockwise
   /// The side of a triangle opposite one of its corners; as a place: that corner.

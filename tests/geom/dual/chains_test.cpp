@@ -33,7 +33,7 @@ struct Joined {
       EmptyCircle circle;
       for (const auto& [owner, corners] : pieces)
         for (std::size_t k = 0; k < corners.size(); ++k)
-          if (state.corner_circle({t, owner, corners}, k, circle)) state.circles.create(circle);
+          if (state.corners.find({t, owner, corners}, k, circle)) state.circles.create(circle);
       chains.add(t, pieces);
     });
   }

@@ -21,7 +21,7 @@ using namespace geom;
 using fixtures::Placed;
 using fixtures::Weights;
 using oracle::KnownCircle;
-using Shape = DualState::Shape;
+using Shape = geom::CellShape;
 
 namespace {
 
@@ -75,7 +75,7 @@ struct Parts {
   void look_again() {
     for (const SiteId s : present) fast.certify(s);
   }
-  bool is_regular(SiteId s) const { return state.shape(s) == Shape::regular; }
+  bool is_regular(SiteId s) const { return state.shapes[s] == Shape::regular; }
   void set_regular(SiteId s, bool value) { state.set_shape(s, value ? Shape::regular : Shape::irregular); }
 
   std::vector<SiteId> present_list() const { return {present.begin(), present.end()}; }
@@ -102,7 +102,7 @@ std::size_t check_regular(const Parts& parts) {
     ++regular;
     CHECK_MESSAGE(brute.is_simple(s), "site " << s.value);
   }
-  CHECK(regular + parts.state.not_regular().size() == parts.present.size());
+  CHECK(regular + parts.state.shapes.not_regular().size() == parts.present.size());
   return regular;
 }
 
@@ -378,6 +378,6 @@ TEST_CASE("fast way: without a home, at a circle that is not beaten, or with all
   all.admit(SiteId(0), samples[0].point);
   CHECK(!fast.plan(SiteId(0)));
   fast.certify(SiteId(0));
-  CHECK(all.shape(SiteId(0)) == Shape::irregular);
+  CHECK(all.shapes[SiteId(0)] == Shape::irregular);
   CHECK(!fast.insert(SiteId(1), samples[1].point, samples[1].home, CircleId(), change));
 }

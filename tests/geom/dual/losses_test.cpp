@@ -79,7 +79,7 @@ TEST_CASE("losses: each part that is said to hang together with a beaten circle 
       const SiteId p(n);
       const oracle::BruteDiagram before(mesh, scene.state.sites, scene.present);
       for (const SiteId s : scene.present)
-        if (!before.is_simple(s)) scene.state.set_shape(s, DualState::Shape::irregular);
+        if (!before.is_simple(s)) scene.state.set_shape(s, geom::CellShape::irregular);
       const FacetTree facets(mesh, facets_along_curve(mesh));
       Sheets sheets(mesh, facets, scene.state.clipper.levels());
       Losses losses(scene.state, sheets);

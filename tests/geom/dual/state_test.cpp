@@ -47,7 +47,7 @@ TEST_CASE("dual state: a circle's center is in the box of its facet, and snapped
       circle.sites[0] = SiteId(0);
       const Vec3 corner =
           mesh.corner(circle.facet, static_cast<int>(rng.below(3))) + 1e-9 * fixtures::random_vector(rng);
-      state.center_circle(circle, corner);
+      state.corners.center(circle, corner);
       Box3 box;
       for (int i = 0; i < 3; ++i) box.extend(mesh.corner(circle.facet, i));
       CHECK(box.contains(circle.center));
@@ -59,11 +59,11 @@ TEST_CASE("dual state: a circle's center is in the box of its facet, and snapped
 }
 
 TEST_CASE("dual state: sites that are not regular are listed; a site outside of the mesh's box is a bug") {
-  using Shape = DualState::Shape;
+  using Shape = geom::CellShape;
   const TriMesh cube = fixtures::box(Vec3(1, 1, 1), 1);
   DualState state(cube, CornerTypes::c_only, nullptr);
   const auto listed = [&] {
-    std::vector<SiteId> list(state.not_regular().begin(), state.not_regular().end());
+    std::vector<SiteId> list(state.shapes.not_regular().begin(), state.shapes.not_regular().end());
     std::ranges::sort(list);
     return list;
   };
@@ -71,13 +71,13 @@ TEST_CASE("dual state: sites that are not regular are listed; a site outside of 
     state.admit(SiteId(i), {Vec3(0.1, 0.2, 0), 0});
     state.enter(SiteId(i));
   }
-  for (std::size_t i = 0; i < 5; ++i) CHECK(state.shape(SiteId(i)) == Shape::regular);
+  for (std::size_t i = 0; i < 5; ++i) CHECK(state.shapes[SiteId(i)] == Shape::regular);
   CHECK(listed().empty());
   state.set_shape(SiteId(2), Shape::irregular);
   state.set_shape(SiteId(2), Shape::irregular);
   state.set_shape(SiteId(4), Shape::unknown);
-  CHECK(state.shape(SiteId(2)) == Shape::irregular);
-  CHECK(state.shape(SiteId(4)) == Shape::unknown);
+  CHECK(state.shapes[SiteId(2)] == Shape::irregular);
+  CHECK(state.shapes[SiteId(4)] == Shape::unknown);
   CHECK(listed() == std::vector{SiteId(2), SiteId(4)});
   state.set_shape(SiteId(4), Shape::irregular);
   CHECK(listed() == std::vector{SiteId(2), SiteId(4)});
