@@ -18,10 +18,12 @@ inline constexpr double capacity_weight = 100;
 /// m_i, and d = h^-2, up to a factor, the wanted density of samples (1 if the sizing is uniform). The
 /// gradient is
 ///   dE/dx_i = -2 integral of d^2 (x - x_i) + 2 capacity_weight * sum over walls (i, j) of (m_i - m_j) g_ij
-/// with g_ij as in capacities.h. Both terms are least for regular hexagons, but capacities are equal for
-/// many sets that are not regular, and descent ends at one of these. Steps are those of L-BFGS (descent.h)
-/// from random samples on; options.max_iterations counts them. Reached "capacity_cv": the standard deviation
-/// of the capacities over their mean. O(n log n + fragments) an iteration. Deterministic. Throws
+/// with g_ij as in capacities.h. Samples that are fixed have no part in the second term (m_i counts as m, the
+/// mean of the others): on a border they have half a cell, and who asked for a whole one would drive the
+/// others away. Both terms are least for regular hexagons, but capacities are equal for many sets that are
+/// not regular, and descent ends at one of these. Steps are those of L-BFGS (descent.h) from random samples
+/// on; options.max_iterations counts them. Reached "capacity_cv": the standard deviation of the capacities
+/// over their mean, of samples that are not fixed. O(n log n + fragments) an iteration. Deterministic. Throws
 /// geom::InputError like random_samples().
 BaselineResult variational_blue_noise(const BaselineTask& task, const OptimizeOptions& options);
 

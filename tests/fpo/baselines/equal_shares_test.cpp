@@ -10,7 +10,8 @@
 #include "fpo/baselines/capacities.h"
 #include "fpo/baselines/ccst.h"
 #include "fpo/baselines/vbs.h"
-#include "fpo/remesh/pipeline.h"
+#include "fpo/measure/quality.h"
+#include "fpo/remesh/remesh_defaults.h"
 #include "geom/mesh/aabb_tree.h"
 #include "tests/fixtures/surfaces.h"
 
@@ -134,5 +135,17 @@ TEST_CASE("vbs, ccst: fixed samples stay; interrupted, they keep what they have"
     CHECK(result.run.reason == StopReason::interrupted);
     CHECK(equal_shares_same(result.samples, method(task, equal_shares_iterations(3)).samples));
     CHECK(equal_shares_same(fixed, {result.samples.begin(), result.samples.begin() + 4}));
+  }
+}
+
+TEST_CASE("vbs: half cells on a border leave the cells inside equal") {
+  const TriMesh mesh = fixtures::tilted_square(2);
+  for (const std::size_t n : {10, 40}) {
+    RemeshOptions options = default_options(n, SizingKind::uniform);
+    use_method(options, Method::vbs);
+    const RemeshResult result = remesh(mesh, options);
+    CHECK(result.feature_samples > n / 3);
+    CHECK(result.reached.back().value < 0.02);  // with half cells among the equal ones .3
+    CHECK(quality(result.mesh, mesh.area()).theta_min > 5);
   }
 }
