@@ -81,8 +81,11 @@ class FacingCurves {
   std::vector<NarrowPlace> narrow_places() const {
     std::vector<NarrowPlace> places;
     for (const Piece& p : pieces_) {
-      const double w = width(p);
-      if (w < reach_) places.push_back({p.middle(), w});
+      bool nearest = true;
+      for (const auto& [w, other] : widths_at(p)) {
+        places.push_back({p.middle(), w, p.curve, other, (p.to - p.from).norm(), nearest});
+        nearest = false;
+      }
     }
     return places;
   }
@@ -104,8 +107,8 @@ class FacingCurves {
     lengths_.push_back(t);
   }
 
-  /// From the middle of p to the nearest piece that faces it; infinity if none is near.
-  double width(const Piece& p) const {
+  /// From the middle of p to the nearest piece of each curve that faces it, with that curve. Ascending.
+  std::vector<std::pair<double, std::size_t>> widths_at(const Piece& p) const {
     const Vec3 x = p.middle();
     std::vector<std::pair<double, std::size_t>> near;
     grid_.around(x, [&](std::size_t i) {
@@ -115,14 +118,16 @@ class FacingCurves {
       if (d < reach_ && d > 0 && !are_beside(p, q, d)) near.emplace_back(d, i);
     });
     std::ranges::sort(near);
+    std::vector<std::pair<double, std::size_t>> result;
     std::vector<std::size_t> seen;  // curves: what of them is not nearest is beyond, or beside
     for (const auto& [d, i] : near) {
       if (std::ranges::find(seen, pieces_[i].curve) != seen.end()) continue;
       seen.push_back(pieces_[i].curve);
       const Vec3 y = geom::closest_point(x, {pieces_[i].from, pieces_[i].to, pieces_[i].to}).point;
-      if (tree_.closest((x + y) / 2, p.facet).distance2 < std::pow(off_surface * d, 2)) return d;
+      if (tree_.closest((x + y) / 2, p.facet).distance2 < std::pow(off_surface * d, 2))
+        result.emplace_back(d, pieces_[i].curve);
     }
-    return infinity;
+    return result;
   }
 
   /// Along one curve, or at a corner of two.
@@ -211,6 +216,7 @@ std::optional<NarrowSurface> narrow_surface(const TriMesh& mesh, const Features&
                                             double gradation) {
   NarrowSurface result;
   result.places = narrow_places(mesh, features, spacing);
+  std::erase_if(result.places, [](const NarrowPlace& place) { return !place.nearest; });
   if (result.places.empty()) return {};
   const LengthLimits near(result.places, split_slope, spacing);
   const auto lengths = [&](const TriMesh& surface) {

@@ -15,18 +15,22 @@ namespace fpo {
 /// A place on a curve that faces another one across the surface.
 struct NarrowPlace {
   geom::Vec3 at;
-  double width;  ///< of the strip between
+  double width;              ///< of the strip between
+  std::size_t curve, other;  ///< that it is on, and that it faces
+  double length;             ///< of the part of the curve that it stands for
+  bool nearest;              ///< of the curves that the place faces
 };
 
-/// Those with a width below .6 times the spacing, some five a spacing or, if less, a width. Two places face
-/// each other if the middle between them is near the surface, and if they are not beside each other on one
-/// curve or at a corner where both curves begin. Ascending along the curves. O(places), by a grid.
+/// Those with a width below .6 times the spacing, some five a spacing or, if less, a width; one for each
+/// curve that a place faces. Two places face each other if the middle between them is near the surface, and
+/// if they are not beside each other on one curve or at a corner where both curves begin. Ascending along the
+/// curves. O(places), by a grid.
 std::vector<NarrowPlace> narrow_places(const geom::TriMesh& mesh, const Features& features, double spacing);
 
 /// A surface with narrow places, and the same one with facets that are small beside the lengths wanted there.
 struct NarrowSurface {
   SplitSurface split;
-  std::vector<NarrowPlace> places;
+  std::vector<NarrowPlace> places;  ///< with the nearest curve each
   double gradation = 0;
   VertexField lengths;  ///< at each vertex of the split mesh: the least of 1.5 widths + gradation * distance
   VertexField distances;  ///< from the nearest place; both +infinity far from all

@@ -5,10 +5,13 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "fpo/features/curve_domain.h"
+#include "fpo/features/facing_curves.h"
 #include "fpo/features/facing_samples.h"
 #include "fpo/optimize.h"
 #include "geom/check.h"
@@ -29,6 +32,7 @@ constexpr double on_surface = 1e-6;  // of the diagonal
 constexpr double longest_edge = 1.25;
 constexpr double fully_spaced = 0.98;  // a curve's samples are evenly spaced then
 constexpr int curve_iterations = 200;
+constexpr double wide_enough = 0.62;  // width over edge length: right triangles have 32 degrees
 
 /// The part of a curve between two samples that stay, or a loop without any.
 struct Stretch {
@@ -56,6 +60,12 @@ double first_gap(double angle) {
   return std::clamp(1 / e, 1.0, 1.4);
 }
 
+/// Stretches whose samples are opposite to the middles of another one's edges, by that one.
+struct Staggered {
+  std::size_t leading, staggered;  ///< stretches
+  double width_share;              ///< width over the length of the leading one
+};
+
 /// Features as samples that are given and stretches between them.
 class Layout {
  public:
@@ -78,12 +88,32 @@ class Layout {
   std::span<const CurveMetric> metrics() const { return metrics_; }
   double missing_shares() const { return missing_shares_; }
 
-  /// Edges of each stretch if lengths are divided by `stretching`.
+  /// Edges of each stretch if lengths are divided by `stretching`; of a staggered one as many as the leading
+  /// one has, half of them at each end of those that are no loops.
   std::vector<std::size_t> edges(double stretching) const {
     std::vector<std::size_t> result;
     for (const Stretch& s : stretches_)
       result.push_back(std::max(s.least_edges, wanted_edges(s.length / stretching)));
+    for (const Staggered& pair : staggered_)
+      if (is_staggered(pair, result))
+        result[pair.staggered] = result[pair.leading] + (stretches_[pair.leading].from.valid() ? 1 : 0);
     return result;
+  }
+
+  /// For pairs of curves that nothing divides.
+  void stagger(std::span<const FacingPair> pairs) {
+    staggered_.clear();
+    for (const FacingPair& pair : pairs) {
+      const auto a = only_stretch(pair.leading), b = only_stretch(pair.staggered);
+      const auto is_b = [&](const Staggered& s) { return s.staggered == *b; };
+      if (a && b && std::ranges::none_of(staggered_, is_b))
+        staggered_.push_back({*a, *b, pair.width / pair.length});
+    }
+  }
+  const std::vector<Staggered>& staggered() const { return staggered_; }
+  /// Whether edges are so long in comparison with the width that it matters.
+  bool is_staggered(const Staggered& pair, std::span<const std::size_t> edges) const {
+    return pair.width_share * static_cast<double>(edges[pair.leading]) < wide_enough;
   }
   std::size_t num_samples(const std::vector<std::size_t>& edges) const {
     std::size_t sum = samples_.size();
@@ -92,6 +122,16 @@ class Layout {
   }
 
  private:
+  std::optional<std::size_t> only_stretch(std::size_t curve) const {
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < stretches_.size(); ++i) {
+      if (stretches_[i].curve != curve) continue;
+      if (found) return {};
+      found = i;
+    }
+    return found;
+  }
+
   void measure_vertices() {
     for (FacetId t(0); t.index() < mesh_.num_facets(); t = FacetId(t.value + 1))
       for (std::size_t i = 0; i < 3; ++i) {
@@ -142,12 +182,17 @@ class Layout {
   }
 
   void require_simplicial() {
-    std::set<std::pair<SiteId, SiteId>> joined;
-    for (Stretch& s : stretches_)
-      if (!s.from.valid() || s.from == s.to)
+    std::map<std::pair<SiteId, SiteId>, Stretch*> shortest;  // of those that join the same two samples
+    for (Stretch& s : stretches_) {
+      if (!s.from.valid() || s.from == s.to) {
         s.least_edges = 3;
-      else if (!joined.insert(std::minmax(s.from, s.to)).second)
-        s.least_edges = 2;
+        continue;
+      }
+      const auto [at, is_first] = shortest.try_emplace(std::minmax(s.from, s.to), &s);
+      if (is_first) continue;
+      Stretch& longer = s.length < at->second->length ? *std::exchange(at->second, &s) : s;
+      longer.least_edges = 2;
+    }
   }
 
   /// Marks the ends of stretches that leave a corner at less than 60 degrees to another one.
@@ -194,6 +239,7 @@ class Layout {
   std::map<std::array<double, 3>, SiteId> at_;
   std::map<VertexId, SiteId> corner_;
   std::vector<Stretch> stretches_;
+  std::vector<Staggered> staggered_;
   double missing_shares_ = 0;
 };
 
@@ -281,6 +327,58 @@ class Shells {
   std::map<SiteId, double> radius_;
 };
 
+/// Of a staggered curve, in edges of the leading one, by the width in these: half an edge where the strip is
+/// so narrow that it must, more where it need not, for the sake of what is on the other side.
+double end_gap(double width) { return std::clamp(1.5 * width, 0.5, 0.62); }
+
+/// Opposite to the middles of the leading stretch's edges, or about so near its ends. None if the surface
+/// does not let them be apart.
+std::vector<double> staggered_places(const Layout& layout, const Staggered& pair,
+                                     const std::vector<double>& leading) {
+  const Stretch &a = layout.stretches()[pair.leading], &b = layout.stretches()[pair.staggered];
+  std::vector<double> stops = leading, places;
+  const bool is_loop = !a.from.valid();
+  if (!is_loop) stops.insert(stops.begin(), 0);
+  stops.push_back(is_loop ? leading.front() + a.length : a.length);
+  const double edges = static_cast<double>(stops.size() - 1);
+  const double first = is_loop ? 0.5 : end_gap(pair.width_share * edges);
+  const double gap = stops.size() > 2 && !is_loop ? (edges - 2 * first) / (edges - 1) : 1;
+  for (std::size_t k = 0; k + 1 < stops.size(); ++k) {
+    const double phase = stops.size() == 2 ? 0.5 : first + gap * static_cast<double>(k);
+    const auto i = std::min(static_cast<std::size_t>(phase), stops.size() - 2);
+    const double t = stops[i] + (phase - static_cast<double>(i)) * (stops[i + 1] - stops[i]);
+    const Vec3 x = layout.metric(a.curve).at(t < a.length ? t : t - a.length).position;
+    places.push_back(layout.metric(b.curve).nearest(x).t);
+  }
+  std::ranges::sort(places);
+  const double least_gap = 0.3 * b.length / static_cast<double>(places.size());
+  double before = b.from.valid() ? 0 : places.back() - b.length;
+  for (const double t : places) {
+    if (t - before < least_gap) return {};
+    before = t;
+  }
+  if (b.from.valid() && b.length - before < least_gap) return {};
+  return places;
+}
+
+/// Where on each stretch its samples are.
+std::vector<std::vector<double>> places_along(const Layout& layout, std::span<const std::size_t> edges,
+                                              std::uint64_t seed) {
+  const Shells shells(layout, edges);
+  std::vector<std::vector<double>> places;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const Stretch& s = layout.stretches()[i];
+    places.push_back(spread(s.length, !s.from.valid(), edges[i] - (s.from.valid() ? 1 : 0), seed + i));
+    shells.keep(s, places[i]);
+  }
+  for (const Staggered& pair : layout.staggered()) {
+    if (!layout.is_staggered(pair, edges)) continue;
+    std::vector<double> opposite = staggered_places(layout, pair, places[pair.leading]);
+    if (!opposite.empty()) places[pair.staggered] = std::move(opposite);
+  }
+  return places;
+}
+
 /// The least stretching, in steps, with which the features take no more than `most` samples.
 std::vector<std::size_t> affordable_edges(const Layout& layout, std::size_t most) {
   const std::size_t least = layout.num_samples(layout.edges(std::numeric_limits<double>::infinity()));
@@ -315,11 +413,14 @@ std::size_t least_number_of_samples(const TriMesh& mesh, const Features& feature
 }
 
 FeatureSamples sample_features(const TriMesh& mesh, const Features& features,
-                               std::span<const SurfaceSample> fixed, const Sizing& sizing, std::size_t most,
-                               std::uint64_t seed) {
-  const Layout layout(mesh, features, fixed, sizing);
-  const std::vector<std::size_t> edges = affordable_edges(layout, most);
-  const Shells shells(layout, edges);
+                               std::span<const SurfaceSample> fixed, const Sizing& sizing,
+                               const CurveSampling& options) {
+  Layout layout(mesh, features, fixed, sizing);
+  layout.stagger(options.pairs);
+  if (layout.num_samples(layout.edges(std::numeric_limits<double>::infinity())) > options.most)
+    layout.stagger({});  // it takes a sample more a curve
+  const std::vector<std::size_t> edges = affordable_edges(layout, options.most);
+  const std::vector<std::vector<double>> places = places_along(layout, edges, options.seed);
   FeatureSamples result{layout.samples(), {}, layout.missing_shares(), layout.samples().size()};
   result.chains.resize(features.curves.size());
   ChainPlaces chain_places(features.curves.size());
@@ -329,10 +430,7 @@ FeatureSamples sample_features(const TriMesh& mesh, const Features& features,
     std::vector<SiteId>& chain = result.chains[s.curve];
     std::vector<double>& on_chain = chain_places[s.curve];
     if (s.from.valid() && chain.empty()) chain.push_back(s.from), on_chain.push_back(s.start);
-    std::vector<double> places =
-        spread(s.length, !s.from.valid(), edges[i] - (s.from.valid() ? 1 : 0), seed + i);
-    shells.keep(s, places);
-    for (const double t : places) {
+    for (const double t : places[i]) {
       chain.emplace_back(result.samples.size()), on_chain.push_back(s.start + t);
       result.samples.push_back(
           metric.at(s.start + t < metric.length() ? s.start + t : s.start + t - metric.length()));
@@ -341,7 +439,7 @@ FeatureSamples sample_features(const TriMesh& mesh, const Features& features,
     chain.push_back(s.from.valid() ? s.to : chain.front());
     on_chain.push_back(s.from.valid() ? s.start + s.length : on_chain.front() + s.length);
   }
-  face_each_other(features, layout.metrics(), std::move(chain_places), most, result);
+  face_each_other(features, layout.metrics(), std::move(chain_places), options.most, result);
   return result;
 }
 
@@ -349,10 +447,13 @@ SharedSizing share_sizing(const TriMesh& mesh, const Features& features, std::sp
                           std::size_t n, const std::function<Sizing(std::size_t)>& sizing_for,
                           std::uint64_t seed) {
   constexpr int rounds = 4;
+  std::vector<FacingPair> pairs;
+  if (!features.curves.empty())
+    pairs = facing_pairs(mesh, features, narrow_places(mesh, features, hexagonal_spacing(mesh.area(), n)));
   std::size_t wanted = n;
   for (int round = 1;; ++round) {
     SharedSizing result{sizing_for(wanted), {}};
-    result.features = sample_features(mesh, features, fixed, result.sizing, n, seed);
+    result.features = sample_features(mesh, features, fixed, result.sizing, {n, seed, pairs});
     const auto next = static_cast<std::size_t>(
         std::max(1.0, static_cast<double>(n) + std::round(result.features.missing_shares)));
     if (next == wanted || round == rounds) return result;

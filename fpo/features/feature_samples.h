@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "fpo/features/facing_curves.h"
 #include "fpo/features/features.h"
 #include "fpo/surface/sizing.h"
 #include "fpo/surface/surface_sample.h"
@@ -31,17 +32,25 @@ struct FeatureSamples {
 /// is farther from the surface than 1e-6 of its diagonal. O(F log F + points log F).
 std::vector<SurfaceSample> points_on_surface(const geom::TriMesh& mesh, std::span<const geom::Vec3> points);
 
+struct CurveSampling {
+  std::size_t most = 0;  ///< samples
+  std::uint64_t seed = 1;
+  std::span<const FacingPair> pairs = {};  ///< of the features (facing_curves.h)
+};
+
 /// Samples all features, with about the spacing that the sizing wants, but not more than `most` samples in
-/// all. Between two fixed ones there is at least what makes the curves a simplicial complex: a loop has three
-/// edges, and only one of several curves between the same two corners may be a single edge. `fixed` points on
-/// a curve divide it. Where curves leave a corner at an angle a below 60 degrees, all of these have their
-/// first sample at the same distance from it, longer than later gaps by as much as it takes for triangles
-/// between the curves to have angles of min(30, a). Samples of curves that are close face each other
-/// (facing_samples.h). Throws InputError, naming the least number, if that is
-/// more than `most`. Deterministic.
+/// all. Where edges would be longer than 1.6 widths of the strip between facing curves, samples of one are
+/// opposite to the middles of the other's edges. Between two fixed ones there is at least what makes the
+/// curves a simplicial complex: a loop has three edges, and only one of several curves between the same two
+/// corners may be a single edge, the shortest. `fixed` points on a curve divide it. Where curves leave a
+/// corner at an angle a below 60 degrees, all of these have their first sample at the same distance from it,
+/// longer than later gaps by as much as it takes for triangles between the curves to have angles of
+/// min(30, a); staggered ones have not. At last samples of curves that are close face each other
+/// (facing_samples.h). Throws InputError, naming the least number, if that is more than `most`.
+/// Deterministic.
 FeatureSamples sample_features(const geom::TriMesh& mesh, const Features& features,
-                               std::span<const SurfaceSample> fixed, const Sizing& sizing, std::size_t most,
-                               std::uint64_t seed);
+                               std::span<const SurfaceSample> fixed, const Sizing& sizing,
+                               const CurveSampling& options);
 
 /// What sample_features() needs at least.
 std::size_t least_number_of_samples(const geom::TriMesh& mesh, const Features& features,

@@ -142,7 +142,7 @@ void set_number_there(const TriMesh& surface, const Lengths& lengths, RemeshOpti
   const Features features = features_of(surface, options, hexagonal_spacing(surface.area(), count));
   const std::vector<SurfaceSample> fixed = points_on_surface(surface, options.fixed);
   const FeatureSamples samples =
-      sample_features(surface, features, fixed, sizing, 2 * most_samples_by_length, options.seed);
+      sample_features(surface, features, fixed, sizing, {2 * most_samples_by_length, options.seed});
   options.num_samples =
       std::max(checked(inner + samples.missing_shares), least_number_of_samples(surface, features, fixed));
 }

@@ -412,7 +412,7 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
                            const RemeshOptions& options) {
   constexpr double small_angle = 30;
   const auto is_fine = [](const RemeshResult& r) {
-    return r.type.ok() && r.measures.theta_min >= small_angle;
+    return r.type.ok() && r.measures.theta_min >= small_angle && r.broken_feature_edges == 0;
   };
   RemeshResult together = remesh_with(surface, choice, options);
   if (options.sheets != Sheets::automatic || options.method != Method::fpo || interrupted(options) ||
@@ -423,7 +423,8 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
   RemeshResult apart = remesh_with(surface, choice, with_levels, true);
   if (!apart.has_levels || interrupted(options)) return together;
   const auto rank = [](const RemeshResult& r) {
-    return std::tuple(r.type.ok(), -static_cast<long>(r.broken_feature_edges), r.measures.theta_min);
+    return std::tuple(r.type.ok(), r.measures.theta_min >= small_angle,
+                      -static_cast<long>(r.broken_feature_edges), r.measures.theta_min);
   };
   return rank(apart) > rank(together) ? apart : together;
 }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 
 namespace fpo {
 
@@ -26,11 +28,34 @@ double extra_samples(double low, double high, double gradation) {
   return std::numbers::pi / std::sqrt(0.75) * std::max(graded - even, 0.0);
 }
 
+using Chain = std::vector<SiteId>;
+
+/// Closed chains, and pairs of chains that join the same two corners as one.
+std::vector<Chain> closed_chains(const std::vector<Chain>& chains) {
+  std::vector<Chain> closed;
+  std::map<std::pair<SiteId, SiteId>, const Chain*> open;
+  for (const Chain& chain : chains) {
+    if (chain.size() < 2) continue;
+    if (chain.front() == chain.back()) {
+      closed.push_back(chain);
+      continue;
+    }
+    const auto [at, is_first] = open.try_emplace(std::minmax(chain.front(), chain.back()), &chain);
+    if (is_first) continue;
+    Chain both = *at->second;
+    if (chain.front() == both.back())
+      both.insert(both.end(), chain.begin() + 1, chain.end());
+    else
+      both.insert(both.end(), chain.rbegin() + 1, chain.rend());
+    closed.push_back(std::move(both));
+  }
+  return closed;
+}
+
 std::vector<SmallLoop> small_loops(const SharedSizing& shared, double gradation) {
   std::vector<SmallLoop> loops;
   const std::vector<SurfaceSample>& samples = shared.features.samples;
-  for (const std::vector<SiteId>& chain : shared.features.chains) {
-    if (chain.size() < 2 || chain.front() != chain.back()) continue;
+  for (const Chain& chain : closed_chains(shared.features.chains)) {
     double length = 0;
     for (std::size_t i = 0; i + 1 < chain.size(); ++i)
       length += (samples[chain[i].index()].position - samples[chain[i + 1].index()].position).norm();

@@ -7,7 +7,7 @@
 namespace fpo {
 
 struct SmallLoops {
-  std::size_t loops = 0;  ///< closed chains with edges shorter than .6 wanted lengths
+  std::size_t loops = 0;  ///< closed chains, or two between the same corners, with edges < .6 wanted lengths
   Sizing sizing;          ///< lowered around these, by at most what `most_scale` permits
 };
 

@@ -19,7 +19,7 @@ struct Scene {
       : mesh(geom::make_shape(name)),
         sizing(Sizing::uniform(hexagonal_spacing(mesh.area(), n))),
         features(find_features(mesh)),
-        on_curves(sample_features(mesh, features, {}, sizing, n, 1)),
+        on_curves(sample_features(mesh, features, {}, sizing, {n, 1})),
         slides(mesh, features, on_curves, sizing),
         domain(mesh, sizing, all(n), {.num_fixed = on_curves.samples.size()}) {}
 

