@@ -32,6 +32,7 @@ constexpr double on_surface = 1e-6;  // of the diagonal
 constexpr double longest_edge = 1.25;
 constexpr double fully_spaced = 0.98;  // a curve's samples are evenly spaced then
 constexpr int curve_iterations = 200;
+constexpr double too_narrow = 0.4;    // a sample so near to the middle of an edge parts its ends
 constexpr double wide_enough = 0.62;  // width over edge length: right triangles have 32 degrees
 
 /// The part of a curve between two samples that stay, or a loop without any.
@@ -111,9 +112,10 @@ class Layout {
     }
   }
   const std::vector<Staggered>& staggered() const { return staggered_; }
-  /// Whether edges are so long in comparison with the width that it matters.
+  /// Whether edges are so long in comparison with the width that it matters, and not too long.
   bool is_staggered(const Staggered& pair, std::span<const std::size_t> edges) const {
-    return pair.width_share * static_cast<double>(edges[pair.leading]) < wide_enough;
+    const double width = pair.width_share * static_cast<double>(edges[pair.leading]);
+    return width >= too_narrow && width < wide_enough;
   }
   std::size_t num_samples(const std::vector<std::size_t>& edges) const {
     std::size_t sum = samples_.size();
