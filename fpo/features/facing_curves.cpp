@@ -15,14 +15,6 @@ namespace {
 constexpr double nearly_all = 0.8;  // of the length of a curve but for two widths at its ends
 constexpr double opposite = 1.6;    // widths between ends that are
 
-double length_of(const TriMesh& mesh, const FeatureCurve& curve) {
-  double sum = 0;
-  for (std::size_t i = 0; i < curve.facets.size(); ++i)
-    sum += (mesh.position(curve.vertices[(i + 1) % curve.vertices.size()]) - mesh.position(curve.vertices[i]))
-               .norm();
-  return sum;
-}
-
 bool ends_are_opposite(const TriMesh& mesh, const FeatureCurve& a, const FeatureCurve& b, double width) {
   if (a.loop || b.loop) return a.loop && b.loop;
   const VertexId a0 = a.vertices.front(), a1 = a.vertices.back(), b0 = b.vertices.front(),
@@ -34,7 +26,7 @@ bool ends_are_opposite(const TriMesh& mesh, const FeatureCurve& a, const Feature
 }
 
 /// How one curve faces another.
-struct Facing {
+struct FacedCurve {
   double length = 0;  ///< of the first, as far as it does
   std::vector<double> widths;
 };
@@ -47,13 +39,13 @@ struct Candidate {
 
 std::vector<Candidate> candidates(const TriMesh& mesh, const Features& features,
                                   std::span<const NarrowPlace> places) {
-  std::map<std::pair<std::size_t, std::size_t>, Facing> facing;
+  std::map<std::pair<std::size_t, std::size_t>, FacedCurve> facing;
   for (const NarrowPlace& place : places) {
-    Facing& f = facing[{place.curve, place.other}];
+    FacedCurve& f = facing[{place.curve, place.other}];
     f.length += place.length;
     f.widths.push_back(place.width);
   }
-  const auto is_all_along = [&](std::size_t c, const Facing& f, double width) {
+  const auto is_all_along = [&](std::size_t c, const FacedCurve& f, double width) {
     const FeatureCurve& curve = features.curves[c];
     return f.length >= nearly_all * (length_of(mesh, curve) - (curve.loop ? 0 : 2 * width));
   };

@@ -18,14 +18,6 @@ constexpr double turn_scale = 0.5, collapsed = 0.5, fading = 2, long_as_closed =
 
 constexpr double cos_side_by_side = 0.9;  // 26 degrees
 
-double length_of(const TriMesh& mesh, const FeatureCurve& curve) {
-  double sum = 0;
-  for (std::size_t i = 0; i < curve.facets.size(); ++i)
-    sum += (mesh.position(curve.vertices[(i + 1) % curve.vertices.size()]) - mesh.position(curve.vertices[i]))
-               .norm();
-  return sum;
-}
-
 void reverse(FeatureCurve& curve) {
   std::ranges::reverse(curve.vertices);
   std::ranges::reverse(curve.facets);

@@ -441,21 +441,23 @@ FeatureSamples sample_features(const TriMesh& mesh, const Features& features,
     chain.push_back(s.from.valid() ? s.to : chain.front());
     on_chain.push_back(s.from.valid() ? s.start + s.length : on_chain.front() + s.length);
   }
-  face_each_other(features, layout.metrics(), std::move(chain_places), options.most, result);
+  if (options.facing)
+    face_each_other(features, layout.metrics(), std::move(chain_places), options.most, result);
   return result;
 }
 
 SharedSizing share_sizing(const TriMesh& mesh, const Features& features, std::span<const SurfaceSample> fixed,
-                          std::size_t n, const std::function<Sizing(std::size_t)>& sizing_for,
-                          std::uint64_t seed) {
+                          const std::function<Sizing(std::size_t)>& sizing_for, CurveSampling sampling) {
   constexpr int rounds = 4;
+  const std::size_t n = sampling.most;
   std::vector<FacingPair> pairs;
-  if (!features.curves.empty())
+  if (!features.curves.empty() && !sampling.facing)
     pairs = facing_pairs(mesh, features, narrow_places(mesh, features, hexagonal_spacing(mesh.area(), n)));
+  sampling.pairs = pairs;
   std::size_t wanted = n;
   for (int round = 1;; ++round) {
     SharedSizing result{sizing_for(wanted), {}};
-    result.features = sample_features(mesh, features, fixed, result.sizing, {n, seed, pairs});
+    result.features = sample_features(mesh, features, fixed, result.sizing, sampling);
     const auto next = static_cast<std::size_t>(
         std::max(1.0, static_cast<double>(n) + std::round(result.features.missing_shares)));
     if (next == wanted || round == rounds) return result;

@@ -35,7 +35,8 @@ std::vector<SurfaceSample> points_on_surface(const geom::TriMesh& mesh, std::spa
 struct CurveSampling {
   std::size_t most = 0;  ///< samples
   std::uint64_t seed = 1;
-  std::span<const FacingPair> pairs = {};  ///< of the features (facing_curves.h)
+  std::span<const FacingPair> pairs = {};  ///< of the features, to be staggered (facing_curves.h)
+  bool facing = false;                     ///< samples of close curves face each other (facing_samples.h)
 };
 
 /// Samples all features, with about the spacing that the sizing wants, but not more than `most` samples in
@@ -45,9 +46,8 @@ struct CurveSampling {
 /// corners may be a single edge, the shortest. `fixed` points on a curve divide it. Where curves leave a
 /// corner at an angle a below 60 degrees, all of these have their first sample at the same distance from it,
 /// longer than later gaps by as much as it takes for triangles between the curves to have angles of
-/// min(30, a); staggered ones have not. At last samples of curves that are close face each other
-/// (facing_samples.h). Throws InputError, naming the least number, if that is more than `most`.
-/// Deterministic.
+/// min(30, a); staggered ones have not. Throws InputError, naming the least number, if that is more than
+/// `most`. Deterministic.
 FeatureSamples sample_features(const geom::TriMesh& mesh, const Features& features,
                                std::span<const SurfaceSample> fixed, const Sizing& sizing,
                                const CurveSampling& options);
@@ -64,10 +64,10 @@ struct SharedSizing {
 
 /// Finds it for exactly n samples. `sizing_for` gives the sizing that calls for so many inner samples; it is
 /// asked for n and the shares that feature samples leave to the others, again until that is steady: two or
-/// three times.
+/// three times. `sampling`: n is the most; pairs are found here, unless samples face each other.
 SharedSizing share_sizing(const geom::TriMesh& mesh, const Features& features,
-                          std::span<const SurfaceSample> fixed, std::size_t n,
-                          const std::function<Sizing(std::size_t)>& sizing_for, std::uint64_t seed);
+                          std::span<const SurfaceSample> fixed,
+                          const std::function<Sizing(std::size_t)>& sizing_for, CurveSampling sampling);
 
 /// The edges of the chains that are no edges of the remesh.
 std::size_t num_broken_edges(const geom::TriMesh& remesh, const FeatureSamples& features);

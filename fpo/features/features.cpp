@@ -358,6 +358,14 @@ std::vector<VertexId> apexes(const TriMesh& mesh, const Skeleton& skeleton, doub
 
 }  // namespace
 
+double length_of(const TriMesh& mesh, const FeatureCurve& curve) {
+  double sum = 0;
+  for (std::size_t i = 0; i < curve.facets.size(); ++i)
+    sum += (mesh.position(curve.vertices[(i + 1) % curve.vertices.size()]) - mesh.position(curve.vertices[i]))
+               .norm();
+  return sum;
+}
+
 FeatureOptions automatic_features() {
   FeatureOptions options;
   options.least_closed_share = 2.0 / 3;

@@ -50,6 +50,8 @@ struct FeatureCurve {
   std::size_t sheets = 0;  ///< facets at each edge: 1 border, 2 crease, more: non-manifold
 };
 
+double length_of(const geom::TriMesh& mesh, const FeatureCurve& curve);
+
 struct Features {
   std::vector<geom::VertexId> corners;  ///< ascending
   std::vector<FeatureCurve> curves;

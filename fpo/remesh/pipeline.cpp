@@ -66,7 +66,7 @@ SharedSizing sizing_and_features(const Task& task, const RemeshOptions& options)
   };
   SharedSizing shared =
       share_sizing(task.surface(), task.features, points_on_surface(task.surface(), options.fixed),
-                   options.num_samples, sizing_for, options.seed);
+                   sizing_for, {options.num_samples, options.seed, {}, options.facing_samples});
   // Room is made in even lengths only: of lengths that were asked for none is changed.
   if (options.mend && options.method == Method::fpo && options.sizing == SizingKind::uniform)
     shared.sizing = make_room_for_small_loops(task.surface(), shared, options.num_samples, thin.gradation,
@@ -407,26 +407,35 @@ RemeshResult remesh_with(const geom::TriMesh& surface, const FeatureChoice& choi
   return result;
 }
 
-/// Sheets that are left to us are together unless that does harm and being apart helps.
+/// Sheets that are left to us are together unless that does harm and being apart helps. Samples of close
+/// curves face each other if edges of curves are lost else.
 RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& choice,
                            const RemeshOptions& options) {
   constexpr double small_angle = 30;
-  const auto is_fine = [](const RemeshResult& r) {
-    return r.type.ok() && r.measures.theta_min >= small_angle && r.broken_feature_edges == 0;
-  };
-  RemeshResult together = remesh_with(surface, choice, options);
-  if (options.sheets != Sheets::automatic || options.method != Method::fpo || interrupted(options) ||
-      is_fine(together))
-    return together;
+  RemeshResult best = remesh_with(surface, choice, options);
+  if (options.sheets != Sheets::automatic || options.method != Method::fpo ||
+      (best.type.ok() && best.broken_feature_edges == 0 && best.measures.theta_min >= small_angle))
+    return best;
   RemeshOptions with_levels = options;
   with_levels.sheets = Sheets::apart;
-  RemeshResult apart = remesh_with(surface, choice, with_levels, true);
-  if (!apart.has_levels || interrupted(options)) return together;
   const auto rank = [](const RemeshResult& r) {
-    return std::tuple(r.type.ok(), r.measures.theta_min >= small_angle,
+    return std::tuple(r.type.ok(), r.broken_feature_edges == 0, r.measures.theta_min >= small_angle,
                       -static_cast<long>(r.broken_feature_edges), r.measures.theta_min);
   };
-  return rank(apart) > rank(together) ? apart : together;
+  const auto attempt = [&](const RemeshOptions& otherwise, bool only_apart) {
+    if (interrupted(options)) return;
+    RemeshResult other = remesh_with(surface, choice, otherwise, only_apart);
+    if (interrupted(options) || (only_apart && !other.has_levels)) return;
+    if (rank(other) > rank(best)) best = std::move(other);
+  };
+  attempt(with_levels, true);
+  if (best.broken_feature_edges > 0) {
+    RemeshOptions facing = options;
+    facing.facing_samples = true;
+    facing.sheets = best.has_levels ? Sheets::apart : Sheets::together;
+    attempt(facing, false);
+  }
+  return best;
 }
 
 /// Creases that nobody asked for are kept unless that alone does harm.

@@ -51,6 +51,7 @@ struct RemeshOptions {
   std::size_t tile_samples = 0;  ///< in a tile (tiled_optimize.h), if there are more; 0: no tiles
   int threads = 1;               ///< no matter to the result
   Sheets sheets = Sheets::automatic;
+  bool facing_samples = false;   ///< of close curves (facing_samples.h); tried if `sheets` is automatic
   bool mend = true;              ///< bring samples to where the remesh is no surface, or of another type
   bool optimize_angles = true;   ///< afterwards (section 5)
   AngleOptions angles;           ///< wanted then; its interruption is overruled

@@ -7,8 +7,6 @@
 namespace geom {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// The corner between edges with these labels, in whichever order; null if there is none.
 const RoundedPoint* find_corner(std::span<const PolygonCorner> corners, EdgeLabel one, EdgeLabel two) {
   EdgeLabel before = corners.back().edge;

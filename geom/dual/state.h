@@ -17,6 +17,8 @@
 
 namespace geom {
 
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
 /// What one update did. Valid until the next one. An id may be erased and created in the same change: erase
 /// first.
 struct DualChange {

@@ -51,7 +51,7 @@ std::vector<Job> all_jobs() {
       {"fpo-quality", {"torus.obj", "--reference", "torus.obj"}, {}, false, 0},
       {"fpo-shape", {"torus", "--size", "60", "-o", "@out.obj"}, {"out.obj"}, false, 0},
       {"fpo-trace", {"torus.obj", "-n", "200", "--move", "30", "-o", "@"}, {}, false, 0}};
-  for (const char* stage : {"before", "removed", "after"})
+  for (const char* stage : {"before", "removed", "after", "there-before", "there-after"})
     for (const char* extension : {".svg", ".obj"})
       jobs.back().outputs.push_back(std::string(stage) + extension);
   for (Job& job : jobs)  // with mps and cps about as many samples

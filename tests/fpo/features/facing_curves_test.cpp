@@ -15,7 +15,7 @@ using geom::Vec3;
 
 namespace {
 
-TriMesh block(double x, double y, double z) {
+TriMesh facing_curves_block(double x, double y, double z) {
   return geom::mapped(geom::make_shape("cube"), [&](const Vec3& p) -> Vec3 {
     return {x * p.x(), y * p.y(), z * p.z()};
   });
@@ -48,7 +48,7 @@ double least_angle_across(const FeatureSamples& f, std::size_t on, std::size_t o
 }  // namespace
 
 TEST_CASE("facing curves: the rims of a slab in four pairs, each rim's edges all in step") {
-  const TriMesh slab = block(1, 1, 0.05), cube = block(1, 1, 1);
+  const TriMesh slab = facing_curves_block(1, 1, 0.05), cube = facing_curves_block(1, 1, 1);
   const Features features = find_features(slab);
   const std::vector<FacingPair> pairs = pairs_of(slab, features, 0.2);
   REQUIRE(pairs.size() == 4);
@@ -63,7 +63,7 @@ TEST_CASE("facing curves: the rims of a slab in four pairs, each rim's edges all
 }
 
 TEST_CASE("facing curves: around a bar of four long edges they lead and are staggered by turns") {
-  const TriMesh bar = block(1, 0.05, 0.06);
+  const TriMesh bar = facing_curves_block(1, 0.05, 0.06);
   const std::vector<FacingPair> pairs = pairs_of(bar, find_features(bar), 0.2);
   std::set<std::size_t> leading, staggered;
   for (const FacingPair& pair : pairs)
@@ -75,7 +75,7 @@ TEST_CASE("facing curves: around a bar of four long edges they lead and are stag
 
 TEST_CASE("facing curves: staggered samples give a strip half as wide as its edges good triangles") {
   for (const double width : {0.042, 0.05}) {
-    const TriMesh slab = block(1, 1, width);
+    const TriMesh slab = facing_curves_block(1, 1, width);
     const Features features = find_features(slab);
     const double h = 0.1;
     const std::vector<FacingPair> pairs = pairs_of(slab, features, 0.2);
@@ -95,7 +95,7 @@ TEST_CASE("facing curves: staggered samples give a strip half as wide as its edg
 }
 
 TEST_CASE("facing curves: where edges are as short as the strip is wide nothing changes") {
-  const TriMesh slab = block(1, 1, 0.1);
+  const TriMesh slab = facing_curves_block(1, 1, 0.1);
   const Features features = find_features(slab);
   const std::vector<FacingPair> pairs = pairs_of(slab, features, 0.2);
   REQUIRE(!pairs.empty());

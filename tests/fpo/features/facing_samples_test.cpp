@@ -78,7 +78,7 @@ TEST_CASE("facing samples: however thin a bar is, no ball about an edge holds an
     CAPTURE(thick);
     const TriMesh bar = facing_samples_block(1, 0.37, thick);
     const Features features = find_features(bar);
-    const FeatureSamples samples = sample_features(bar, features, {}, sizing, 5000, 1);
+    const FeatureSamples samples = sample_features(bar, features, {}, sizing, {5000, 1, {}, true});
     const Placed there = placed(bar, features, sizing, samples);
     CHECK(crowded_edges(there.metrics, there.places, samples).empty());
     CHECK(crowded_by_brute_force(there, samples) == 0);
@@ -92,7 +92,7 @@ TEST_CASE("facing samples: holes beside a border, gears, threads: empty balls, a
     const TriMesh mesh = geom::make_shape(name);
     const Features features = find_features(mesh);
     const Sizing sizing = Sizing::uniform(mesh.diagonal() / 24);
-    const FeatureSamples samples = sample_features(mesh, features, {}, sizing, 5000, 1);
+    const FeatureSamples samples = sample_features(mesh, features, {}, sizing, {5000, 1, {}, true});
     const Placed there = placed(mesh, features, sizing, samples);
     CHECK(crowded_edges(there.metrics, there.places, samples).empty());
     CHECK(crowded_by_brute_force(there, samples) == 0);
@@ -109,5 +109,6 @@ TEST_CASE("facing samples: nothing is added beyond the number that is allowed") 
   const Features features = find_features(bar);
   const std::size_t least = least_number_of_samples(bar, features, {});
   for (std::size_t most = least; most < least + 40; most += 7)
-    CHECK(sample_features(bar, features, {}, Sizing::uniform(0.11), most, 1).samples.size() <= most);
+    CHECK(sample_features(bar, features, {}, Sizing::uniform(0.11), {most, 1, {}, true}).samples.size() <=
+          most);
 }

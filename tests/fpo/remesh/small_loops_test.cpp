@@ -16,7 +16,7 @@ SharedSizing shared_for(const TriMesh& mesh, std::size_t n) {
   const auto sizing_for = [&](std::size_t count) {
     return Sizing::uniform(hexagonal_spacing(mesh.area(), count));
   };
-  return share_sizing(mesh, find_features(mesh, options), {}, n, sizing_for, 1);
+  return share_sizing(mesh, find_features(mesh, options), {}, sizing_for, {n});
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ double smallest_angle(const TriMesh& mesh, FacetId t) {
   return least * 180 / std::numbers::pi;
 }
 
-geom::HoleFilling fill(MeshArrays& mesh, double length = any_length) {
+geom::HoleFilling holes_fill(MeshArrays& mesh, double length = any_length) {
   return geom::fill_holes(mesh.vertices, mesh.facets, {length, 0});
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("holes: single lost facets come back") {
   const TriMesh mesh = geom::make_shape("torus");
   Rng rng(3);
   MeshArrays holed = fixtures::arrays_of(fixtures::with_holes(mesh, 0.005, rng));
-  const geom::HoleFilling done = fill(holed);
+  const geom::HoleFilling done = holes_fill(holed);
   CHECK(done.filled > 0);
   CHECK(done.left == 0);
   const TriMesh closed = holed.take();
@@ -130,7 +130,7 @@ TEST_CASE("holes: a large one is filled like its surroundings") {
   const double r = mesh.box().max().x();
   MeshArrays holed = fixtures::arrays_of(without_ball(mesh, Vec3(0, 0, r), 0.6 * r));
   const std::size_t facets_before = holed.facets.size(), vertices_before = holed.vertices.size();
-  const geom::HoleFilling done = fill(holed);
+  const geom::HoleFilling done = holes_fill(holed);
   CHECK(done.filled == 1);
   CHECK(done.vertices > 10);
   const TriMesh closed = holed.take();
@@ -152,13 +152,13 @@ TEST_CASE("holes: a large one is filled like its surroundings") {
 TEST_CASE("holes: longer borders than asked for stay, and so does a triangle by itself") {
   const TriMesh tube = geom::make_shape("tube");
   MeshArrays open = fixtures::arrays_of(tube);
-  const geom::HoleFilling none = fill(open, 1e-3);
+  const geom::HoleFilling none = holes_fill(open, 1e-3);
   CHECK(none.filled == 0);
   CHECK(none.left == 2);
   CHECK(none.longest_left > 0);
-  CHECK(fill(open).filled == 2);
+  CHECK(holes_fill(open).filled == 2);
   CHECK(geom::topology(open.take()).euler == 2);
   MeshArrays triangle{{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)},
                       {{VertexId(0), VertexId(1), VertexId(2)}}};
-  CHECK(fill(triangle).filled == 0);
+  CHECK(holes_fill(triangle).filled == 0);
 }
