@@ -418,9 +418,11 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
     return best;
   RemeshOptions with_levels = options;
   with_levels.sheets = Sheets::apart;
-  const auto rank = [](const RemeshResult& r) {
-    return std::tuple(r.type.ok(), r.broken_feature_edges == 0, r.measures.theta_min >= small_angle,
-                      -static_cast<long>(r.broken_feature_edges), r.measures.theta_min);
+  const auto rank = [](const RemeshResult& r) {  // a tenth of the edges weighs as much as all angles
+    const double edges = static_cast<double>(std::max<std::size_t>(r.feature_edges, 1));
+    const double lost = static_cast<double>(r.broken_feature_edges) / edges;
+    const double theta = r.measures.theta_min;
+    return std::tuple(r.type.ok(), std::min(theta / small_angle, 1.0) - 10 * lost, theta);
   };
   const auto attempt = [&](const RemeshOptions& otherwise, bool only_apart) {
     if (interrupted(options)) return;
@@ -429,7 +431,7 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
     if (rank(other) > rank(best)) best = std::move(other);
   };
   attempt(with_levels, true);
-  if (best.broken_feature_edges > 0) {
+  if (best.type.ok() && best.broken_feature_edges > 0) {
     RemeshOptions facing = options;
     facing.facing_samples = true;
     facing.sheets = best.has_levels ? Sheets::apart : Sheets::together;
@@ -440,16 +442,21 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
 
 /// Creases that nobody asked for are kept unless that alone does harm.
 RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {
+  constexpr double useless_angle = 10;
   RemeshResult result = remesh_sheets(surface, chosen_features(surface, options), options);
+  const double theta = result.measures.theta_min;
+  const bool is_useful = result.type.ok() && (result.broken_feature_edges == 0 || theta >= useless_angle);
   if (result.crease_curves == 0 || !options.features->yielding || options.method != Method::fpo ||
-      interrupted(options) || !geom::topology(surface).manifold() || result.type.ok())
+      interrupted(options) || !geom::topology(surface).manifold() || is_useful)
     return result;
   RemeshOptions without = options;
   without.features->crease_angle = without.features->weak_crease_angle = 180;
   RemeshResult plain = remesh_sheets(surface, chosen_features(surface, without), without);
-  if (interrupted(options) || !plain.type.ok()) return result;
-  plain.given_up = "creases dropped: with these " + std::to_string(result.crease_curves) +
-                   " curves kept the remesh would be of another type; --features 45 keeps them";
+  const bool is_better = plain.type.ok() && (!result.type.ok() || plain.measures.theta_min > theta);
+  if (interrupted(options) || !is_better) return result;
+  plain.given_up = "creases dropped: with these " + std::to_string(result.crease_curves) + " curves kept " +
+                   (result.type.ok() ? "angles would be useless" : "the remesh would be of another type") +
+                   "; --features 45 keeps them";
   return plain;
 }
 
