@@ -208,7 +208,9 @@ class Experiments {
 
   /// A job for each set, whoever uses it.
   void add_remeshes() {
-    for (const auto& [wanted, uses] : uses_) {
+    for (const auto& entry : uses_) {
+      const auto& wanted = entry.first;
+      const auto& uses = entry.second;
       const auto method = std::ranges::find(paper_methods(), wanted.method, &PaperMethod::name);
       fpo::RemeshOptions options = options_for(*method, wanted.samples, wanted.adaptive, options_);
       options.seed = wanted.seed;
