@@ -5,9 +5,9 @@
 #include <numbers>
 #include <string>
 
+#include "fpo/remesh/layers.h"
 #include "geom/check.h"
 #include "geom/mesh/scaling.h"
-#include "geom/repair/layers.h"
 #include "geom/repair/parts.h"
 
 namespace fpo {
@@ -28,7 +28,7 @@ void refuse_crowd(const geom::TriMesh& surface, std::size_t num_samples) {
   geom::require(!is_soup || geom::share_of_small_parts(unit, n, least_samples) <= most_share,
                 pieces() + "most of them single facets too small for 30 of " + samples + " each");
   const double spacing = std::sqrt(2 * unit.area() / (std::numbers::sqrt3 * n));
-  const double layers = geom::layers_within(unit, spacing);
+  const double layers = layers_within(unit, spacing);
   geom::require(layers <= most_layers, "some " + std::to_string(std::lround(layers)) +
                                            " sheets of the surface lie within the spacing of " + samples +
                                            ", too many to tell apart");
