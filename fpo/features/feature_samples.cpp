@@ -481,13 +481,14 @@ std::size_t num_edges(const FeatureSamples& features) {
   return sum;
 }
 
-std::size_t num_broken_edges(const TriMesh& remesh, const FeatureSamples& features) {
+std::vector<std::pair<SiteId, SiteId>> broken_edges(const TriMesh& remesh, const FeatureSamples& features) {
   std::set<std::pair<std::int32_t, std::int32_t>> edges;
   for (const TriMesh::Facet& f : remesh.facets())
     for (std::size_t e = 0; e < 3; ++e) edges.insert(std::minmax(f[e].value, f[(e + 1) % 3].value));
-  std::size_t broken = 0;
-  for_each_edge(features,
-                [&](SiteId a, SiteId b) { broken += !edges.contains(std::minmax(a.value, b.value)); });
+  std::vector<std::pair<SiteId, SiteId>> broken;
+  for_each_edge(features, [&](SiteId a, SiteId b) {
+    if (!edges.contains(std::minmax(a.value, b.value))) broken.emplace_back(a, b);
+  });
   return broken;
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "fpo/features/facing_curves.h"
@@ -69,8 +70,10 @@ SharedSizing share_sizing(const geom::TriMesh& mesh, const Features& features,
                           std::span<const SurfaceSample> fixed,
                           const std::function<Sizing(std::size_t)>& sizing_for, CurveSampling sampling);
 
-/// The edges of the chains that are no edges of the remesh.
-std::size_t num_broken_edges(const geom::TriMesh& remesh, const FeatureSamples& features);
+/// The edges of the chains that are no edges of a remesh whose first vertices are the samples, in the order of
+/// the chains. O(F log F).
+std::vector<std::pair<geom::SiteId, geom::SiteId>> broken_edges(const geom::TriMesh& remesh,
+                                                                const FeatureSamples& features);
 /// The edges of the chains.
 std::size_t num_edges(const FeatureSamples& features);
 

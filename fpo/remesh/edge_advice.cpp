@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
-#include <utility>
 
 namespace fpo {
 
@@ -28,21 +26,14 @@ double crowding(const TriMesh& mesh, VertexId a, VertexId b) {
 
 }  // namespace
 
-EdgeAdvice edge_advice(const TriMesh& remesh, const FeatureSamples& features) {
-  std::set<std::pair<VertexId, VertexId>> edges;
-  for (const TriMesh::Facet& f : remesh.facets())
-    for (std::size_t e = 0; e < 3; ++e) edges.insert(std::minmax(f[e], f[(e + 1) % 3]));
-  EdgeAdvice result;
+EdgeAdvice edge_advice(const TriMesh& remesh, std::span<const std::pair<SiteId, SiteId>> missing) {
+  if (missing.empty()) return {};
   double most = 0;
-  for (const std::vector<SiteId>& chain : features.chains)
-    for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-      const VertexId a(chain[i].value), b(chain[i + 1].value);
-      if (edges.contains(std::minmax(a, b))) continue;
-      if (most == 0) result.first = (remesh.position(a) + remesh.position(b)) / 2;
-      most = std::max(most, crowding(remesh, a, b));
-    }
-  result.samples = static_cast<std::size_t>(static_cast<double>(remesh.num_vertices()) * most * most);
-  return result;
+  for (const auto& [a, b] : missing)
+    most = std::max(most, crowding(remesh, VertexId(a.value), VertexId(b.value)));
+  const auto& [a, b] = missing.front();
+  return {(remesh.position(VertexId(a.value)) + remesh.position(VertexId(b.value))) / 2,
+          static_cast<std::size_t>(static_cast<double>(remesh.num_vertices()) * most * most)};
 }
 
 }  // namespace fpo

@@ -2,8 +2,9 @@
 // Edges of features that the remesh lacks, for users: where, and how many samples would do.
 
 #include <cstddef>
+#include <span>
+#include <utility>
 
-#include "fpo/features/feature_samples.h"
 #include "geom/mesh/trimesh.h"
 
 namespace fpo {
@@ -15,7 +16,8 @@ struct EdgeAdvice {
   std::size_t samples = 0;
 };
 
-/// Of a remesh whose first vertices are the features' samples. O(missing edges * vertices).
-EdgeAdvice edge_advice(const geom::TriMesh& remesh, const FeatureSamples& features);
+/// `missing`: broken_edges() of the remesh. O(missing edges * vertices).
+EdgeAdvice edge_advice(const geom::TriMesh& remesh,
+                       std::span<const std::pair<geom::SiteId, geom::SiteId>> missing);
 
 }  // namespace fpo

@@ -363,8 +363,9 @@ RemeshResult remesh_task(const Task& task, RemeshOptions options) {
   result.feature_samples = shared.features.samples.size();
   result.feature_edges = num_edges(shared.features);
   count_creases(task.features, shared.features, result);
-  result.broken_feature_edges = num_broken_edges(result.mesh, shared.features);
-  result.edge_advice = edge_advice(result.mesh, shared.features);
+  const auto broken = broken_edges(result.mesh, shared.features);
+  result.broken_feature_edges = broken.size();
+  result.edge_advice = edge_advice(result.mesh, broken);
   for (std::size_t v = 0; v < task.input.num_vertices(); ++v)
     result.sizing.push_back(sizing.at(geom::VertexId(v)));
   for (const SurfaceSample& sample : result.samples) result.wanted.push_back(sizing.at(sample));
