@@ -106,23 +106,21 @@ class FacingSamples {
         if (x.index() >= samples.num_given) curve_of_[x] = c;
   }
 
-  Facing run(std::size_t most) {
-    Facing result;
+  void run(std::size_t most) {
     bool changed = true;
     for (int round = 0; round < rounds && changed; ++round) {
       changed = false;
       for (std::size_t c = 0; c < samples_.chains.size(); ++c)
         for (std::size_t i = 0; i + 1 < samples_.chains[c].size(); ++i)
-          changed |= clear(c, i, round < patient_rounds, most, result);
-      if (!changed) changed = divide_long_edges(most, result);
+          changed |= clear(c, i, round < patient_rounds, most);
+      if (!changed) changed = divide_long_edges(most);
     }
-    return result;
   }
 
  private:
   /// Those that slides have left: inner samples would come between their ends.
-  bool divide_long_edges(std::size_t most, Facing& result) {
-    const std::size_t before = result.added;
+  bool divide_long_edges(std::size_t most) {
+    const std::size_t before = samples_.samples.size();
     for (std::size_t c = 0; c < samples_.chains.size(); ++c) {
       const std::vector<SiteId>& chain = samples_.chains[c];
       const double even = std::max(1.0, length(c) / static_cast<double>(chain.size() - 1));
@@ -130,13 +128,12 @@ class FacingSamples {
         if (!(places_[c][i + 1] - places_[c][i] > longest * even)) continue;
         if (!faces_[chain[i]] && !faces_[chain[i + 1]]) continue;
         insert(c, i, look_.middle(c, i));
-        ++result.added;
       }
     }
-    return result.added > before;
+    return samples_.samples.size() > before;
   }
 
-  bool clear(std::size_t c, std::size_t i, bool may_slide, std::size_t most, Facing& result) {
+  bool clear(std::size_t c, std::size_t i, bool may_slide, std::size_t most) {
     const std::vector<SiteId>& chain = samples_.chains[c];
     const std::optional<SiteId> x = look_.intruder(slab_, c, i);
     if (!x) return false;
@@ -150,7 +147,6 @@ class FacingSamples {
     if (!slid && samples_.samples.size() >= most) return false;
     if (!slid) insert(c, i, aside > least_piece ? foot : look_.middle(c, i));
     faces_[*x] = 1;
-    ++(slid ? result.moved : result.added);
     return true;
   }
 
@@ -256,10 +252,10 @@ std::vector<CrowdedEdge> crowded_edges(std::span<const CurveMetric> metrics, con
   return result;
 }
 
-Facing face_each_other(const Features& features, std::span<const CurveMetric> metrics, ChainPlaces places,
-                       std::size_t most, FeatureSamples& samples) {
-  if (crowded_edges(metrics, places, samples).empty()) return {};
-  return FacingSamples(features, metrics, std::move(places), samples).run(most);
+void face_each_other(const Features& features, std::span<const CurveMetric> metrics, ChainPlaces places,
+                     std::size_t most, FeatureSamples& samples) {
+  if (!crowded_edges(metrics, places, samples).empty())
+    FacingSamples(features, metrics, std::move(places), samples).run(most);
 }
 
 }  // namespace fpo

@@ -33,10 +33,6 @@ using ChainPlaces = std::vector<std::vector<double>>;
 std::vector<CrowdedEdge> crowded_edges(std::span<const CurveMetric> metrics, const ChainPlaces& places,
                                        const FeatureSamples& samples);
 
-struct Facing {
-  std::size_t moved = 0, added = 0;  ///< samples
-};
-
 /// Makes the ball of each chain edge empty of other samples of the features, as long as there are no more
 /// than `most` of these. The neighbour that is nearest to the intruder's foot on the curve goes there; if
 /// none is near a sample is added there, or in the middle where there is one already, on arcs. Edges that
@@ -45,7 +41,7 @@ struct Facing {
 /// distance. Corners and points of the user stay. An edge whose intruder is nearer than .02 of it to the
 /// curve is left as it is. Changes nothing if no edge is crowded. Deterministic. At most twenty rounds of
 /// the cost of crowded_edges().
-Facing face_each_other(const Features& features, std::span<const CurveMetric> metrics, ChainPlaces places,
-                       std::size_t most, FeatureSamples& samples);
+void face_each_other(const Features& features, std::span<const CurveMetric> metrics, ChainPlaces places,
+                     std::size_t most, FeatureSamples& samples);
 
 }  // namespace fpo
