@@ -6,20 +6,14 @@
 
 #include "doctest.h"
 #include "fpo/features/feature_samples.h"
-#include "geom/shapes/mesh_parts.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
 using geom::TriMesh;
 using geom::Vec3;
 
 namespace {
-
-TriMesh facing_curves_block(double x, double y, double z) {
-  return geom::mapped(geom::make_shape("cube"), [&](const Vec3& p) -> Vec3 {
-    return {x * p.x(), y * p.y(), z * p.z()};
-  });
-}
 
 std::vector<FacingPair> pairs_of(const TriMesh& mesh, const Features& features, double spacing) {
   return facing_pairs(mesh, features, narrow_places(mesh, features, spacing));
@@ -48,7 +42,7 @@ double least_angle_across(const FeatureSamples& f, std::size_t on, std::size_t o
 }  // namespace
 
 TEST_CASE("facing curves: the rims of a slab in four pairs, each rim's edges all in step") {
-  const TriMesh slab = facing_curves_block(1, 1, 0.05), cube = facing_curves_block(1, 1, 1);
+  const TriMesh slab = fixtures::box(Vec3(1, 1, 0.05), 8), cube = fixtures::box(Vec3(1, 1, 1), 8);
   const Features features = find_features(slab);
   const std::vector<FacingPair> pairs = pairs_of(slab, features, 0.2);
   REQUIRE(pairs.size() == 4);
@@ -63,7 +57,7 @@ TEST_CASE("facing curves: the rims of a slab in four pairs, each rim's edges all
 }
 
 TEST_CASE("facing curves: around a bar of four long edges they lead and are staggered by turns") {
-  const TriMesh bar = facing_curves_block(1, 0.05, 0.06);
+  const TriMesh bar = fixtures::box(Vec3(1, 0.05, 0.06), 8);
   const std::vector<FacingPair> pairs = pairs_of(bar, find_features(bar), 0.2);
   std::set<std::size_t> leading, staggered;
   for (const FacingPair& pair : pairs)
@@ -75,7 +69,7 @@ TEST_CASE("facing curves: around a bar of four long edges they lead and are stag
 
 TEST_CASE("facing curves: staggered samples give a strip half as wide as its edges good triangles") {
   for (const double width : {0.042, 0.05}) {
-    const TriMesh slab = facing_curves_block(1, 1, width);
+    const TriMesh slab = fixtures::box(Vec3(1, 1, width), 8);
     const Features features = find_features(slab);
     const double h = 0.1;
     const std::vector<FacingPair> pairs = pairs_of(slab, features, 0.2);
@@ -95,7 +89,7 @@ TEST_CASE("facing curves: staggered samples give a strip half as wide as its edg
 }
 
 TEST_CASE("facing curves: where edges are as short as the strip is wide nothing changes") {
-  const TriMesh slab = facing_curves_block(1, 1, 0.1);
+  const TriMesh slab = fixtures::box(Vec3(1, 1, 0.1), 8);
   const Features features = find_features(slab);
   const std::vector<FacingPair> pairs = pairs_of(slab, features, 0.2);
   REQUIRE(!pairs.empty());

@@ -1,20 +1,14 @@
 #include "fpo/features/facing_samples.h"
 
 #include "doctest.h"
-#include "geom/shapes/mesh_parts.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
 using geom::TriMesh;
 using geom::Vec3;
 
 namespace {
-
-TriMesh facing_samples_block(double x, double y, double z) {
-  return geom::mapped(geom::make_shape("cube"), [&](const Vec3& p) -> Vec3 {
-    return {x * p.x(), y * p.y(), z * p.z()};
-  });
-}
 
 /// Samples with their places, which are found again.
 struct Placed {
@@ -76,7 +70,7 @@ TEST_CASE("facing samples: however thin a bar is, no ball about an edge holds an
   const Sizing sizing = Sizing::uniform(0.11);
   for (const double thick : {0.5, 0.2, 0.07, 0.03, 0.011}) {
     CAPTURE(thick);
-    const TriMesh bar = facing_samples_block(1, 0.37, thick);
+    const TriMesh bar = fixtures::box(Vec3(1, 0.37, thick), 8);
     const Features features = find_features(bar);
     const FeatureSamples samples = sample_features(bar, features, {}, sizing, {5000, 1, {}, true});
     const Placed there = placed(bar, features, sizing, samples);
@@ -105,7 +99,7 @@ TEST_CASE("facing samples: holes beside a border, gears, threads: empty balls, a
 }
 
 TEST_CASE("facing samples: nothing is added beyond the number that is allowed") {
-  const TriMesh bar = facing_samples_block(1, 0.37, 0.02);
+  const TriMesh bar = fixtures::box(Vec3(1, 0.37, 0.02), 8);
   const Features features = find_features(bar);
   const std::size_t least = least_number_of_samples(bar, features, {});
   for (std::size_t most = least; most < least + 40; most += 7)
