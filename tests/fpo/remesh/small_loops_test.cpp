@@ -55,3 +55,21 @@ TEST_CASE("small loops: the remesh keeps pin-holes, with good angles around them
   CHECK(result.measures.theta_min > 27);
   CHECK(without < 25);
 }
+
+TEST_CASE("small loops: two chains between the same corners make one, a chain alone makes none") {
+  const TriMesh plate = geom::make_shape("cube", 4);
+  SharedSizing shared{Sizing::uniform(0.2 * plate.diagonal()), {}};
+  const double side = 0.01 * plate.diagonal();
+  const geom::Vec3 at = plate.corner(geom::FacetId(0), 0);
+  for (const auto& [x, y] : {std::pair(0, 0), std::pair(1, 1), std::pair(1, 0), std::pair(0, 1)})
+    shared.features.samples.push_back({at + side * geom::Vec3(x, y, 0), geom::FacetId(0)});
+  using geom::SiteId;
+  shared.features.chains = {{SiteId(0), SiteId(2), SiteId(1)}};
+  CHECK(make_room_for_small_loops(plate, shared, 300, 0.3, 2).loops == 0);
+  for (const std::vector<SiteId>& other :
+       {std::vector{SiteId(0), SiteId(3), SiteId(1)}, std::vector{SiteId(1), SiteId(3), SiteId(0)}}) {
+    shared.features.chains.resize(1);
+    shared.features.chains.push_back(other);
+    CHECK(make_room_for_small_loops(plate, shared, 300, 0.3, 2).loops == 1);
+  }
+}
