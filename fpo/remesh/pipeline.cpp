@@ -1,12 +1,12 @@
 #include "fpo/remesh/pipeline.h"
 
 #include <string>
-#include <tuple>
 
 #include "fpo/features/curve_slides.h"
 #include "fpo/features/curve_spacing.h"
 #include "fpo/features/feature_choice.h"
 #include "fpo/interruption.h"
+#include "fpo/remesh/attempts.h"
 #include "fpo/remesh/small_loops.h"
 #include "fpo/remesh/stand_in.h"
 #include "fpo/surface/sheet_levels.h"
@@ -412,24 +412,15 @@ RemeshResult remesh_with(const geom::TriMesh& surface, const FeatureChoice& choi
 /// curves face each other if edges of curves are lost else.
 RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& choice,
                            const RemeshOptions& options) {
-  constexpr double small_angle = 30;
   RemeshResult best = remesh_with(surface, choice, options);
-  if (options.sheets != Sheets::automatic || options.method != Method::fpo ||
-      (best.type.ok() && best.broken_feature_edges == 0 && best.measures.theta_min >= small_angle))
-    return best;
+  if (options.sheets != Sheets::automatic || options.method != Method::fpo || is_fine(best)) return best;
   RemeshOptions with_levels = options;
   with_levels.sheets = Sheets::apart;
-  const auto rank = [](const RemeshResult& r) {  // a tenth of the edges weighs as much as all angles
-    const double edges = static_cast<double>(std::max<std::size_t>(r.feature_edges, 1));
-    const double lost = static_cast<double>(r.broken_feature_edges) / edges;
-    const double theta = r.measures.theta_min;
-    return std::tuple(r.type.ok(), std::min(theta / small_angle, 1.0) - 10 * lost, theta);
-  };
   const auto attempt = [&](const RemeshOptions& otherwise, bool only_apart) {
     if (interrupted(options)) return;
     RemeshResult other = remesh_with(surface, choice, otherwise, only_apart);
     if (interrupted(options) || (only_apart && !other.has_levels)) return;
-    if (rank(other) > rank(best)) best = std::move(other);
+    if (is_better(other, best)) best = std::move(other);
   };
   attempt(with_levels, true);
   if (best.type.ok() && best.broken_feature_edges > 0) {
@@ -443,18 +434,14 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
 
 /// Creases that nobody asked for are kept unless that alone does harm.
 RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {
-  constexpr double useless_angle = 10;
   RemeshResult result = remesh_sheets(surface, chosen_features(surface, options), options);
-  const double theta = result.measures.theta_min;
-  const bool is_useful = result.type.ok() && (result.broken_feature_edges == 0 || theta >= useless_angle);
   if (result.crease_curves == 0 || !options.features->yielding || options.method != Method::fpo ||
-      interrupted(options) || !geom::topology(surface).manifold() || is_useful)
+      interrupted(options) || !geom::topology(surface).manifold() || is_useful(result))
     return result;
   RemeshOptions without = options;
   without.features->crease_angle = without.features->weak_crease_angle = 180;
   RemeshResult plain = remesh_sheets(surface, chosen_features(surface, without), without);
-  const bool is_better = plain.type.ok() && (!result.type.ok() || plain.measures.theta_min > theta);
-  if (interrupted(options) || !is_better) return result;
+  if (interrupted(options) || !plain.type.ok() || !is_better(plain, result)) return result;
   plain.given_up = "creases dropped: with these " + std::to_string(result.crease_curves) + " curves kept " +
                    (result.type.ok() ? "angles would be useless" : "the remesh would be of another type") +
                    "; --features 45 keeps them";

@@ -1,0 +1,31 @@
+#include "fpo/remesh/attempts.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace fpo {
+namespace {
+
+constexpr double small_angle = 30, useless_angle = 10;
+constexpr double weight_of_edges = 10;
+
+auto rank(const RemeshResult& r) {
+  const double edges = static_cast<double>(std::max<std::size_t>(r.feature_edges, 1));
+  const double lost = static_cast<double>(r.broken_feature_edges) / edges;
+  const double theta = r.measures.theta_min;
+  return std::tuple(r.type.ok(), std::min(theta / small_angle, 1.0) - weight_of_edges * lost, theta);
+}
+
+}  // namespace
+
+bool is_fine(const RemeshResult& r) {
+  return r.type.ok() && r.broken_feature_edges == 0 && r.measures.theta_min >= small_angle;
+}
+
+bool is_useful(const RemeshResult& r) {
+  return r.type.ok() && (r.broken_feature_edges == 0 || r.measures.theta_min >= useless_angle);
+}
+
+bool is_better(const RemeshResult& a, const RemeshResult& b) { return rank(a) > rank(b); }
+
+}  // namespace fpo

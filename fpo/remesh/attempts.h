@@ -1,0 +1,21 @@
+#pragma once
+// Which of several remeshes of one surface is kept, where there are ways to choose from: sheets together or
+// apart, samples of close curves facing each other or not, creases kept or not.
+
+#include "fpo/remesh/pipeline.h"
+
+namespace fpo {
+
+/// Of the input's type, with all edges of curves, and no angle below 30 degrees: nothing else is tried.
+bool is_fine(const RemeshResult& result);
+
+/// Of the input's type, and not both without some edges of curves and with angles below 10 degrees. (All
+/// edges and such an angle may be right: a part has what corners it has.) Else it is tried without creases.
+bool is_useful(const RemeshResult& result);
+
+/// First by the type. Then by the smallest angle, up to 30 degrees, in units of that, less ten times the
+/// share of edges of curves that are lost: a tenth of the edges weighs as much as all angles. Then by the
+/// smallest angle.
+bool is_better(const RemeshResult& a, const RemeshResult& b);
+
+}  // namespace fpo

@@ -1,0 +1,44 @@
+// Which of several remeshes is kept.
+
+#include "fpo/remesh/attempts.h"
+
+#include "doctest.h"
+#include "fpo/remesh/remesh_defaults.h"
+#include "geom/shapes/shapes.h"
+
+using namespace fpo;
+
+namespace {
+
+RemeshResult measured(bool right_type, double theta_min, std::size_t broken) {
+  RemeshResult result;
+  result.type.bare_samples = right_type ? 0 : 1;
+  result.measures.theta_min = theta_min;
+  result.feature_edges = 200;
+  result.broken_feature_edges = broken;
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("attempts: the type comes first, a tenth of the edges weighs as much as all angles") {
+  CHECK(measured(true, 40, 0).type.ok());
+  CHECK(!measured(false, 40, 0).type.ok());
+  CHECK(is_better(measured(true, 1, 100), measured(false, 40, 0)));
+  CHECK(is_better(measured(true, 5, 0), measured(true, 12, 50)));  // a quarter of the edges lost
+  CHECK(is_better(measured(true, 28, 5), measured(true, 1, 0)));   // few of them
+  CHECK(is_better(measured(true, 31, 0), measured(true, 40, 1)));  // angles above 30 are all good,
+  CHECK(
+      is_better(measured(true, 40, 0), measured(true, 31, 0)));  // and the better for it if all else is equal
+  CHECK(!is_better(measured(true, 31, 1), measured(true, 31, 1)));
+}
+
+TEST_CASE("attempts: fine is what has it all; small angles or lost edges alone leave it useful") {
+  CHECK(is_fine(measured(true, 30, 0)));
+  for (const RemeshResult& r : {measured(false, 30, 0), measured(true, 29.9, 0), measured(true, 30, 1)})
+    CHECK(!is_fine(r));
+  CHECK(is_useful(measured(true, 2, 0)));
+  CHECK(is_useful(measured(true, 12, 50)));
+  CHECK(!is_useful(measured(true, 2, 1)));
+  CHECK(!is_useful(measured(false, 40, 0)));
+}
