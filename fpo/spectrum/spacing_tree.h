@@ -16,8 +16,11 @@ class SpacingTree {
 
   const std::vector<SpectrumPoint>& points() const { return points_; }  ///< in the order given
 
-  /// Calls f(index) for each point p with |p - x| < radius (r_x + r_p) / 2, in an order that depends on the
-  /// points alone.
+  /// The indices of the points, those near each other together.
+  const std::vector<std::uint32_t>& order() const { return order_; }
+
+  /// Calls f(k) for each point p = points()[order()[k]] with |p - x| < radius (r_x + r_p) / 2, in an order that
+  /// depends on the points alone.
   template <class F>
   void each_near(const SpectrumPoint& x, double radius, F&& f) const;
 
@@ -65,7 +68,7 @@ void SpacingTree::each_near(const SpectrumPoint& x, double radius, F&& f) const 
       for (std::uint32_t i = node.first; i < node.last; ++i) {
         const Place& p = places_[i];
         const double limit = radius * (x.spacing + p.spacing) / 2;
-        if ((p.position - x.position).squaredNorm() < limit * limit) f(order_[i]);
+        if ((p.position - x.position).squaredNorm() < limit * limit) f(i);
       }
     } else {
       open.push_back(node.second_child);

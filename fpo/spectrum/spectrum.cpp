@@ -41,23 +41,26 @@ std::vector<SpectrumMass> with_mass(const std::vector<SpectrumPoint>& points) {
   return all;
 }
 
-/// Places to look at.
+/// Places to look at, those near each other together.
 class Scene {
  public:
-  explicit Scene(std::vector<SpectrumMass> places) : tree_(points_of(places)), places_(std::move(places)) {}
+  explicit Scene(const std::vector<SpectrumMass>& places) : tree_(points_of(places)) {
+    places_.reserve(places.size());
+    for (const std::uint32_t j : tree_.order()) places_.push_back(places[j]);
+  }
 
   /// Calls f(j, differential, mass_j W T) for each place within the radius of a.
   template <class F>
   void look(const SpectrumPoint& a, double radius, F&& f) const {
     const TangentFrame frame(a.normal);
-    tree_.each_near(a, radius, [&](std::uint32_t j) {
-      const SpectrumMass& b = places_[j];
+    tree_.each_near(a, radius, [&](std::uint32_t k) {
+      const SpectrumMass& b = places_[k];
       const auto d = differential(a, frame, b.at);
       if (!d) return;
       const double r2 = d->squaredNorm();
       if (!(r2 < radius * radius)) return;
       const double turn = a.normal.dot(b.at.normal);
-      f(j, *d, b.mass * turn * turn * spectrum_window(std::sqrt(r2), radius));
+      f(tree_.order()[k], *d, b.mass * turn * turn * spectrum_window(std::sqrt(r2), radius));
     });
   }
 
@@ -69,7 +72,7 @@ class Scene {
     return points;
   }
   SpacingTree tree_;
-  std::vector<SpectrumMass> places_;
+  std::vector<SpectrumMass> places_;  ///< in the order of the tree
 };
 
 /// Tells how much is done, by the number of places that were looked from, each weighted by what it sees.
@@ -145,7 +148,7 @@ void add_uniform_plane(double n, double radius, Sums& sums) {
 Sums sums_of(const SpectrumSet& set, const SpectrumOptions& o) {
   std::vector<SpectrumMass> seen = with_mass(set.samples), copies = with_mass(set.copies);
   seen.insert(seen.end(), copies.begin(), copies.end());
-  const Scene samples(std::move(seen));
+  const Scene samples(seen);
   Sums total(o);
   const auto n = static_cast<double>(set.samples.size()), v = static_cast<double>(set.viewpoints.size());
   Teller teller(o, n + (set.background.empty() ? 0 : n * background_density + v * (1 + background_density)));

@@ -34,7 +34,7 @@ TEST_CASE("SpacingTree: both queries against all points, equal ones among them")
       const SpectrumPoint x = query % 3 == 0 ? points[rng.below(n)] : random_point(rng);
       const double radius = rng.uniform(0, 5);
       std::vector<std::uint32_t> found, expected;
-      tree.each_near(x, radius, [&](std::uint32_t i) { found.push_back(i); });
+      tree.each_near(x, radius, [&](std::uint32_t k) { found.push_back(tree.order()[k]); });
       std::vector<SpacingTree::Neighbour> order;
       for (std::uint32_t i = 0; i < n; ++i) {
         const double d2 = (points[i].position - x.position).squaredNorm();
