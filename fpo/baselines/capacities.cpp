@@ -2,7 +2,6 @@
 
 namespace fpo {
 
-using geom::FacetId;
 using geom::FacetPolygon;
 using geom::SiteId;
 using geom::Vec3;
@@ -18,10 +17,11 @@ Capacities::Capacities(const geom::TriMesh& surface, const Sizing& sizing, doubl
 Capacities::Diagram Capacities::of(const std::vector<SurfaceSample>& samples) {
   const auto pieces =
       facets_.pieces<Piece>(samples, [&](const FacetPolygon& polygon, std::vector<Piece>& out) {
-        Piece& piece = out.emplace_back(Piece{polygon.owner, integrate(polygon), {}});
+        const PolygonDensity density(sizing_, unit_length_, polygon);
+        Piece& piece = out.emplace_back(Piece{polygon.owner, integrate(polygon.owner, density), {}});
         for (std::size_t k = 0; k < polygon.corners.size(); ++k)
           if (polygon.corners[k].edge.is_site())
-            piece.walls.push_back({polygon.owner, polygon.corners[k].edge.site(), gain(polygon, k)});
+            piece.walls.push_back({polygon.owner, polygon.corners[k].edge.site(), gain(polygon, k, density)});
       });
   Diagram result;
   result.cells.assign(samples.size(), CellCapacity());
@@ -33,23 +33,18 @@ Capacities::Diagram Capacities::of(const std::vector<SurfaceSample>& samples) {
   return result;
 }
 
-CellCapacity Capacities::integrate(const FacetPolygon& polygon) const {
-  const Vec3& p = facets_.sites()[polygon.owner].position;
+CellCapacity Capacities::integrate(SiteId owner, const PolygonDensity& density) const {
+  const Vec3& p = facets_.sites()[owner].position;
   CellCapacity sum;
-  for (std::size_t k = 1; k + 1 < polygon.corners.size(); ++k) {
-    const Vec3 &a = polygon.corners[0].point.position, &b = polygon.corners[k].point.position,
-               &c = polygon.corners[k + 1].point.position;
-    const double third = (b - a).cross(c - a).norm() / 6;
-    for (const Vec3& x : {Vec3((a + b) / 2), Vec3((b + c) / 2), Vec3((c + a) / 2)}) {
-      const double d = density(x, polygon.facet), mass = third * d * d;
-      sum += {third * d, mass, mass * (x - p), mass * (x - p).squaredNorm()};
-    }
-  }
+  density.each_location([&](const Vec3& x, double area, double d) {
+    const double mass = area * d * d;
+    sum += {area * d, mass, mass * (x - p), mass * (x - p).squaredNorm()};
+  });
   return sum;
 }
 
 /// Of the wall that starts at corner k.
-Vec3 Capacities::gain(const FacetPolygon& polygon, std::size_t k) const {
+Vec3 Capacities::gain(const FacetPolygon& polygon, std::size_t k, const PolygonDensity& density) const {
   const std::size_t next = geom::next_corner(k, polygon.corners.size());
   const Vec3 &a = polygon.corners[k].point.position, &b = polygon.corners[next].point.position;
   const Vec3& p = facets_.sites()[polygon.owner].position;
@@ -58,16 +53,10 @@ Vec3 Capacities::gain(const FacetPolygon& polygon, std::size_t k) const {
   const double along = (apart - apart.dot(normal) * normal).norm();
   if (!(along > 0)) return Vec3::Zero();  // the wall is the whole facet: it has no place
   const Vec3 middle = (a + b) / 2;
-  const Vec3 mean = (density(a, polygon.facet) * (a - p) + 4 * density(middle, polygon.facet) * (middle - p) +
-                     density(b, polygon.facet) * (b - p)) /
-                    6;
+  const Vec3 mean =
+      (density.at(k) * (a - p) + 4 * density.between(k, next) * (middle - p) + density.at(next) * (b - p)) /
+      6;
   return (b - a).norm() / along * mean;
-}
-
-double Capacities::density(const Vec3& x, FacetId t) const {
-  if (sizing_.is_uniform()) return 1;
-  const double ratio = unit_length_ / sizing_.at(SurfaceSample{x, t});
-  return ratio * ratio;
 }
 
 }  // namespace fpo

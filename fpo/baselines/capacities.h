@@ -9,6 +9,7 @@
 
 #include <vector>
 
+#include "fpo/baselines/polygon_density.h"
 #include "fpo/baselines/voronoi_facets.h"
 #include "fpo/surface/sizing.h"
 
@@ -54,9 +55,8 @@ class Capacities {
     CellCapacity cell;
     std::vector<CellWall> walls;
   };
-  CellCapacity integrate(const geom::FacetPolygon& polygon) const;
-  geom::Vec3 gain(const geom::FacetPolygon& polygon, std::size_t k) const;
-  double density(const geom::Vec3& x, geom::FacetId t) const;
+  CellCapacity integrate(geom::SiteId owner, const PolygonDensity& density) const;
+  geom::Vec3 gain(const geom::FacetPolygon& polygon, std::size_t k, const PolygonDensity& density) const;
 
   const geom::TriMesh& surface_;
   const Sizing& sizing_;

@@ -1,8 +1,9 @@
 #include "fpo/baselines/cell_moments.h"
 
+#include "fpo/baselines/polygon_density.h"
+
 namespace fpo {
 
-using geom::FacetId;
 using geom::SiteId;
 using geom::Vec3;
 
@@ -24,22 +25,11 @@ const geom::Table<SiteId, CellMoments>& VoronoiMoments::of(const std::vector<Sur
 CellMoments VoronoiMoments::integrate(const geom::FacetPolygon& polygon) const {
   const Vec3& p = facets_.sites()[polygon.owner].position;
   CellMoments sum;
-  for (std::size_t k = 1; k + 1 < polygon.corners.size(); ++k) {
-    const Vec3 &a = polygon.corners[0].point.position, &b = polygon.corners[k].point.position,
-               &c = polygon.corners[k + 1].point.position;
-    const double third = (b - a).cross(c - a).norm() / 6;
-    for (const Vec3& x : {Vec3((a + b) / 2), Vec3((b + c) / 2), Vec3((c + a) / 2)}) {
-      const double mass = third * density(x, polygon.facet);
-      sum += {mass, mass * (x - p), mass * (x - p).squaredNorm()};
-    }
-  }
+  PolygonDensity(sizing_, unit_length_, polygon).each_location([&](const Vec3& x, double area, double d) {
+    const double mass = area * d * d;
+    sum += {mass, mass * (x - p), mass * (x - p).squaredNorm()};
+  });
   return sum;
-}
-
-double VoronoiMoments::density(const Vec3& x, FacetId t) const {
-  if (sizing_.is_uniform()) return 1;
-  const double ratio = unit_length_ / sizing_.at(SurfaceSample{x, t});
-  return ratio * ratio * ratio * ratio;
 }
 
 }  // namespace fpo

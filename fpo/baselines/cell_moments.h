@@ -41,7 +41,6 @@ class VoronoiMoments {
     CellMoments moments;
   };
   CellMoments integrate(const geom::FacetPolygon& polygon) const;
-  double density(const geom::Vec3& x, geom::FacetId t) const;
 
   const Sizing& sizing_;
   double unit_length_;

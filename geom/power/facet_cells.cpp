@@ -15,6 +15,7 @@ constexpr double more = 1 + 1e-9;      // for the rounding of distances and powe
 constexpr double radius_guess = 1.25;  // in radii of the fragment before, or distances to the nearest site
 constexpr double radius_memory = 0.9;  // a guess is at least so much of the guess before
 constexpr double radius_step = 1.5;
+constexpr int most_steps = 6;  // from the nearest site of one facet to that of the next
 
 double root(double x) { return x > 0 ? std::sqrt(x) : 0; }
 
@@ -50,14 +51,39 @@ std::span<const FacetPolygon> FacetCells::divide(FacetId t) {
   num_found_ = 0;
   ++stamp_;
   const Vec3 middle = centroid(mesh_, t);
-  const SiteId first = search_.nearest({middle, middle_level(mesh_, t)}, SiteId(), SiteId()).site;
+  const SiteId first = nearest({middle, middle_level(mesh_, t)});
   follow(first, t);
+  last_ = first;
   if (num_found_ == 0) {  // powers tie there, or rounding moved the centroid off a tiny facet
     find_owners(t, first);
     for (const SiteId s : may_own_) follow(s, t);
     ensure(num_found_ > 0, "facet cells: a facet without owner");
   }
   return std::span(found_).first(num_found_);
+}
+
+/// Facets come one after the other: from the nearest of the one before to whoever is nearer among those around
+/// it, and so on. The nearest of all is known where somebody's power is one whose surroundings are known:
+/// it is among these. After too many steps the search tells.
+SiteId FacetCells::nearest(const Location3& x) {
+  SiteId at = last_;
+  for (int step = 0; at.valid() && step < most_steps; ++step) {
+    Surroundings& around = surroundings(at);
+    SiteId best = at;
+    double radius2 = power(x, sites_[at]);
+    const double bound = radius2 + (more - 1) * (std::abs(radius2) + std::abs(around.heaviest));
+    const double needed = distance_at(bound, sites_[at].weight);
+    const double security = needed + distance_at(bound, around.heaviest);
+    for (const Near& j : around.sites) {
+      if (j.distance > security) break;
+      const double other = power(x, sites_[j.site]);
+      if (other < radius2 || (other == radius2 && j.site < best)) best = j.site, radius2 = other;
+    }
+    if (bound <= around.power) return best;
+    if (best == at) look_around(around, needed);
+    at = best;
+  }
+  return search_.nearest(x, SiteId(), SiteId()).site;
 }
 
 /// Adds the fragments of a site and of all that border them.

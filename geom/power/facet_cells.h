@@ -46,6 +46,7 @@ class FacetCells {
     std::vector<Near> sites;
   };
 
+  SiteId nearest(const Location3& x);
   void follow(SiteId first, FacetId t);
   bool is_new(SiteId s);
   bool clip(FacetPolygon& polygon);
@@ -59,6 +60,7 @@ class FacetCells {
   Clipper clipper_;
   const NeighbourOracle& search_;
   std::vector<Surroundings> known_;  ///< of site s in place s mod size, if of s at all
+  SiteId last_;                      ///< nearest to the facet before
   double likely_radius_ = 0;         ///< how far the next fragment will reach from its owner
   std::size_t sites_looked_at_ = 0;
   std::vector<FacetPolygon> found_;
