@@ -9,7 +9,7 @@ namespace fpo {
 
 /// Minimizes V(X) = sum over the triangles t of (c_t - c)^2, c_t = d_t A_t the capacity of a triangle of area
 /// A_t, d_t the mean of h^-2 at its corners (1 if the sizing is uniform), c the mean capacity. As in the
-/// publication two steps alternate, from random samples on:
+/// publication two steps alternate, from first_samples() on:
 ///   geometry: one sample after the other goes to where the triangles around it have the least V. With
 ///     A_t(x + v) = A_t + a_t . v, a_t = n_t x (q - p) / 2 for the edge p q opposite to x and the normal n_t,
 ///     that is v in the tangent plane with (sum d_t^2 a_t a_t') v = - sum d_t a_t (c_t - c), a system of two

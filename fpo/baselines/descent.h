@@ -25,13 +25,12 @@ struct DescentOptions {
   std::size_t memory_size = 7;  ///< of L-BFGS
 };
 
-/// From random samples (none of them within .7 h of one that is fixed, if there is room) at most
-/// options.max_iterations steps of both kinds. The gradient counts without its part along the surface's
-/// normal, and not at all where samples are fixed. Steps go half as far again and again until the energy
-/// sinks enough (Armijo's condition), so it never grows; samples are put back on the surface after each, and
-/// none moves by more than h / 2. If no step of L-BFGS lowers the energy, a plain one is tried; if that
-/// fails too, the descent ends. An evaluation and a little more an iteration. Deterministic if the energy
-/// is. Throws geom::InputError like random_samples().
+/// From first_samples() on at most options.max_iterations steps of both kinds. The gradient counts without
+/// its part along the surface's normal, and not at all where samples are fixed. Steps go half as far again
+/// and again until the energy sinks enough (Armijo's condition), so it never grows; samples are put back
+/// on the surface after each, and none moves by more than h / 2. If no step of L-BFGS lowers the energy, a
+/// plain one is tried; if that fails too, the descent ends. An evaluation and a little more an iteration.
+/// Deterministic if the energy is. Throws geom::InputError like random_samples().
 BaselineResult descend(const BaselineTask& task, const OptimizeOptions& options, const SampleEnergy& energy,
                        const DescentOptions& descent);
 

@@ -5,9 +5,10 @@
 
 namespace fpo {
 
-/// Those that are fixed, then random ones, none of them within .7 h of one that is fixed as far as there is
-/// room: a sample that starts between two neighbours on a crease never gets out from between them. Throws
-/// geom::InputError like random_samples(). O(n log n).
+/// Random ones if none is fixed. Else those that are fixed, then random ones, none within .7 h of another as
+/// far as there is room: a sample that starts between two neighbours on a crease never gets out from between
+/// them, and a face that has some percent too many never gets rid of them. Throws geom::InputError like
+/// random_samples(). O(n log n).
 std::vector<SurfaceSample> first_samples(const BaselineTask& task);
 
 }  // namespace fpo

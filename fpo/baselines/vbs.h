@@ -21,7 +21,7 @@ inline constexpr double capacity_weight = 100;
 /// with g_ij as in capacities.h. Samples that are fixed have no part in the second term (m_i counts as m, the
 /// mean of the others): on a border they have half a cell, and who asked for a whole one would drive the
 /// others away. Both terms are least for regular hexagons, but capacities are equal for many sets that are
-/// not regular, and descent ends at one of these. Steps are those of L-BFGS (descent.h) from random samples
+/// not regular, and descent ends at one of these. Steps are those of L-BFGS (descent.h) from first_samples()
 /// on; options.max_iterations counts them. Reached "capacity_cv": the standard deviation of the capacities
 /// over their mean, of samples that are not fixed. O(n log n + fragments) an iteration. Deterministic. Throws
 /// geom::InputError like random_samples().

@@ -13,6 +13,7 @@
 #include "fpo/measure/quality.h"
 #include "fpo/remesh/remesh_defaults.h"
 #include "geom/mesh/aabb_tree.h"
+#include "geom/shapes/shapes.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
@@ -148,4 +149,14 @@ TEST_CASE("vbs: half cells on a border leave the cells inside equal") {
     CHECK(result.reached.back().value < 0.02);  // with half cells among the equal ones .3
     CHECK(quality(result.mesh, mesh.area()).theta_min > 5);
   }
+}
+
+TEST_CASE("vbs: the parts between creases begin with equal shares, so no row is pressed against a crease") {
+  RemeshOptions options = default_options(800, SizingKind::uniform);
+  use_method(options, Method::vbs);
+  options.features = automatic_features();
+  const RemeshResult result = remesh(geom::make_shape("cube", 4), options);
+  CHECK(result.feature_samples > 100);
+  CHECK(result.reached.back().value < 0.01);     // from random samples .026
+  CHECK(quality(result.mesh, 1.0).q_avg > 0.8);  // .69
 }
