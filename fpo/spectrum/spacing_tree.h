@@ -19,8 +19,8 @@ class SpacingTree {
   /// The indices of the points, those near each other together.
   const std::vector<std::uint32_t>& order() const { return order_; }
 
-  /// Calls f(k) for each point p = points()[order()[k]] with |p - x| < radius (r_x + r_p) / 2, in an order that
-  /// depends on the points alone.
+  /// Calls f(k) for each point p = points()[order()[k]] with |p - x| < radius (r_x + r_p) / 2, in an order
+  /// that depends on the points alone.
   template <class F>
   void each_near(const SpectrumPoint& x, double radius, F&& f) const;
 

@@ -62,9 +62,9 @@ std::span<const FacetPolygon> FacetCells::divide(FacetId t) {
   return std::span(found_).first(num_found_);
 }
 
-/// Facets come one after the other: from the nearest of the one before to whoever is nearer among those around
-/// it, and so on. The nearest of all is known where somebody's power is one whose surroundings are known:
-/// it is among these. After too many steps the search tells.
+/// Facets come one after the other: from the nearest of the one before to whoever is nearer among those
+/// around it, and so on. The nearest of all is known where somebody's power is one whose surroundings are
+/// known: it is among these. After too many steps the search tells.
 SiteId FacetCells::nearest(const Location3& x) {
   SiteId at = last_;
   for (int step = 0; at.valid() && step < most_steps; ++step) {
