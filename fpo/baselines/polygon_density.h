@@ -8,8 +8,8 @@
 
 namespace fpo {
 
-/// (h_0 / h)^2, or 1 if the sizing is uniform. h is taken at the corners, and linear between them, as it is on
-/// a facet.
+/// (h_0 / h)^2, or 1 if the sizing is uniform. h is taken at the corners, and linear between them, as it is
+/// on a facet.
 class PolygonDensity {
  public:
   /// h_0 = unit_length. Keeps a reference to the polygon.
