@@ -68,7 +68,7 @@ std::size_t lower_weights(SurfaceDomain& domain, const std::vector<double>& room
 
 /// So that its disk reaches the middle of an edge of this length. False if it does already or never may.
 bool raise_weight(SurfaceDomain& domain, SiteId x, double length2) {
-  const double share = 1 + length2 / 4 / domain.full_weight(x);
+  const double share = 1 + length2 / 4 / domain.samples().full_weight(x);
   if (!(share > domain.weight_share(x)) || share > most_share) return false;
   return change_weight(domain, x, share);
 }
