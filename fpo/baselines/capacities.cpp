@@ -1,5 +1,7 @@
 #include "fpo/baselines/capacities.h"
 
+#include "fpo/baselines/cell_nodes.h"
+
 namespace fpo {
 
 using geom::FacetId;
@@ -36,15 +38,10 @@ Capacities::Diagram Capacities::of(const std::vector<SurfaceSample>& samples) {
 CellCapacity Capacities::integrate(const FacetPolygon& polygon) const {
   const Vec3& p = facets_.sites()[polygon.owner].position;
   CellCapacity sum;
-  for (std::size_t k = 1; k + 1 < polygon.corners.size(); ++k) {
-    const Vec3 &a = polygon.corners[0].point.position, &b = polygon.corners[k].point.position,
-               &c = polygon.corners[k + 1].point.position;
-    const double third = (b - a).cross(c - a).norm() / 6;
-    for (const Vec3& x : {Vec3((a + b) / 2), Vec3((b + c) / 2), Vec3((c + a) / 2)}) {
-      const double d = density(x, polygon.facet), mass = third * d * d;
-      sum += {third * d, mass, mass * (x - p), mass * (x - p).squaredNorm()};
-    }
-  }
+  each_node(polygon, [&](const Vec3& x, double area) {
+    const double d = density(x, polygon.facet), mass = area * d * d;
+    sum += {area * d, mass, mass * (x - p), mass * (x - p).squaredNorm()};
+  });
   return sum;
 }
 

@@ -1,5 +1,7 @@
 #include "fpo/baselines/cell_moments.h"
 
+#include "fpo/baselines/cell_nodes.h"
+
 namespace fpo {
 
 using geom::FacetId;
@@ -24,15 +26,10 @@ const geom::Table<SiteId, CellMoments>& VoronoiMoments::of(const std::vector<Sur
 CellMoments VoronoiMoments::integrate(const geom::FacetPolygon& polygon) const {
   const Vec3& p = facets_.sites()[polygon.owner].position;
   CellMoments sum;
-  for (std::size_t k = 1; k + 1 < polygon.corners.size(); ++k) {
-    const Vec3 &a = polygon.corners[0].point.position, &b = polygon.corners[k].point.position,
-               &c = polygon.corners[k + 1].point.position;
-    const double third = (b - a).cross(c - a).norm() / 6;
-    for (const Vec3& x : {Vec3((a + b) / 2), Vec3((b + c) / 2), Vec3((c + a) / 2)}) {
-      const double mass = third * density(x, polygon.facet);
-      sum += {mass, mass * (x - p), mass * (x - p).squaredNorm()};
-    }
-  }
+  each_node(polygon, [&](const Vec3& x, double area) {
+    const double mass = area * density(x, polygon.facet);
+    sum += {mass, mass * (x - p), mass * (x - p).squaredNorm()};
+  });
   return sum;
 }
 

@@ -1,7 +1,6 @@
 #include "fpo/tiles/tiled_optimize.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <mutex>
@@ -10,12 +9,13 @@
 #include <string>
 
 #include "fpo/interruption.h"
+#include "fpo/stopwatch.h"
+#include "fpo/surface/spacings.h"
 #include "fpo/surface/split_facets.h"
 #include "fpo/tiles/tile_domain.h"
 #include "geom/check.h"
 #include "geom/parallel.h"
 #include "geom/rng.h"
-#include "geom/sites/site_tree.h"
 
 namespace fpo {
 namespace {
@@ -46,7 +46,9 @@ class TiledRun {
                std::vector<SurfaceSample>& next);
   void catch_up(SurfaceDomain& domain);
   void report(IterationReport report);
-  IterationReport measure_positions() const;
+  IterationReport measured() const {
+    return measure_positions(samples_, sizing_, task_.surface.num_fixed, tile_options_.threads);
+  }
 
   bool interrupted() const { return fpo::interrupted(options_.interrupted); }
   bool is_fixed(SiteId x) const { return x.index() < task_.surface.num_fixed; }
@@ -70,7 +72,7 @@ class TiledRun {
   int iteration_ = 0, round_ = 0, sweeps_ = 0;
   std::size_t moved_ = 0;  ///< in the round
   std::mutex access_;      ///< to the callbacks, the result and moved_
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Stopwatch watch_;
 };
 
 void TiledRun::announce_move() {
@@ -82,29 +84,9 @@ void TiledRun::announce_move() {
 void TiledRun::report(IterationReport report) {
   report.iteration = iteration_;
   report.moved = moved_;
-  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  report.seconds = watch_.seconds();
   result_.last = report;
   if (options_.on_iteration) options_.on_iteration(report);
-}
-
-/// By distances in space, like measure() if there are no weights.
-IterationReport TiledRun::measure_positions() const {
-  geom::SiteTree tree;
-  for (std::size_t i = 0; i < samples_.size(); ++i) tree.insert(SiteId(i), {samples_[i].position, 0});
-  const std::size_t first = task_.surface.num_fixed < samples_.size() ? task_.surface.num_fixed : 0;
-  std::vector<double> spacings(samples_.size() - first);
-  geom::parallel_ranges(
-      spacings.size(), 1024, tile_options_.threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-          const SurfaceSample& x = samples_[first + i];
-          spacings[i] = std::sqrt(tree.nearest(x.position, SiteId(first + i)).radius2) / sizing_.at(x);
-        }
-      });
-  IterationReport report;
-  report.delta = *std::ranges::min_element(spacings);
-  report.mean_delta =
-      std::accumulate(spacings.begin(), spacings.end(), 0.0) / static_cast<double>(spacings.size());
-  return report;
 }
 
 /// All that is owed to the samples of a tile, spread evenly over the sweeps. Those that turn out to be too
@@ -247,7 +229,7 @@ StopReason TiledRun::rounds() {
     if (!round()) return StopReason::interrupted;
     if (moved_ == 0 && std::ranges::count(owed_, 0) == std::ssize(owed_)) return StopReason::nothing_moved;
     if (iteration_ == options_.max_iterations) break;
-    const IterationReport now = measure_positions();
+    const IterationReport now = measured();
     if (now.delta > options_.target_delta) return StopReason::target_reached;
     report(now);
   }
@@ -259,7 +241,7 @@ SurfaceDomain TiledRun::take() {
   if (options_.scope == Scope::global && options_.max_iterations > 0) {
     if (!begin_at_large()) return SurfaceDomain(task_.mesh, task_.sizing, samples_, task_.surface);
   } else {
-    report(measure_positions());
+    report(measured());
   }
   split();
   result_.reason = rounds();
