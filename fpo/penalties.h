@@ -1,5 +1,6 @@
 #pragma once
-// How bad some things are, under change: for angle optimization (paper, section 5), in the plane and on surfaces.
+// How bad some things are, under change: for angle optimization (paper, section 5), in the plane and on
+// surfaces.
 
 #include <cstddef>
 #include <utility>

@@ -8,8 +8,9 @@
 
 namespace fpo {
 
-/// Calls f(x, area) for the nodes of a polygon and the area that each stands for: the middles of the edges of the
-/// triangles of a fan, each for a third of its triangle. Exact, up to rounding, for polynomials of degree 2.
+/// Calls f(x, area) for the nodes of a polygon and the area that each stands for: the middles of the edges of
+/// the triangles of a fan, each for a third of its triangle. Exact, up to rounding, for polynomials of degree
+/// 2.
 template <class F>
 void each_node(const geom::FacetPolygon& polygon, F&& f) {
   for (std::size_t k = 1; k + 1 < polygon.corners.size(); ++k) {

@@ -19,8 +19,8 @@ struct IteratedMethod {
   std::function<std::span<const SurfaceSample>()> samples;
 };
 
-/// At most options.max_iterations steps, each announced as a move of all samples, with a report before the first
-/// and after each. `watch`: since when the reports count their seconds.
+/// At most options.max_iterations steps, each announced as a move of all samples, with a report before the
+/// first and after each. `watch`: since when the reports count their seconds.
 OptimizeResult iterate(const BaselineTask& task, const OptimizeOptions& options, const IteratedMethod& method,
                        const Stopwatch& watch);
 

@@ -11,8 +11,8 @@
 namespace fpo {
 
 /// delta and its mean by distances over h to the nearest other sample in space, like measure() of a domain
-/// without weights: the first `num_fixed` samples left out unless they are all. O(n log n). `threads` at least
-/// 1; no matter to the result.
+/// without weights: the first `num_fixed` samples left out unless they are all. O(n log n). `threads` at
+/// least 1; no matter to the result.
 IterationReport measure_positions(std::span<const SurfaceSample> samples, const Sizing& sizing,
                                   std::size_t num_fixed, int threads);
 
