@@ -24,6 +24,46 @@ constexpr double longest_edge = 4;      // in spacings: a tile is some fifty wid
 constexpr double near_cut = 4;          // in spacings: nearer to a cut many samples cannot be moved
 constexpr int iterations_at_large = 3;  // before there are tiles
 
+/// The samples on the surface, or while there are tiles on one without large facets.
+class TiledSamples {
+ public:
+  TiledSamples(const SurfaceTask& task, std::vector<SurfaceSample> samples)
+      : task_(task), samples_(std::move(samples)), sizing_(task.sizing) {}
+
+  /// On mesh().
+  std::vector<SurfaceSample>& all() { return samples_; }
+  std::size_t size() const { return samples_.size(); }
+  const SurfaceSample& operator[](std::size_t i) const { return samples_[i]; }
+  const geom::TriMesh& mesh() const { return split_ ? split_->mesh : task_.mesh; }
+  const Sizing& sizing() const { return sizing_; }
+  IterationReport measured(int threads) const {
+    return measure_positions(samples_, sizing_, task_.surface.num_fixed, threads);
+  }
+  SurfaceDomain domain() const { return SurfaceDomain(task_.mesh, task_.sizing, samples_, task_.surface); }
+
+  void split();    ///< from now on mesh() has no large facets
+  void unsplit();  ///< from now on it is what was given
+
+ private:
+  const SurfaceTask& task_;
+  std::vector<SurfaceSample> samples_;
+  std::optional<SplitSurface> split_;  ///< if there are large facets
+  Sizing sizing_;                      ///< on mesh()
+};
+
+void TiledSamples::split() {
+  if (!has_long_edges(task_.mesh, task_.sizing, longest_edge)) return;
+  split_ = split_long_edges(task_.mesh, task_.sizing, longest_edge, samples_);
+  if (!sizing_.is_uniform()) sizing_ = Sizing(split_->mesh, split_->h);
+}
+
+void TiledSamples::unsplit() {
+  if (!split_) return;
+  for (SurfaceSample& x : samples_) x.facet = split_->parents[x.facet];
+  sizing_ = task_.sizing;
+  split_.reset();
+}
+
 class TiledRun {
  public:
   TiledRun(SurfaceTask& task, const TileOptions& tiles, const OptimizeOptions& options,
@@ -32,8 +72,7 @@ class TiledRun {
         tile_options_(tiles),
         options_(options),
         result_(result),
-        samples_(std::move(task.samples)),
-        sizing_(task.sizing),
+        samples_(task, std::move(task.samples)),
         owed_(samples_.size(), 0),
         rng_(options.seed) {}
 
@@ -46,16 +85,10 @@ class TiledRun {
                std::vector<SurfaceSample>& next);
   void catch_up(SurfaceDomain& domain);
   void report(IterationReport report);
-  IterationReport measured() const {
-    return measure_positions(samples_, sizing_, task_.surface.num_fixed, tile_options_.threads);
-  }
 
   bool interrupted() const { return fpo::interrupted(options_.interrupted); }
   bool is_fixed(SiteId x) const { return x.index() < task_.surface.num_fixed; }
   void announce_move();
-  const geom::TriMesh& mesh() const { return split_ ? split_->mesh : task_.mesh; }
-  void split();    ///< from now on mesh() has no large facets
-  void unsplit();  ///< from now on it is what was given
   bool begin_at_large();
   std::vector<CutCost> cut_costs() const;
   void owe(int moves);
@@ -64,10 +97,8 @@ class TiledRun {
   const TileOptions& tile_options_;
   const OptimizeOptions& options_;
   OptimizeResult& result_;
-  std::vector<SurfaceSample> samples_;  ///< on mesh(), to the end of the last round
-  std::optional<SplitSurface> split_;   ///< if there are large facets
-  Sizing sizing_;                       ///< on mesh()
-  std::vector<int> owed_;               ///< moves that each sample is behind
+  TiledSamples samples_;   ///< to the end of the last round
+  std::vector<int> owed_;  ///< moves that each sample is behind
   geom::Rng rng_;
   int iteration_ = 0, round_ = 0, sweeps_ = 0;
   std::size_t moved_ = 0;  ///< in the round
@@ -147,11 +178,13 @@ bool TiledRun::round() {
   sweeps_ = std::min({round_, tile_options_.sweeps, options_.max_iterations - iteration_});
   const std::vector<CutCost> costs = cut_costs();
   owe(sweeps_);
-  std::vector<Tile> tiles = make_tiles(mesh(), samples_, {tile_options_.most_samples, rng_.bits(), costs});
+  std::vector<Tile> tiles =
+      make_tiles(samples_.mesh(), samples_.all(), {tile_options_.most_samples, rng_.bits(), costs});
   // Large ones first, so that threads end at about the same time.
   std::ranges::stable_sort(tiles, std::greater(), [](const Tile& tile) { return tile.samples.size(); });
-  const TiledSurface whole(mesh(), sizing_, samples_, task_.surface, std::move(tiles));
-  std::vector<SurfaceSample> next = samples_;
+  const TiledSurface whole(samples_.mesh(), samples_.sizing(), samples_.all(), task_.surface,
+                           std::move(tiles));
+  std::vector<SurfaceSample> next = samples_.all();
   const std::uint64_t seed = rng_.bits();
   try {
     geom::parallel_ranges(whole.tiles().size(), 1, tile_options_.threads,
@@ -159,7 +192,7 @@ bool TiledRun::round() {
   } catch (const geom::Bug& bug) {
     throw geom::Bug("after iteration " + std::to_string(iteration_) + ", " + bug.what());
   }
-  samples_ = std::move(next);
+  samples_.all() = std::move(next);
   iteration_ += sweeps_;
   return !interrupted();
 }
@@ -169,7 +202,7 @@ std::vector<CutCost> TiledRun::cut_costs() const {
   std::vector<CutCost> costs;
   costs.reserve(samples_.size());
   for (std::size_t i = 0; i < samples_.size(); ++i)
-    costs.push_back({static_cast<double>(owed_[i]) * owed_[i], near_cut * sizing_.at(samples_[i])});
+    costs.push_back({static_cast<double>(owed_[i]) * owed_[i], near_cut * samples_.sizing().at(samples_[i])});
   return costs;
 }
 
@@ -195,7 +228,7 @@ void TiledRun::catch_up(SurfaceDomain& domain) {
 /// The first iterations, on the whole surface. They even out the density of the samples at large, which tiles
 /// would do slowly: without them delta ends lower. False if that was all.
 bool TiledRun::begin_at_large() {
-  SurfaceDomain domain(task_.mesh, task_.sizing, samples_, task_.surface);
+  SurfaceDomain domain = samples_.domain();
   OptimizeOptions first = options_;
   first.max_iterations = std::min(iterations_at_large, options_.max_iterations);
   first.on_iteration = [&](const IterationReport& now) {
@@ -206,21 +239,8 @@ bool TiledRun::begin_at_large() {
   const OptimizeResult done = optimize(domain, first);
   result_.moves = done.moves;
   result_.reason = done.reason;
-  for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i] = domain.sample(SiteId(i));
+  for (std::size_t i = 0; i < samples_.size(); ++i) samples_.all()[i] = domain.sample(SiteId(i));
   return done.reason == StopReason::iteration_cap && iteration_ < options_.max_iterations;
-}
-
-void TiledRun::split() {
-  if (!has_long_edges(task_.mesh, task_.sizing, longest_edge)) return;
-  split_ = split_long_edges(task_.mesh, task_.sizing, longest_edge, samples_);
-  if (!sizing_.is_uniform()) sizing_ = Sizing(split_->mesh, split_->h);
-}
-
-void TiledRun::unsplit() {
-  if (!split_) return;
-  for (SurfaceSample& x : samples_) x.facet = split_->parents[x.facet];
-  sizing_ = task_.sizing;
-  split_.reset();
 }
 
 /// Rounds until there is a reason to stop.
@@ -229,7 +249,7 @@ StopReason TiledRun::rounds() {
     if (!round()) return StopReason::interrupted;
     if (moved_ == 0 && std::ranges::count(owed_, 0) == std::ssize(owed_)) return StopReason::nothing_moved;
     if (iteration_ == options_.max_iterations) break;
-    const IterationReport now = measured();
+    const IterationReport now = samples_.measured(tile_options_.threads);
     if (now.delta > options_.target_delta) return StopReason::target_reached;
     report(now);
   }
@@ -237,16 +257,16 @@ StopReason TiledRun::rounds() {
 }
 
 SurfaceDomain TiledRun::take() {
-  geom::require(!samples_.empty(), "there must be at least one sample");
+  geom::require(samples_.size() > 0, "there must be at least one sample");
   if (options_.scope == Scope::global && options_.max_iterations > 0) {
-    if (!begin_at_large()) return SurfaceDomain(task_.mesh, task_.sizing, samples_, task_.surface);
+    if (!begin_at_large()) return samples_.domain();
   } else {
-    report(measured());
+    report(samples_.measured(tile_options_.threads));
   }
-  split();
+  samples_.split();
   result_.reason = rounds();
-  unsplit();
-  SurfaceDomain domain(task_.mesh, task_.sizing, samples_, task_.surface);
+  samples_.unsplit();
+  SurfaceDomain domain = samples_.domain();
   if (iteration_ == 0) return domain;
   if (result_.reason == StopReason::iteration_cap) catch_up(domain);
   report(measure(domain));
