@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "fpo/farthest_move.h"
+
 namespace fpo {
 
 using geom::SiteId;
@@ -75,12 +77,7 @@ bool raise_weight(SurfaceDomain& domain, SiteId x, double length2) {
 
 bool move_away_from(SurfaceDomain& domain, const geom::Location3& middle) {
   const SiteId x = domain.dual().nearest(middle, SiteId()).site;
-  if (domain.is_fixed(x)) return false;
-  domain.remove(x);
-  const Circle c = domain.largest_empty(Scope::global);
-  if (!c.id.valid()) return domain.put_back(x), false;
-  domain.insert_at(x, c);
-  return true;
+  return !domain.is_fixed(x) && move_to_farthest(domain, x);
 }
 
 }  // namespace
