@@ -22,7 +22,7 @@ TEST_CASE(
       CHECK((at - balls.middle(t)).norm() <= balls.radius(t) * (1 + 1e-12));
       const Vec3 away(rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1));
       const Vec3 x = mesh.box().center() + 0.4 * mesh.diagonal() * away;
-      const double distance = 0.3 * mesh.diagonal() * rng.uniform();
+      const double distance = 0.6 * mesh.diagonal() * rng.uniform();
       const bool comes = balls.comes_near(t, x, distance);
       (comes ? near : far) += 1;
       if (!comes) CHECK((at - x).norm() > distance);
