@@ -17,9 +17,9 @@ struct Place {
 /// The farthest point is the empty circle of the largest priority, and a sample leaves its place for it only
 /// if it has a larger priority than that place. What relies on it:
 ///   - It is a function of the place alone, not of history: a circle keeps its key in the heap
-///     (SurfaceDomain, CircleQueue) until it moves, and the bar of CircleQueue is one of such keys.
+///     (CircleHeap, CircleQueue) until it moves, and the bar of CircleQueue is one of such keys.
 ///   - At one place it does not fall when radius2 rises: so a sample that any one other sample is near enough
-///     to leaves (is_farther() of SurfaceDomain and PlaneDomain looks at the heirs first).
+///     to leaves (SurfaceState::is_farther() and VacatedPlace look at the heirs first).
 ///   - Different circles hardly ever have the same one (a rule that rounds will not do). Ties are broken by
 ///     what the circles are (circle_before, cell_before), which changes while a heap is brought up to date.
 /// Nothing else relies on it: who is nearest to whom, the bounds of cells, the certificates of moves and of
@@ -29,6 +29,12 @@ using Priority = double (*)(const Place&);
 
 /// The paper's rule: the largest circle.
 inline double by_radius(const Place& place) { return place.radius2; }
+
+/// The priority of a place where edges of length wanted() are; asked only by a rule that looks at it.
+template <class Wanted>
+double priority_by(Priority rule, const geom::Vec3& position, double radius2, Wanted&& wanted) {
+  return rule == by_radius ? radius2 : rule({position, radius2, wanted()});
+}
 
 struct FarthestRule {
   const char* name;

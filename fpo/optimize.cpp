@@ -1,13 +1,13 @@
 #include "fpo/optimize.h"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <numeric>
 #include <string>
 #include <vector>
 
 #include "fpo/interruption.h"
+#include "fpo/stopwatch.h"
 #include "geom/check.h"
 #include "geom/rng.h"
 
@@ -21,16 +21,6 @@ std::vector<SiteId> movable_samples(const Domain& domain) {
     if (!domain.is_fixed(SiteId(i))) samples.emplace_back(i);
   return samples;
 }
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 }  // namespace
 

@@ -80,9 +80,11 @@ class BinaryValues {
         return take<std::int32_t>();
       case uint32:
         return take<std::uint32_t>();
-      default:
-        fail("a floating-point number where an integer is needed");
+      case float32:
+      case float64:
+        break;
     }
+    fail("a floating-point number where an integer is needed");
   }
   void skip(PlyType type, std::size_t count) {
     if (count > room(type)) fail_truncated();

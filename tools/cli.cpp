@@ -14,31 +14,9 @@
 #include <thread>
 
 #include "geom/exact/expansion.h"
-#include "io/extension.h"
 
 namespace tools {
 namespace {
-
-std::string with_default(const std::string& given, const Option& option, const std::string& initial) {
-  return given.empty() && !option.required ? initial : given;
-}
-
-std::string join(const std::vector<std::string>& words, const std::string& separator) {
-  std::string joined;
-  for (const std::string& word : words) joined += (joined.empty() ? "" : separator) + word;
-  return joined;
-}
-
-/// "-n, --count COUNT": every way to write an option, as the help shows it.
-std::string forms(const Option& option, bool negatable, bool maybe_value) {
-  std::string text = option.letter ? std::string{'-', option.letter} : "   ";
-  if (!option.name.empty()) {
-    text += option.letter ? ", --" : " --";
-    text += (negatable ? "[no-]" : "") + option.name;
-  }
-  if (maybe_value) return text + "[=" + option.value + "]";
-  return text + (option.value.empty() ? "" : " " + option.value);
-}
 
 /// A word that a POSIX shell reads as it is.
 std::string quoted(const std::string& word) {
@@ -49,162 +27,58 @@ std::string quoted(const std::string& word) {
   return result + "'";
 }
 
-/// Breaks a text between words into lines of at most `width` characters, each but the first indented.
-std::string wrapped(const std::string& text, std::size_t indent, std::size_t width) {
-  std::string result;
-  std::size_t column = 0, begin = 0;
-  while (begin < text.size()) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    if (column > 0 && column + 1 + (end - begin) > width) {
-      result += "\n" + std::string(indent, ' ');
-      column = 0;
-    }
-    if (column > 0) result += ' ', ++column;
-    result.append(text, begin, end - begin);
-    column += end - begin;
-    begin = end + 1;
-  }
-  return result;
-}
+/// Goes through the arguments, sets what options set, and gathers the operands.
+class ArgumentReader {
+ public:
+  ArgumentReader(OptionTable& options, const std::vector<std::string>& arguments)
+      : options_(options), arguments_(arguments) {}
 
-}  // namespace
+  std::vector<std::string> read(std::size_t least, std::size_t most);
 
-CommandLine::CommandLine(std::string program, std::vector<std::string> arguments)
-    : program_(std::move(program)),
-      arguments_(std::move(arguments)),
-      threads_(static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))) {}
+ private:
+  using Entry = OptionTable::Entry;
+  Entry& find(const std::string& written) const;
+  static void apply(Entry& entry, const std::string& written, const std::string& value);
+  void read_long();
+  void read_short();
+  void read_value(Entry& entry, const std::string& written);
+  void check_complete(std::size_t least, std::size_t most) const;
 
-std::string CommandLine::command() const {
-  std::string text = program_;
-  for (const std::string& argument : arguments_) text += " " + quoted(argument);
-  return text;
-}
+  OptionTable& options_;
+  const std::vector<std::string>& arguments_;
+  std::size_t at_ = 0;  ///< the argument in hand
+  std::vector<std::string> operands_;
+};
 
-void CommandLine::describe(std::string operands, std::string summary) {
-  operands_ = std::move(operands);
-  summary_ = std::move(summary);
-}
-
-void CommandLine::example(std::string arguments, std::string what) {
-  examples_.emplace_back(std::move(arguments), std::move(what));
-}
-
-void CommandLine::group(std::string title) { group_ = std::move(title); }
-
-void CommandLine::declare(Option option, Kind kind, Assign assign) {
-  entries_.push_back({std::move(option), kind, std::move(assign), group_});
-}
-
-void CommandLine::custom(Option option, Assign assign) {
-  declare(std::move(option), Kind::with_value, std::move(assign));
-}
-
-void CommandLine::custom_or_none(Option option, Assign assign) {
-  declare(std::move(option), Kind::maybe_value, std::move(assign));
-}
-
-void CommandLine::number(Option option, double& target, double low, double high) {
-  option.standard = with_default(option.standard, option, shortest(target));
-  custom(std::move(option),
-         [&target, low, high](const std::string& text) { target = parse_number(text, low, high); });
-}
-
-void CommandLine::text(Option option, std::string& target) {
-  option.standard = with_default(option.standard, option, target);
-  custom(std::move(option), [&target](const std::string& text) { target = text; });
-}
-
-void CommandLine::path(Option option, std::filesystem::path& target) {
-  option.standard = with_default(option.standard, option, target.string());
-  custom(std::move(option), [&target](const std::string& text) {
-    geom::require(!text.empty(), "a file name cannot be empty");
-    target = text;
-  });
-}
-
-void CommandLine::output(Option option, std::filesystem::path& target, std::vector<std::string> endings) {
-  custom(std::move(option), [&target, endings = std::move(endings)](const std::string& text) {
-    geom::require(!text.empty(), "a file name cannot be empty");
-    io::require_extension(text, endings);
-    target = text;
-  });
-}
-
-void CommandLine::flag(Option option, bool& target) {
-  declare(std::move(option), Kind::flag, [&target](const std::string&) { target = true; });
-}
-
-void CommandLine::toggle(Option option, bool& target) {
-  option.standard = with_default(option.standard, option, target ? "on" : "off");
-  declare(std::move(option), Kind::toggle, [&target](const std::string& text) { target = text == "yes"; });
-}
-
-void CommandLine::toggle(Option option, std::optional<bool>& target) {
-  declare(std::move(option), Kind::toggle, [&target](const std::string& text) { target = text == "yes"; });
-}
-
-void CommandLine::toggle(Option option, std::function<void(bool)> assign) {
-  declare(std::move(option), Kind::toggle,
-          [assign = std::move(assign)](const std::string& text) { assign(text == "yes"); });
-}
-
-void CommandLine::declare_choice(Option option, std::vector<std::string> words,
-                                 std::function<void(std::size_t)> assign) {
-  custom(std::move(option), [words = std::move(words), assign = std::move(assign)](const std::string& text) {
-    const auto word = std::find(words.begin(), words.end(), text);
-    geom::require(word != words.end(), "'" + text + "' is none of " + join(words, ", "));
-    assign(static_cast<std::size_t>(word - words.begin()));
-  });
-}
-
-void CommandLine::declare_common() {
-  group("Common");
-  integer({.name = "seed", .value = "S", .help = "same input and seed, same result"}, seed_, 0, UINT64_MAX);
-  integer({.name = "threads", .value = "T", .help = "threads at most", .standard = "all cores"}, threads_, 1,
-          1024);
-  flag({.name = "quiet", .help = "no progress line"}, quiet_);
-  declare({.name = "help", .letter = 'h', .help = "this text"}, Kind::flag, [this](const std::string&) {
-    std::cout << help();
-    throw Finished{};
-  });
-  declare({.name = "version", .help = "name and version"}, Kind::flag, [this](const std::string&) {
-    std::cout << program_ << " " FPO_VERSION "\n";
-    throw Finished{};
-  });
-}
-
-std::vector<std::string> CommandLine::parse(std::size_t least, std::size_t most) {
-  declare_common();
-  std::vector<std::string> operands;
+std::vector<std::string> ArgumentReader::read(std::size_t least, std::size_t most) {
   bool options_ended = false;
-  for (std::size_t i = 0; i < arguments_.size();) {
-    const std::string& argument = arguments_[i];
-    if (options_ended || argument.size() < 2 || argument[0] != '-') {
-      operands.push_back(argument);
-      ++i;
-    } else if (argument == "--") {
+  for (; at_ < arguments_.size(); ++at_) {
+    const std::string& argument = arguments_[at_];
+    if (options_ended || argument.size() < 2 || argument[0] != '-')
+      operands_.push_back(argument);
+    else if (argument == "--")
       options_ended = true;
-      ++i;
-    } else {
-      i = argument[1] == '-' ? read_long(i) : read_short(i);
-    }
+    else if (argument[1] == '-')
+      read_long();
+    else
+      read_short();
   }
-  check_complete(operands, least, most);
-  return operands;
+  check_complete(least, most);
+  return std::move(operands_);
 }
 
-CommandLine::Entry& CommandLine::find(const std::string& written) {
-  for (Entry& entry : entries_) {
+ArgumentReader::Entry& ArgumentReader::find(const std::string& written) const {
+  for (Entry& entry : options_.entries()) {
     const Option& option = entry.option;
     if (option.letter && written == std::string{'-', option.letter}) return entry;
     if (option.name.empty()) continue;
     if (written == "--" + option.name) return entry;
-    if (entry.kind == Kind::toggle && written == "--no-" + option.name) return entry;
+    if (entry.takes == Takes::yes_or_no && written == "--no-" + option.name) return entry;
   }
   throw UsageError("unknown option " + written);
 }
 
-void CommandLine::apply(Entry& entry, const std::string& written, const std::string& value) {
+void ArgumentReader::apply(Entry& entry, const std::string& written, const std::string& value) {
   entry.given = true;
   try {
     entry.assign(value);
@@ -213,57 +87,51 @@ void CommandLine::apply(Entry& entry, const std::string& written, const std::str
   }
 }
 
-/// Reads --name, --name=value or --name value at argument i; returns where the next argument stands.
-std::size_t CommandLine::read_long(std::size_t i) {
-  const std::string& argument = arguments_[i];
+/// --name, --name=value or --name value.
+void ArgumentReader::read_long() {
+  const std::string& argument = arguments_[at_];
   const std::size_t equals = argument.find('=');
+  const bool has_value = equals != std::string::npos;
   const std::string written = argument.substr(0, equals);
   Entry& entry = find(written);
-  if (entry.kind == Kind::maybe_value && equals == std::string::npos) {
-    apply(entry, written, "");
-    return i + 1;
-  }
-  if (entry.kind != Kind::with_value && entry.kind != Kind::maybe_value) {
-    if (equals != std::string::npos) throw UsageError(written + " takes no value");
+  if (entry.takes == Takes::nothing || entry.takes == Takes::yes_or_no) {
+    if (has_value) throw UsageError(written + " takes no value");
     apply(entry, written, written == "--" + entry.option.name ? "yes" : "no");
-    return i + 1;
-  }
-  if (equals != std::string::npos) {
+  } else if (has_value) {
     apply(entry, written, argument.substr(equals + 1));
-    return i + 1;
+  } else if (entry.takes == Takes::maybe_value) {
+    apply(entry, written, "");
+  } else {
+    read_value(entry, written);
   }
-  return read_next(entry, written, i);
 }
 
-/// Reads -n value, -nvalue or the flag -q at argument i; returns where the next argument stands.
-std::size_t CommandLine::read_short(std::size_t i) {
-  const std::string& argument = arguments_[i];
+/// -n value, -nvalue or the flag -q.
+void ArgumentReader::read_short() {
+  const std::string& argument = arguments_[at_];
   const std::string written = argument.substr(0, 2);
   Entry& entry = find(written);
-  if (entry.kind != Kind::with_value) {
+  if (entry.takes != Takes::value) {
     if (argument.size() > 2) throw UsageError("unknown option " + argument);
     apply(entry, written, "yes");
-    return i + 1;
-  }
-  if (argument.size() > 2) {
+  } else if (argument.size() > 2) {
     apply(entry, written, argument.substr(2));
-    return i + 1;
+  } else {
+    read_value(entry, written);
   }
-  return read_next(entry, written, i);
 }
 
-std::size_t CommandLine::read_next(Entry& entry, const std::string& written, std::size_t i) {
-  if (i + 1 == arguments_.size())
+/// The argument after the one in hand, which then is in hand.
+void ArgumentReader::read_value(Entry& entry, const std::string& written) {
+  if (at_ + 1 == arguments_.size())
     throw UsageError(written + " " + entry.option.value + ": the value is missing");
-  apply(entry, written, arguments_[i + 1]);
-  return i + 2;
+  apply(entry, written, arguments_[++at_]);
 }
 
-void CommandLine::check_complete(const std::vector<std::string>& operands, std::size_t least,
-                                 std::size_t most) const {
-  if (operands.size() < least) throw UsageError(operands_ + " is missing");
-  if (operands.size() > most) throw UsageError("unexpected argument '" + operands[most] + "'");
-  for (const Entry& entry : entries_) {
+void ArgumentReader::check_complete(std::size_t least, std::size_t most) const {
+  if (operands_.size() < least) throw UsageError(options_.operands() + " is missing");
+  if (operands_.size() > most) throw UsageError("unexpected argument '" + operands_[most] + "'");
+  for (const Entry& entry : options_.entries()) {
     const Option& option = entry.option;
     if (!option.required || entry.given) continue;
     const std::string written = option.letter ? std::string{'-', option.letter} : "--" + option.name;
@@ -271,42 +139,38 @@ void CommandLine::check_complete(const std::vector<std::string>& operands, std::
   }
 }
 
-namespace {
-
-constexpr std::size_t page_width = 79, help_column = 27;
-
-/// An option and what it does: beside it, or below if it is long.
-std::string entry_text(const Option& option, const std::string& forms) {
-  std::string phrase = option.help;
-  if (option.required) phrase += " (required)";
-  if (!option.standard.empty()) phrase += " (default " + option.standard + ")";
-  std::string line = "  " + forms;
-  if (line.size() + 2 > help_column) line += "\n" + std::string(help_column, ' ');
-  if (line.size() < help_column) line.resize(help_column, ' ');
-  return line + wrapped(phrase, help_column, page_width - help_column) + "\n";
-}
-
 }  // namespace
 
-std::string CommandLine::help() const {
-  std::string text = "Usage: " + program_ + (operands_.empty() ? "" : " " + operands_) + " [options]\n";
-  text += wrapped(summary_, 0, page_width) + "\n";
-  if (!examples_.empty()) text += "\nExamples\n";
-  for (const auto& [arguments, what] : examples_)
-    text += "  " + program_ + " " + arguments + "\n      " + wrapped(what, 6, page_width - 6) + "\n";
-  std::vector<std::string> groups;
-  for (const Entry& entry : entries_)
-    if (std::ranges::find(groups, entry.group) == groups.end()) groups.push_back(entry.group);
-  std::stable_partition(groups.begin(), groups.end(),
-                        [](const std::string& g) { return !g.starts_with("Expert"); });
-  for (const std::string& group : groups) {
-    text += "\n" + group + "\n";
-    for (const Entry& entry : entries_)
-      if (entry.group == group)
-        text += entry_text(entry.option,
-                           forms(entry.option, entry.kind == Kind::toggle, entry.kind == Kind::maybe_value));
-  }
+CommandLine::CommandLine(std::string program, std::vector<std::string> arguments)
+    : OptionTable(std::move(program)),
+      arguments_(std::move(arguments)),
+      threads_(static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))) {}
+
+std::string CommandLine::command() const {
+  std::string text = program();
+  for (const std::string& argument : arguments_) text += " " + quoted(argument);
   return text;
+}
+
+void CommandLine::declare_common() {
+  group("Common");
+  integer({.name = "seed", .value = "S", .help = "same input and seed, same result"}, seed_, 0, UINT64_MAX);
+  integer({.name = "threads", .value = "T", .help = "threads at most", .standard = "all cores"}, threads_, 1,
+          1024);
+  flag({.name = "quiet", .help = "no progress line"}, quiet_);
+  request({.name = "help", .letter = 'h', .help = "this text"}, [this] {
+    std::cout << help();
+    throw Finished{};
+  });
+  request({.name = "version", .help = "name and version"}, [this] {
+    std::cout << program() << " " FPO_VERSION "\n";
+    throw Finished{};
+  });
+}
+
+std::vector<std::string> CommandLine::parse(std::size_t least, std::size_t most) {
+  declare_common();
+  return ArgumentReader(*this, arguments_).read(least, most);
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include <atomic>
 
 #include "fpo/shortest_edge.h"
+#include "fpo/surface/surface_domain.h"
 #include "geom/check.h"
 
 namespace tools {
@@ -43,13 +44,24 @@ Convergence converge(fpo::Domain& domain, const Way& way, double start, const Co
   o.interrupted = &enough;
   const auto n = static_cast<double>(domain.num_samples());
   o.on_iteration = [&](const fpo::IterationReport& r) {
+    const double before = thread_seconds();
     result.delta.push_back(r.delta);
     result.mean_delta.push_back(r.mean_delta);
-    result.microseconds.push_back(1e6 * (thread_seconds() - start) / n);
+    result.microseconds.push_back(1e6 * (before - start) / n);
+    if (options.measure) result.measured.push_back(options.measure());
     enough = r.mean_delta >= options.enough_mean_delta;
+    start += thread_seconds() - before;
   };
   fpo::optimize(domain, o);
   return result;
+}
+
+Convergence converge(const geom::TriMesh& surface, std::size_t samples, std::uint64_t seed, const Way& way,
+                     const ConvergenceOptions& options) {
+  const auto initial = fpo::random_samples(surface, samples, seed);
+  const double start = thread_seconds();
+  fpo::SurfaceDomain domain(surface, initial);
+  return converge(domain, way, start, options);
 }
 
 Convergence mean(std::span<const Convergence> runs) {

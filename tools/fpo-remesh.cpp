@@ -29,6 +29,7 @@
 #include "tools/remesh_report.h"
 #include "tools/remesh_sizing.h"
 #include "tools/remesh_summary.h"
+#include "tools/run_log.h"
 #include "tools/surface_input.h"
 #include "tools/type_warnings.h"
 
@@ -95,8 +96,8 @@ int remesh(tools::CommandLine& cli) {
   tools::settle_sizing(a, read);
 
   const bool uniform = a.remesh.sizing == fpo::SizingKind::uniform;
-  std::string log = uniform ? "iteration,moved,delta,mean_delta,seconds\n"
-                            : "iteration,moved,delta_of_wanted,mean_delta_of_wanted,seconds\n";
+  std::string log =
+      uniform ? tools::log_head : "iteration,moved,delta_of_wanted,mean_delta_of_wanted,seconds\n";
   tools::RemeshRun run{cli.command(), a.input, a.remesh, {}, 0, cli.threads(), cli.quiet()};
   tools::Progress progress("optimizing", cli.quiet());
   const double total_moves = std::max(1.0, double(a.remesh.num_samples) * a.remesh.optimize.max_iterations);
@@ -115,10 +116,7 @@ int remesh(tools::CommandLine& cli) {
       log.resize(log.find('\n') + 1);
     }
     run.iterations.push_back(r);
-    char line[160];
-    std::snprintf(line, sizeof line, "%d,%zu,%.6f,%.6f,%.6f\n", r.iteration, r.moved, r.delta, r.mean_delta,
-                  r.seconds);
-    log += line;
+    log += tools::log_line(r);
   };
   const auto start = std::chrono::steady_clock::now();
   const fpo::AtLeastResult found = remesh_named(read, a);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 
 #include "fpo/spectrum/periodogram.h"
@@ -18,6 +17,7 @@
 #include "tools/spectrum_warnings.h"
 #include "tools/summary.h"
 #include "tools/surface_input.h"
+#include "tools/worded.h"
 
 namespace {
 
@@ -121,11 +121,9 @@ std::vector<PowerSpectrum> all_spectra(const SpectrumArguments& a) {
 std::string table(const fpo::RadialCurve& curve) {
   std::string text = "frequency,radial_mean,anisotropy_db\n";
   for (std::size_t i = 0; i < curve.frequency.size(); ++i) {
-    char line[128];
-    std::snprintf(line, sizeof line, "%.6g,%.6g,", curve.frequency[i], curve.mean[i]);
-    text += line;
+    text += tools::worded("%.6g,%.6g,", curve.frequency[i], curve.mean[i]);
     const double decibels = fpo::decibel(curve.anisotropy[i]);
-    if (std::isfinite(decibels)) std::snprintf(line, sizeof line, "%.4f", decibels), text += line;
+    if (std::isfinite(decibels)) text += tools::worded("%.4f", decibels);
     text += '\n';
   }
   return text;

@@ -1,9 +1,8 @@
 #include "tools/measures.h"
 
-#include <cstdio>
-
 #include "geom/check.h"
 #include "geom/mesh/scaling.h"
+#include "tools/worded.h"
 
 namespace tools {
 namespace {
@@ -88,11 +87,8 @@ std::vector<std::pair<std::string, double>> named(const Measures& m) {
 
 std::string json(const std::vector<std::pair<std::string, double>>& values) {
   std::string text = "{";
-  for (const auto& [name, value] : values) {
-    char field[96];
-    std::snprintf(field, sizeof field, "%s\"%s\": %.9g", text.size() > 1 ? ", " : "", name.c_str(), value);
-    text += field;
-  }
+  for (const auto& [name, value] : values)
+    text += worded("%s\"%s\": %.9g", text.size() > 1 ? ", " : "", name.c_str(), value);
   return text + "}";
 }
 

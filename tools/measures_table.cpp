@@ -1,7 +1,8 @@
 #include "tools/measures_table.h"
 
 #include <array>
-#include <cstdio>
+
+#include "tools/worded.h"
 
 namespace tools {
 namespace {
@@ -22,12 +23,6 @@ constexpr std::array<Column, 8> columns = {{{"Q_min", &fpo::PaperFigures::q_min,
                                             {"V567 %", &fpo::PaperFigures::v567_pct, 1},
                                             {"d_H %", &fpo::PaperFigures::d_h_pct, 2}}};
 
-std::string text(const char* format, int digits, double value) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, format, digits, value);
-  return buffer;
-}
-
 }  // namespace
 
 std::vector<std::string> quality_columns() {
@@ -40,14 +35,14 @@ std::vector<std::string> quality_columns() {
 std::vector<std::string> quality_cells(const fpo::PaperFigures& figures) {
   std::vector<std::string> cells;
   cells.reserve(std::size(columns));
-  for (const Column& c : columns) cells.push_back(text("%.*f", c.digits, figures.*c.figure));
+  for (const Column& c : columns) cells.push_back(worded("%.*f", c.digits, figures.*c.figure));
   return cells;
 }
 
 std::vector<std::string> difference_cells(const fpo::PaperFigures& a, const fpo::PaperFigures& b) {
   std::vector<std::string> cells;
   cells.reserve(std::size(columns));
-  for (const Column& c : columns) cells.push_back(text("%+.*f", c.digits, a.*c.figure - b.*c.figure));
+  for (const Column& c : columns) cells.push_back(worded("%+.*f", c.digits, a.*c.figure - b.*c.figure));
   return cells;
 }
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "tools/paper_table.h"
+#include "tools/worded.h"
 
 namespace tools {
 namespace {
@@ -113,10 +113,9 @@ void add_convergence(io::HtmlReport& page, const PaperResults& results) {
     std::string models;
     for (const std::string& model : results.convergence_models)
       models += (models.empty() ? "" : ", ") + model;
-    char last[160];
-    std::snprintf(last, sizeof last,
-                  " After %zu iterations %.4f and %.4f (the paper: .926 and .933 after 60 to 100).",
-                  c.delta.size() - 1, c.delta.back(), c.mean_delta.back());
+    const std::string last =
+        worded(" After %zu iterations %.4f and %.4f (the paper: .926 and .933 after 60 to 100).",
+               c.delta.size() - 1, c.delta.back(), c.mean_delta.back());
     plots.push_back({io::draw_chart(chart), "Mean over " + models + "." + last});
   }
   if (!results.runtimes.empty())
@@ -128,9 +127,7 @@ void add_convergence(io::HtmlReport& page, const PaperResults& results) {
     page.note("Left out.");
     return;
   }
-  char caption[200];
-  std::snprintf(
-      caption, sizeof caption,
+  const std::string caption = worded(
       "Until the mean delta is %.2f, or %d iterations: global without, local after shortest edge removal "
       "(included).",
       enough_mean_delta, most_iterations);

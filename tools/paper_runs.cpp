@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -11,13 +10,13 @@
 
 #include "fpo/remesh/remesh_defaults.h"
 #include "fpo/spectrum/spectrum_set.h"
-#include "fpo/surface/surface_domain.h"
 #include "geom/check.h"
 #include "geom/mesh/scaling.h"
 #include "geom/parallel.h"
 #include "io/extension.h"
 #include "io/mesh_picture.h"
 #include "tools/surface_input.h"
+#include "tools/worded.h"
 
 namespace tools {
 namespace {
@@ -65,14 +64,6 @@ constexpr std::array<SpectrumCase, 6> spectrum_cases = {{{7, "Venus", 1700, fals
                                                          {8, "Kitten", 9800, true},
                                                          {9, "Joint", 3400, false},
                                                          {9, "Mask", 6000, false}}};
-
-/// The models whose convergence figure 10 shows, all uniform.
-struct ConvergenceCase {
-  const char* model;
-  std::size_t samples;
-};
-constexpr std::array<ConvergenceCase, 4> convergence_cases = {
-    {{"Venus", 1700}, {"Eight", 1700}, {"Homer", 7900}, {"Bunny", 6300}}};
 
 fpo::RemeshOptions options_for(const PaperMethod& method, std::size_t samples, bool adaptive,
                                const PaperOptions& paper) {
@@ -130,10 +121,8 @@ class Experiments {
       ++done;
       cpu_seconds_ += seconds;
       if (!options_.progress) return;
-      char text[160];
-      std::snprintf(text, sizeof text, "%zu of %zu: %s, %.1f s", done, jobs_.size(),
-                    jobs_[first].name.c_str(), seconds);
-      options_.progress(text);
+      options_.progress(
+          worded("%zu of %zu: %s, %.1f s", done, jobs_.size(), jobs_[first].name.c_str(), seconds));
     });
   }
 
@@ -240,11 +229,8 @@ class Experiments {
       if (!surface(c.model)) continue;
       jobs_.push_back({std::string("figure 10 left ") + c.model, static_cast<double>(c.samples) * iterations,
                        [this, i, c, iterations] {
-                         const geom::TriMesh& mesh = *surface(c.model);
-                         const auto samples = fpo::random_samples(mesh, c.samples, options_.seed);
-                         const double start = thread_seconds();
-                         fpo::SurfaceDomain domain(mesh, samples);
-                         convergence_[i] = converge(domain, ways[0], start, {.iterations = iterations});
+                         convergence_[i] = converge(*surface(c.model), c.samples, options_.seed, ways[0],
+                                                    {.iterations = iterations});
                        }});
       ++i;
     }

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <limits>
 #include <string_view>
+
+#include "tools/worded.h"
 
 namespace tools {
 namespace {
@@ -96,11 +97,7 @@ bool is_there(const PaperResults& results, const std::string& model) {
 
 }  // namespace
 
-std::string seconds_text(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", seconds);
-  return text;
-}
+std::string seconds_text(double seconds) { return worded("%.1f", seconds); }
 
 io::HtmlTable paper_table(const PaperResults& results, int number) {
   io::HtmlTable out;

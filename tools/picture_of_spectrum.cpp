@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <string>
 #include <vector>
 
 #include "io/chart.h"
 #include "io/png.h"
+#include "tools/worded.h"
 
 namespace tools {
 namespace {
@@ -115,10 +115,8 @@ io::Svg draw_spectrum(const MeanSpectrum& mean, const SpectrumScale& scale) {
   io::draw_chart(svg, radial, {400, 0}, {420, 200});
 
   const double isotropic = 0 - fpo::decibel(static_cast<double>(mean.num_sets));  // not -0
-  char title[64];
-  std::snprintf(title, sizeof title, "Anisotropy (isotropic: %.1f dB)", isotropic);
   io::Chart anisotropy;
-  anisotropy.title = title;
+  anisotropy.title = worded("Anisotropy (isotropic: %.1f dB)", isotropic);
   anisotropy.x = frequency;
   anisotropy.y.label = "dB";
   anisotropy.guides.push_back({.y = isotropic});

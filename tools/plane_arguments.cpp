@@ -6,6 +6,7 @@
 #include "tools/interrupt.h"
 #include "tools/numbers.h"
 #include "tools/period.h"
+#include "tools/shared_options.h"
 
 namespace tools {
 namespace {
@@ -27,9 +28,8 @@ void declare_result(CommandLine& cli, PlaneArguments& a) {
             .help = "the samples: .txt (x y [weight] a line) or .svg, or with their triangulation .off, .obj",
             .required = true},
            a.output);
-  cli.output({.name = "log", .value = "OUT.csv", .help = "iteration, moved, delta, mean_delta, seconds"},
-             a.log, {".csv", ".txt"});
-  cli.flag({.name = "json", .help = "print the summary as a JSON object"}, a.json);
+  declare_log(cli, a.log);
+  declare_json(cli, a.json);
   cli.flag({.name = "draw-triangulation", .help = "in .svg: the regular triangulation"},
            a.picture.triangulation);
   cli.flag({.name = "draw-cells", .help = "in .svg: the power cells"}, a.picture.cells);
@@ -53,15 +53,11 @@ void declare_domain(CommandLine& cli, PlaneArguments& a) {
               .value = "G",
               .help = "of images and curves: edge lengths grow by at most G times the distance"},
              a.gradation, 0.01, 1);
-  cli.custom({.name = "start",
+  cli.choice({.name = "start",
               .value = "random|stratified",
               .help = "initial samples",
               .standard = "random if uniform, else stratified"},
-             [&a](const std::string& text) {
-               geom::require(text == "random" || text == "stratified",
-                             "'" + text + "' is neither random nor stratified");
-               a.start = text == "random" ? fpo::PlaneStart::random : fpo::PlaneStart::stratified;
-             });
+             a.start, {{"random", fpo::PlaneStart::random}, {"stratified", fpo::PlaneStart::stratified}});
   cli.flag({.name = "bounded", .help = "a rectangle with a border, not a torus"}, a.bounded);
   cli.choice({.name = "corners",
               .value = "c|all",
@@ -69,16 +65,15 @@ void declare_domain(CommandLine& cli, PlaneArguments& a) {
              a.corners, {{"c", geom::CornerTypes::c_only}, {"all", geom::CornerTypes::all}});
 }
 
-void declare_optimization(CommandLine& cli, PlaneArguments& a, bool& local, bool& global, bool& rest) {
+void declare_optimization(CommandLine& cli, PlaneArguments& a, ScopeFlags& scope, bool& rest) {
   cli.group("Optimization");
   cli.integer({.name = "iterations", .value = "MAX", .help = "at most so many"}, a.optimize.max_iterations, 0,
               1'000'000);
   cli.number({.name = "target-delta", .value = "D", .help = "stop when delta exceeds it"},
              a.optimize.target_delta, 0, 2);
   cli.toggle({.name = "rest", .help = "do not move samples where the target is met already"}, rest);
-  cli.toggle({.name = "ser", .help = "shortest edge removal first"}, a.ser);
-  cli.flag({.name = "local", .help = "look for farthest points nearby only (default if not uniform)"}, local);
-  cli.flag({.name = "global", .help = "look for them everywhere (default if uniform)"}, global);
+  declare_shortest_edge_removal(cli, a.ser);
+  scope.declare(cli, " (default if not uniform)", " (default if uniform)");
   cli.custom({.name = "weight-factor",
               .value = "C",
               .help = "weights are (C h)^2 for edge length h",
@@ -99,22 +94,21 @@ bool PlaneArguments::writes_svg() const { return io::lower_extension(output) == 
 
 PlaneArguments parse_plane_arguments(CommandLine& cli) {
   PlaneArguments a;
-  bool local = false, global = false, rest = false;
+  ScopeFlags scope;
+  bool rest = false;
   cli.describe(
       "", std::string("Spreads COUNT samples of blue noise over a rectangle, periodic unless --bounded. ") +
               interrupt_help);
   declare_result(cli, a);
   declare_domain(cli, a);
-  declare_optimization(cli, a, local, global, rest);
+  declare_optimization(cli, a, scope, rest);
   cli.parse(0, 0);
-  if (local && global) throw UsageError("--local and --global exclude each other");
+  a.scope = scope.scope();
   if (a.bounded && a.start) throw UsageError("--start is for tori: --bounded has random initial samples");
   geom::require(a.writes_svg() || a.writes_mesh() || io::lower_extension(a.output) == ".txt",
                 a.output.string() + ": use .txt, .svg, .off or .obj");
   const bool draws = a.picture.triangulation || a.picture.cells || a.picture.disks || a.picture.colour;
   if (draws && !a.writes_svg()) throw UsageError("--draw-... is for -o OUT.svg");
-  if (local) a.scope = fpo::Scope::two_ring;
-  if (global) a.scope = fpo::Scope::global;
   a.optimize.seed = cli.seed();
   if (rest) a.optimize.rest_spacing = a.optimize.target_delta + fpo::rest_margin;
   for (const std::filesystem::path& path : {a.output, a.log})

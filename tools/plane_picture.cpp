@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "tools/worded.h"
 
 namespace tools {
 namespace {
@@ -76,10 +77,7 @@ std::string colour_of(double share) {
     const double c = t < 1 ? blue_end + t * (middle - blue_end) : middle + (t - 1) * (red_end - middle);
     return static_cast<int>(std::lround(c));
   };
-  char text[32];
-  std::snprintf(text, sizeof text, "fill=\"#%02x%02x%02x\"", mix(74, 245, 214), mix(123, 240, 96),
-                mix(183, 225, 77));
-  return text;
+  return worded("fill=\"#%02x%02x%02x\"", mix(74, 245, 214), mix(123, 240, 96), mix(183, 225, 77));
 }
 
 Drawing drawing_of(const PlaneDomain& domain) {
@@ -188,10 +186,7 @@ void draw_points(Sheet& sheet, const Drawing& scene) {
   io::SvgPath path;
   for (const Vec2& x : scene.points)
     sheet.each_copy({x}, radius / sheet.scale(), [&](const std::vector<Vec2>& at) { path.dot(at[0]); });
-  char style[96];
-  std::snprintf(style, sizeof style, R"(stroke="#111" stroke-linecap="round" stroke-width="%.2f")",
-                2 * radius);
-  sheet.svg().path(path, style);
+  sheet.svg().path(path, worded(R"(stroke="#111" stroke-linecap="round" stroke-width="%.2f")", 2 * radius));
 }
 
 io::Svg draw(const Drawing& scene, const PlanePicture& picture) {

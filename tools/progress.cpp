@@ -7,30 +7,24 @@
 #include <cstdio>
 #include <utility>
 
+#include "tools/worded.h"
+
 namespace tools {
 namespace {
 
 /// "12 s", "3 min 05 s", "2 h 10 min".
 std::string duration_text(double seconds) {
-  char text[48];
   const long s = std::lround(std::min(seconds, 1e8));
-  if (s < 60) {
-    std::snprintf(text, sizeof text, "%ld s", s);
-  } else if (s < 3600) {
-    std::snprintf(text, sizeof text, "%ld min %02ld s", s / 60, s % 60);
-  } else {
-    std::snprintf(text, sizeof text, "%ld h %02ld min", s / 3600, s / 60 % 60);
-  }
-  return text;
+  if (s < 60) return worded("%ld s", s);
+  if (s < 3600) return worded("%ld min %02ld s", s / 60, s % 60);
+  return worded("%ld h %02ld min", s / 3600, s / 60 % 60);
 }
 
 }  // namespace
 
 std::string progress_text(const std::string& label, double done, double delta, double seconds) {
   done = std::clamp(done, 0.0, 1.0);
-  char numbers[64];
-  std::snprintf(numbers, sizeof numbers, "  %3d%%  delta %.3f", static_cast<int>(100 * done), delta);
-  std::string text = label + numbers;
+  std::string text = label + worded("  %3d%%  delta %.3f", static_cast<int>(100 * done), delta);
   if (done > 0 && seconds > 0) text += "  " + duration_text(seconds / done * (1 - done)) + " to go";
   return text;
 }

@@ -12,6 +12,7 @@
 #include "tools/remesh_features.h"
 #include "tools/remesh_quality.h"
 #include "tools/remesh_sizing.h"
+#include "tools/shared_options.h"
 
 namespace tools {
 namespace {
@@ -25,14 +26,6 @@ std::optional<std::size_t> tile_samples_of(const std::string& text) {
   const double count = parse_number(text, least_tile_samples, 1e9);
   geom::require(count == std::floor(count), "must be a whole number: " + text);
   return static_cast<std::size_t>(count);
-}
-
-/// None: to be chosen.
-std::optional<fpo::Scope> scope_of(bool local, bool global) {
-  geom::require(!(local && global), "--local and --global exclude each other");
-  if (local) return fpo::Scope::two_ring;
-  if (global) return fpo::Scope::global;
-  return {};
 }
 
 std::vector<std::pair<std::string, fpo::Method>> method_words() {
@@ -109,7 +102,15 @@ void add_examples(CommandLine& cli) {
   cli.example("bunny.obj -n 2000 --points out.ply", "the samples alone");
 }
 
-void parse(CommandLine& cli, RemeshArguments& a) {
+/// What is settled when all has been read.
+struct Unsettled {
+  fpo::Effort effort = fpo::Effort::best;
+  int iterations = -1;
+  double target_delta = -1, weight_scale = 0, min_size = 0, max_size = 0;  ///< 0 or less: not given
+  ScopeFlags scope;
+};
+
+void declare_result(CommandLine& cli, RemeshArguments& a) {
   cli.describe("INPUT",
                std::string("Remeshes a surface (obj, off, ply, stl) with COUNT samples of blue noise. ") +
                    interrupt_help);
@@ -141,6 +142,10 @@ void parse(CommandLine& cli, RemeshArguments& a) {
             .help = "the samples: .xyz, or .ply with normal, area of the cell, facet, wanted length (size), "
                     "weight and rank: those of the lowest ranks are a smaller set, well spread"},
            a.points);
+}
+
+void declare_other_outputs(CommandLine& cli, RemeshArguments& a) {
+  cli.group("Result");
   cli.flag({.name = "carry",
             .help = "OUT (.obj .ply) has INPUT's vertex colours, scalar vertex properties and texture "
                     "coordinates"},
@@ -152,15 +157,14 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   cli.output({.name = "rpd", .value = "OUT.obj", .help = "the restricted power diagram, a group a cell"},
              a.rpd, {".obj"});
   cli.output({.name = "picture", .value = "OUT.svg", .help = "a drawing of the remesh"}, a.picture, {".svg"});
-  cli.output({.name = "log", .value = "OUT.csv", .help = "iteration, moved, delta, mean_delta, seconds"},
-             a.log, {".csv", ".txt"});
+  declare_log(cli, a.log);
   cli.output({.name = "report",
               .value = "OUT.html",
               .help = "a page with pictures to turn, charts, spectrum and quality beside the paper's"},
              a.report, {".html", ".htm"});
 
   cli.flag({.name = "hausdorff", .help = "measure how far the remesh is from INPUT"}, a.hausdorff);
-  cli.flag({.name = "json", .help = "print the summary as a JSON object"}, a.json);
+  declare_json(cli, a.json);
 
   declare_repair(cli, a.repair);
   cli.path(
@@ -168,7 +172,9 @@ void parse(CommandLine& cli, RemeshArguments& a) {
        .value = "OUT",
        .help = "INPUT as it was remeshed; facets and vertices of INPUT mean its own: .obj .off .ply .stl"},
       a.repaired);
+}
 
+void declare_method(CommandLine& cli, RemeshArguments& a, Unsettled& u) {
   cli.group("Optimization");
   cli.choice({.name = "method",
               .value = method_names(),
@@ -177,16 +183,12 @@ void parse(CommandLine& cli, RemeshArguments& a) {
                       "capacity-constrained triangulation, variational blue noise (these without angle "
                       "optimization and improvement of fidelity unless asked for)"},
              a.remesh.method, method_words());
-  fpo::Effort effort = fpo::Effort::best;
   cli.custom({.name = "quality",
               .value = "draft|good|best",
               .help = "how long: 5 iterations, until delta is .9, or as long as --iterations and "
                       "--target-delta say; later options win",
               .standard = "best"},
-             [&](const std::string& text) { effort = effort_of(text); });
-  double target_delta = -1;
-  int iterations = -1;
-  fpo::Choices& choices = a.choices;
+             [&](const std::string& text) { u.effort = effort_of(text); });
   cli.integer(
       {.name = "iterations",
        .value = "MAX",
@@ -194,12 +196,12 @@ void parse(CommandLine& cli, RemeshArguments& a) {
            "at most so many: of FPO; with cvt 5 of Lloyd's, then of L-BFGS; with vbs of L-BFGS; with ccst "
            "pairs of steps; with Poisson disks radii tried to come near COUNT",
        .standard = iterations_by_method()},
-      iterations, 0, 1'000'000);
+      u.iterations, 0, 1'000'000);
   cli.number({.name = "target-delta",
               .value = "D",
               .help = "stop when delta exceeds it",
               .standard = shortest(a.remesh.optimize.target_delta)},
-             target_delta, 0, 2);
+             u.target_delta, 0, 2);
   cli.group("Lengths and features");
   cli.custom({.name = "radius",
               .value = "R",
@@ -209,8 +211,11 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   cli.toggle({.name = "rest",
               .help = "do not move samples that, like their neighbours, are as far from others as the target "
                       "asks: faster to a delta below .92, smaller mean"},
-             choices.rest);
+             a.choices.rest);
   declare_farthest(cli, a);
+}
+
+void declare_search(CommandLine& cli, RemeshArguments& a) {
   cli.group("Expert: optimization");
   cli.choice({.name = "corners",
               .value = "c|all",
@@ -228,7 +233,10 @@ void parse(CommandLine& cli, RemeshArguments& a) {
                "from round to round: as many at once as there are threads, which do not change the "
                "result; auto: 3000 if there are more than 6000 samples",
        .standard = "auto"},
-      [&](const std::string& text) { choices.tile_samples = tile_samples_of(text); });
+      [&](const std::string& text) { a.choices.tile_samples = tile_samples_of(text); });
+}
+
+void declare_sizing(CommandLine& cli, RemeshArguments& a, Unsettled& u) {
   cli.group("Lengths and features");
   cli.custom(
       {.name = "sizing",
@@ -242,28 +250,30 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   cli.number({.name = "gradation", .value = "G", .help = "the wanted length changes by at most G per length"},
              a.remesh.limits.gradation, 0.001, 10);
   cli.group("Expert: optimization");
-  double weight_scale = 0;
   cli.number({.name = "weight-scale",
               .value = "C",
               .help = "a sample's weight is (C wanted length)^2",
               .standard = "2/3 if local, .75 if global"},
-             weight_scale, 0.01, 2);
+             u.weight_scale, 0.01, 2);
   cli.group("Lengths and features");
-  double min_size = 0, max_size = 0;
   cli.number({.name = "min-size",
               .value = "R",
               .help = "least wanted length, in units of the even spacing",
               .standard = "0.1, none by lengths"},
-             min_size, 1e-6, 1);
+             u.min_size, 1e-6, 1);
   cli.number({.name = "max-size",
               .value = "R",
               .help = "greatest wanted length, likewise",
               .standard = "10, none by lengths"},
-             max_size, 1, 1e6);
+             u.max_size, 1, 1e6);
   cli.output({.name = "sizing-out",
               .value = "FILE",
               .help = "the wanted length at each vertex of INPUT; .ply: INPUT coloured by it"},
              a.sizing_out, {".txt", ".ply"});
+}
+
+void declare_features(CommandLine& cli, RemeshArguments& a) {
+  cli.group("Lengths and features");
   set_features(a, "auto");
   cli.custom(
       {.name = "features",
@@ -282,11 +292,13 @@ void parse(CommandLine& cli, RemeshArguments& a) {
             .help = "use more than COUNT samples, about as many as it takes, if the remesh would not be of "
                     "INPUT's topological type"},
            a.at_least);
+}
+
+void declare_mending(CommandLine& cli, RemeshArguments& a, Unsettled& u) {
   cli.group("Expert: optimization");
-  bool local = false, global = false;
-  cli.toggle({.name = "ser", .help = "shortest edge removal first"}, a.remesh.shortest_edge_removal);
+  declare_shortest_edge_removal(cli, a.remesh.shortest_edge_removal);
   cli.toggle({.name = "optimize-angles", .help = "angle optimization afterwards", .standard = "on with fpo"},
-             choices.optimize_angles);
+             a.choices.optimize_angles);
   cli.group("Optimization");
   cli.custom(
       {.name = "min-angle",
@@ -303,7 +315,7 @@ void parse(CommandLine& cli, RemeshArguments& a) {
   cli.toggle({.name = "improve-fidelity",
               .help = "mend triangles that are far from the surface",
               .standard = "on with fpo"},
-             choices.improve_fidelity);
+             a.choices.improve_fidelity);
   cli.choice(
       {.name = "sheets",
        .value = "auto|apart|together",
@@ -316,21 +328,32 @@ void parse(CommandLine& cli, RemeshArguments& a) {
        .help = "in the end move samples until the disks that reach to their neighbours cover the surface"},
       a.remesh.maximal);
   cli.toggle({.name = "mend", .help = "bring samples to where the remesh is no surface"}, a.remesh.mend);
-  cli.flag({.name = "local", .help = "look for farthest points nearby only"}, local);
-  cli.flag({.name = "global", .help = "look for them everywhere"}, global);
+  u.scope.declare(cli, "", "");
+}
+
+void parse(CommandLine& cli, RemeshArguments& a) {
+  Unsettled u;
+  declare_result(cli, a);
+  declare_other_outputs(cli, a);
+  declare_method(cli, a, u);
+  declare_search(cli, a);
+  declare_sizing(cli, a, u);
+  declare_features(cli, a);
+  declare_mending(cli, a, u);
   a.input = cli.parse(1, 1).front();
   check_repair(a.repair);
-  choices.scope = scope_of(local, global);
-  if (weight_scale > 0) choices.weight_factor = weight_scale;
-  if (iterations >= 0) choices.iterations = iterations;
-  use_quality(a, effort, target_delta);
+  fpo::Choices& choices = a.choices;
+  choices.scope = u.scope.scope();
+  if (u.weight_scale > 0) choices.weight_factor = u.weight_scale;
+  if (u.iterations >= 0) choices.iterations = u.iterations;
+  use_quality(a, u.effort, u.target_delta);
   geom::require(a.remesh.method == fpo::Method::fpo ||
-                    !(a.remesh.shortest_edge_removal || local || global || choices.rest),
+                    !(a.remesh.shortest_edge_removal || choices.scope || choices.rest),
                 "--ser, --local, --global and --rest work with --method fpo only");
   const bool by_lengths = check_number(a);
   if (by_lengths) a.remesh.limits = {a.remesh.limits.gradation, 1e-6, 1e6};
-  if (min_size > 0) a.remesh.limits.smallest = min_size;
-  if (max_size > 0) a.remesh.limits.largest = max_size;
+  if (u.min_size > 0) a.remesh.limits.smallest = u.min_size;
+  if (u.max_size > 0) a.remesh.limits.largest = u.max_size;
   a.remesh.seed = cli.seed();
   a.remesh.threads = cli.threads();
   const bool areas = !a.points.empty() && io::point_format(a.points) == io::PointFormat::ply;

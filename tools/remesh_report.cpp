@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 
 #include "fpo/spectrum/spectrum_set.h"
@@ -16,6 +15,7 @@
 #include "tools/report_charts.h"
 #include "tools/report_scenes.h"
 #include "tools/type_warnings.h"
+#include "tools/worded.h"
 
 namespace tools {
 namespace {
@@ -42,11 +42,7 @@ fpo::RemeshResult scaled(const fpo::RemeshResult& result, double factor) {
   return r;
 }
 
-std::string number(double value, const char* format = "%.6g") {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
+std::string number(double value, const char* format = "%.6g") { return worded(format, value); }
 
 io::HtmlTable run_table(const fpo::RemeshResult& result, const RemeshRun& run, const Measures& measures) {
   const fpo::OptimizeResult& o = result.optimization;

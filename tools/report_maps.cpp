@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "fpo/measure/deviation.h"
 #include "geom/check.h"
 #include "geom/ids.h"
+#include "tools/worded.h"
 
 namespace tools {
 namespace {
@@ -23,11 +23,7 @@ constexpr std::size_t steps = 32;
 constexpr double least_angle = 30, largest_angle = 60;
 constexpr double rounding = 1e-9;  // of diagonals: less is no distance
 
-std::string number(double value, const char* format) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
+std::string number(double value, const char* format) { return worded(format, value); }
 
 std::uint8_t mixed(double s, int from, int to) {
   return static_cast<std::uint8_t>(std::lround(from + s * (to - from)));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <map>
 #include <numbers>
@@ -12,6 +11,7 @@
 #include "fpo/features/features.h"
 #include "geom/mesh/vertex_clusters.h"
 #include "tools/report_maps.h"
+#include "tools/worded.h"
 
 namespace tools {
 namespace {
@@ -119,11 +119,8 @@ Scene input_scene(const RemeshPictures& of, const Window& whole, const SceneLimi
     const auto [least, most] = std::ranges::minmax(of.wanted_lengths);
     scene.note += " Coloured by the wanted edge length.";
     if (least < most) scene.scale.colours = blue_to_red();
-    for (const double share : {0.0, 0.5, 1.0}) {
-      char length[32];
-      std::snprintf(length, sizeof length, "%.4g", std::pow(least, 1 - share) * std::pow(most, share));
-      scene.scale.labels.emplace_back(length);
-    }
+    for (const double share : {0.0, 0.5, 1.0})
+      scene.scale.labels.push_back(worded("%.4g", std::pow(least, 1 - share) * std::pow(most, share)));
   }
   scene.lines = feature_lines(of, whole);
   if (!scene.lines.empty()) scene.note += " Features in red.";

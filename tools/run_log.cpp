@@ -1,11 +1,15 @@
 #include "tools/run_log.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "tools/interrupt.h"
+#include "tools/worded.h"
 
 namespace tools {
+
+std::string log_line(const fpo::IterationReport& r) {
+  return worded("%d,%zu,%.6f,%.6f,%.6f\n", r.iteration, r.moved, r.delta, r.mean_delta, r.seconds);
+}
 
 void RunLog::attach(fpo::OptimizeOptions& options, std::size_t num_samples) {
   const double moves = std::max(1.0, static_cast<double>(num_samples) * options.max_iterations);
@@ -15,10 +19,7 @@ void RunLog::attach(fpo::OptimizeOptions& options, std::size_t num_samples) {
   };
   options.on_iteration = [this](const fpo::IterationReport& r) {
     delta_ = r.delta;
-    char line[160];
-    std::snprintf(line, sizeof line, "%d,%zu,%.6f,%.6f,%.6f\n", r.iteration, r.moved, r.delta, r.mean_delta,
-                  r.seconds);
-    csv_ += line;
+    csv_ += log_line(r);
   };
 }
 

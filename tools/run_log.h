@@ -8,19 +8,23 @@
 
 namespace tools {
 
+/// The table's head, and the line of an iteration.
+inline constexpr const char* log_head = "iteration,moved,delta,mean_delta,seconds\n";
+std::string log_line(const fpo::IterationReport& report);
+
 class RunLog {
  public:
   explicit RunLog(bool quiet) : progress_("optimizing", quiet) {}
   /// Makes the run report here, and stop on a signal (interrupt.h). Keeps a reference to nothing but itself:
   /// it must outlive the run.
   void attach(fpo::OptimizeOptions& options, std::size_t num_samples);
-  /// "iteration,moved,delta,mean_delta,seconds" and a line for each iteration.
+  /// The head and a line for each iteration.
   const std::string& csv() const { return csv_; }
 
  private:
   Progress progress_;
   double delta_ = 0;
-  std::string csv_ = "iteration,moved,delta,mean_delta,seconds\n";
+  std::string csv_ = log_head;
 };
 
 }  // namespace tools

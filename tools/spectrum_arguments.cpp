@@ -5,6 +5,7 @@
 #include "io/extension.h"
 #include "tools/interrupt.h"
 #include "tools/period.h"
+#include "tools/shared_options.h"
 
 namespace tools {
 namespace {
@@ -19,18 +20,15 @@ void declare_domain(CommandLine& cli, SpectrumArguments& a, bool& bounded, bool&
                period_given = true;
              });
   cli.flag({.name = "bounded", .help = "of .txt: a rectangle with a border, not a torus"}, bounded);
-  cli.custom({.name = "spacing",
+  cli.choice({.name = "spacing",
               .value = "uniform|weights|local",
               .help = "how far apart samples should be: the same everywhere, by their weights, or by the "
                       "density around them",
               .standard = "weights if they differ, else uniform"},
-             [&a](const std::string& text) {
-               geom::require(text == "uniform" || text == "weights" || text == "local",
-                             "'" + text + "' is not uniform, weights or local");
-               a.spacing = text == "uniform"   ? fpo::SpacingRule::uniform
-                           : text == "weights" ? fpo::SpacingRule::weights
-                                               : fpo::SpacingRule::local;
-             });
+             a.spacing,
+             {{"uniform", fpo::SpacingRule::uniform},
+              {"weights", fpo::SpacingRule::weights},
+              {"local", fpo::SpacingRule::local}});
   cli.path({.name = "sizes",
             .value = "FILE",
             .help = "the wanted edge length at each vertex of --surface (fpo-remesh --sizing-out), instead "
@@ -80,7 +78,7 @@ SpectrumArguments parse_spectrum_arguments(CommandLine& cli) {
             .help = "PREFIX.svg: the pictures; PREFIX.csv: frequency, radial mean, anisotropy in dB",
             .required = true},
            prefix);
-  cli.flag({.name = "json", .help = "print the summary as a JSON object"}, a.json);
+  declare_json(cli, a.json);
   declare_domain(cli, a, bounded, period_given);
   declare_spectrum(cli, a);
   for (const std::string& input : cli.parse(1, 10'000)) a.inputs.emplace_back(input);

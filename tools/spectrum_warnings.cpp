@@ -32,9 +32,7 @@ void warn_if_adaptive(const std::filesystem::path& input, std::span<const geom::
   std::vector<fpo::SpacingTree::Neighbour> near;
   for (const fpo::SpectrumPoint& x : points) {
     tree.nearest(x, 24, near);
-    double farthest2 = 0;
-    for (const fpo::SpacingTree::Neighbour& y : near) farthest2 = std::max(farthest2, y.distance2);
-    distances.push_back(std::sqrt(farthest2));
+    distances.push_back(near.empty() ? 0 : std::sqrt(near.back().distance2));
   }
   const double ratio = quantile(distances, 0.95) / quantile(distances, 0.05);
   if (ratio > most_ratio)

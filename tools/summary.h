@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "tools/worded.h"
+
 namespace tools {
 
 class Summary {
@@ -34,8 +36,5 @@ class Summary {
   std::vector<Entry> entries_;
   std::string words_;
 };
-
-/// printf into a string.
-std::string worded(const char* format, ...) __attribute__((format(printf, 1, 2)));
 
 }  // namespace tools

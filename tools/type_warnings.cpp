@@ -1,20 +1,11 @@
 #include "tools/type_warnings.h"
 
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
+
+#include "tools/worded.h"
 
 namespace tools {
 namespace {
-
-__attribute__((format(printf, 1, 2))) std::string line(const char* format, ...) {
-  char text[400];
-  std::va_list values;
-  va_start(values, format);
-  std::vsnprintf(text, sizeof text, format, values);
-  va_end(values);
-  return text;
-}
 
 /// Two digits: the number is an estimate.
 std::size_t rounded_up(std::size_t count) {
@@ -26,16 +17,16 @@ std::string what_to_do(const fpo::RemeshResult& result, const fpo::RemeshOptions
   const fpo::TypeAdvice& advice = result.advice;
   if (advice.places.empty()) return {};
   const geom::Vec3& first = advice.places.front();
-  std::string text = line("%zu place%s at fault, the first at (%.6g, %.6g, %.6g); try -n %zu or --at-least",
-                          advice.places.size(), advice.places.size() == 1 ? "" : "s", first.x(), first.y(),
-                          first.z(), rounded_up(advice.samples));
+  std::string text = worded("%zu place%s at fault, the first at (%.6g, %.6g, %.6g); try -n %zu or --at-least",
+                            advice.places.size(), advice.places.size() == 1 ? "" : "s", first.x(), first.y(),
+                            first.z(), rounded_up(advice.samples));
   if (options.sizing == fpo::SizingKind::uniform) text += ", or --sizing lfs";
   return text;
 }
 
 void add_parts(const fpo::TypeCheck& type, std::vector<std::string>& lines) {
   const auto add = [&](std::size_t count, const char* one, const char* more) {
-    if (count > 0) lines.push_back(line("%zu %s", count, count == 1 ? one : more));
+    if (count > 0) lines.push_back(worded("%zu %s", count, count == 1 ? one : more));
   };
   add(type.lost_parts, "component of the input is lost", "components of the input are lost");
   add(type.joined_parts, "component of the remesh joins several of the input",
@@ -52,14 +43,14 @@ std::vector<std::string> type_warnings(const geom::TriMesh& input, const fpo::Re
   std::vector<std::string> lines;
   if (type.ok()) return lines;
   if (!type.is_manifold())
-    lines.push_back(line("the remesh is not a manifold: %zu non-manifold edges, %zu non-manifold vertices",
-                         type.nonmanifold_edges, type.nonmanifold_vertices));
-  if (type.bare_samples > 0) lines.push_back(line("%zu samples have no triangle", type.bare_samples));
+    lines.push_back(worded("the remesh is not a manifold: %zu non-manifold edges, %zu non-manifold vertices",
+                           type.nonmanifold_edges, type.nonmanifold_vertices));
+  if (type.bare_samples > 0) lines.push_back(worded("%zu samples have no triangle", type.bare_samples));
   add_parts(type, lines);
   const geom::Topology in = geom::topology(input), out = geom::topology(result.mesh);
   if (in.euler != out.euler || in.components != out.components || in.boundary_loops != out.boundary_loops ||
       type.changed_parts > 0)
-    lines.push_back(line(
+    lines.push_back(worded(
         "%sEuler number %ld, %zu components, %zu boundary loops; the input has %ld, %zu, %zu",
         in.manifold() ? "" : "the input is not a manifold, so the remesh is of another type: ", out.euler,
         out.components, out.boundary_loops, in.euler, in.components, in.boundary_loops));
@@ -71,10 +62,10 @@ std::vector<std::string> type_warnings(const geom::TriMesh& input, const fpo::Re
 std::vector<std::string> shape_warnings(const fpo::RemeshResult& result) {
   std::vector<std::string> lines;
   if (result.measures.angles_below_30 > 0)
-    lines.push_back(line("%zu angles are below 30 degrees, the smallest is %.1f",
-                         result.measures.angles_below_30, result.measures.theta_min));
+    lines.push_back(worded("%zu angles are below 30 degrees, the smallest is %.1f",
+                           result.measures.angles_below_30, result.measures.theta_min));
   if (result.broken_feature_edges > 0)
-    lines.push_back(line(
+    lines.push_back(worded(
         "%zu of %zu feature edges are no edges of the remesh, the first at (%.6g, %.6g, %.6g): curves are "
         "closer there than samples; about -n %zu would do",
         result.broken_feature_edges, result.feature_edges, result.edge_advice.first.x(),

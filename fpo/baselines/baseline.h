@@ -10,6 +10,7 @@
 #include "fpo/interruption.h"
 #include "fpo/optimize.h"
 #include "fpo/surface/sizing.h"
+#include "fpo/surface/spacings.h"
 #include "fpo/surface/surface_sample.h"
 
 namespace fpo {
@@ -41,9 +42,10 @@ struct BaselineResult {
   std::vector<Reached> reached;        ///< the method's own measures
 };
 
-/// delta and mean delta (optimize.h) of samples without a diagram: distances over h to the nearest other
-/// sample in space, fixed ones left out unless all are. O(n log n).
-IterationReport measure(const BaselineTask& task, std::span<const SurfaceSample> samples);
+/// delta and mean delta (spacings.h).
+inline IterationReport measure(const BaselineTask& task, std::span<const SurfaceSample> samples) {
+  return measure_positions(samples, task.sizing, task.fixed.size(), task.threads);
+}
 
 /// Whether somebody wants the end.
 inline bool interrupted(const OptimizeOptions& options) { return interrupted(options.interrupted); }

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
 #include "fpo/baselines/first_samples.h"
+#include "fpo/baselines/iterations.h"
 #include "fpo/baselines/voronoi_facets.h"
 #include "geom/mesh/aabb_tree.h"
 
@@ -150,34 +150,23 @@ class AreaEqualizer {
 }  // namespace
 
 BaselineResult capacity_constrained_triangulation(const BaselineTask& task, const OptimizeOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   AreaEqualizer equalizer(task);
   BaselineResult result;
   double least = std::numeric_limits<double>::infinity();
-  const auto report = [&](int iteration, std::size_t moved) {
+  const auto keep_if_best = [&] {
     const double variation = equalizer.variation();
-    if (iteration == 0 || variation < least) result.samples = equalizer.samples(), least = variation;
-    result.run.last = measure(task, result.samples);
-    result.run.last.iteration = iteration;
-    result.run.last.moved = moved;
-    result.run.last.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    result.run.moves += moved;
-    if (options.on_iteration) options.on_iteration(result.run.last);
+    if (result.samples.empty() || variation < least) result.samples = equalizer.samples(), least = variation;
   };
-  report(0, 0);
-  for (int iteration = 1; iteration <= options.max_iterations; ++iteration) {
-    if (interrupted(options)) {
-      result.run.reason = StopReason::interrupted;
-      break;
-    }
-    if (options.on_move) options.on_move(static_cast<std::size_t>(iteration - 1) * task.num_samples);
+  keep_if_best();
+  IteratedMethod method;
+  method.step = [&](int) {
     const std::size_t moved = equalizer.iterate();
-    report(iteration, moved);
-    if (moved == 0) {
-      result.run.reason = StopReason::nothing_moved;
-      break;
-    }
-  }
+    keep_if_best();
+    return std::optional(moved);
+  };
+  method.samples = [&] { return std::span<const SurfaceSample>(result.samples); };
+  result.run = iterate(task, options, method, watch);
   result.reached.push_back({"triangle_cv", least});
   return result;
 }

@@ -1,9 +1,9 @@
 #include "fpo/baselines/descent.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "fpo/baselines/first_samples.h"
+#include "fpo/baselines/iterations.h"
 #include "fpo/baselines/lbfgs.h"
 #include "geom/mesh/aabb_tree.h"
 
@@ -107,32 +107,18 @@ bool step(const Slope& slope, State& state, LbfgsMemory& memory, bool plain) {
 
 BaselineResult descend(const BaselineTask& task, const OptimizeOptions& options, const SampleEnergy& energy,
                        const DescentOptions& descent) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const Slope slope(task, energy);
   LbfgsMemory memory(descent.memory_size);
   State state = slope.evaluated(first_samples(task));
-  BaselineResult result;
-  const auto report = [&](int iteration, std::size_t moved) {
-    result.run.last = measure(task, state.samples);
-    result.run.last.iteration = iteration;
-    result.run.last.moved = moved;
-    result.run.last.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    result.run.moves += moved;
-    if (options.on_iteration) options.on_iteration(result.run.last);
+  IteratedMethod method;
+  method.step = [&](int iteration) -> std::optional<std::size_t> {
+    if (!step(slope, state, memory, iteration <= descent.plain_steps)) return std::nullopt;
+    return task.num_inner();
   };
-  report(0, 0);
-  for (int iteration = 1; iteration <= options.max_iterations; ++iteration) {
-    if (interrupted(options)) {
-      result.run.reason = StopReason::interrupted;
-      break;
-    }
-    if (options.on_move) options.on_move(static_cast<std::size_t>(iteration - 1) * task.num_samples);
-    if (!step(slope, state, memory, iteration <= descent.plain_steps)) {
-      result.run.reason = StopReason::nothing_moved;
-      break;
-    }
-    report(iteration, task.num_inner());
-  }
+  method.samples = [&] { return std::span<const SurfaceSample>(state.samples); };
+  BaselineResult result;
+  result.run = iterate(task, options, method, watch);
   result.samples = std::move(state.samples);
   return result;
 }

@@ -1,9 +1,9 @@
 #include "fpo/baselines/disks.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
+#include "fpo/stopwatch.h"
 #include "fpo/surface/initial_samples.h"
 #include "geom/check.h"
 #include "geom/mesh/scaling.h"
@@ -30,7 +30,7 @@ std::size_t difference(std::size_t a, std::size_t b) { return a > b ? a - b : b 
 
 BaselineResult search_radius(const BaselineTask& task, const OptimizeOptions& options,
                              const DiskSampling& sample) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const std::size_t tolerance = task.num_samples / 1000;
   BaselineResult best;
   const bool given = task.radius_factor > 0;
@@ -49,7 +49,7 @@ BaselineResult search_radius(const BaselineTask& task, const OptimizeOptions& op
     }
     best.run.last.iteration = attempt;
     best.run.last.moved = number;
-    best.run.last.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    best.run.last.seconds = watch.seconds();
     if (options.on_iteration) options.on_iteration(best.run.last);
     best.run.moves += number;
     if (stopped) return best.run.reason = StopReason::interrupted, best;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fpo/surface/sizing.h"
-#include "geom/power/clip.h"
+#include "geom/power/facet_polygon.h"
 
 namespace fpo {
 

@@ -8,6 +8,7 @@
 #include "geom/check.h"
 #include "geom/mesh/scaling.h"
 #include "geom/power/restricted_power.h"
+#include "geom/sites/nearest_distances.h"
 #include "geom/sites/site_tree.h"
 
 namespace fpo {
@@ -81,13 +82,9 @@ std::vector<Gap> gaps_above(const geom::TriMesh& surface, std::span<const Weight
 }
 
 std::vector<double> nearest_distances(std::span<const Vec3> samples) {
-  geom::SiteTree tree;
-  for (std::size_t i = 0; i < samples.size(); ++i) tree.insert(SiteId(i), {samples[i], 0});
-  std::vector<double> result;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double distance2 = tree.nearest(samples[i], SiteId(i)).radius2;
-    result.push_back(std::isfinite(distance2) ? std::sqrt(distance2) : 0);
-  }
+  std::vector<double> result = geom::nearest_distances(samples);
+  for (double& distance : result)
+    if (!std::isfinite(distance)) distance = 0;
   return result;
 }
 

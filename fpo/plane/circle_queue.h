@@ -6,7 +6,7 @@
 
 #include "fpo/domain.h"
 #include "fpo/farthest.h"
-#include "fpo/plane/plane_sizing.h"
+#include "fpo/plane/plane_weights.h"
 #include "geom/indexed_heap.h"
 #include "geom/regular/regular2.h"
 
@@ -15,12 +15,10 @@ namespace fpo {
 /// How far places in the plane are.
 struct PlanePriority {
   Priority rule = by_radius;
-  const PlaneSizing& sizing;
-  double edge_length_scale;  ///< s of h = s rho
+  const PlaneWeights& weights;
 
   double operator()(const geom::Vec2& at, double radius2) const {
-    if (rule == by_radius) return radius2;  // which asks for no wanted length
-    return rule({{at.x(), at.y(), 0}, radius2, edge_length_scale * sizing.rho(at)});
+    return priority_by(rule, {at.x(), at.y(), 0}, radius2, [&] { return weights.edge_length(at); });
   }
 };
 

@@ -10,6 +10,8 @@
 
 #include "fpo/interruption.h"
 #include "fpo/optimize.h"
+#include "fpo/penalties.h"
+#include "fpo/rings.h"
 
 namespace fpo {
 
@@ -50,21 +52,21 @@ class BadTriangles final : public Follower<Regular2::Change> {
       if (domain.triangulation().is_live(SimplexId(t))) add(SimplexId(t));
   }
 
-  std::size_t number() const { return number_; }
+  std::size_t number() const { return penalties_.number(); }
   /// The sum of the squares of the degrees that they miss.
-  double penalty() const { return penalty_; }
-  bool contains(SimplexId t) const { return t.index() < penalty_of_.size() && penalty_of_[t] > 0; }
+  double penalty() const { return penalties_.sum(); }
   bool contains(SimplexId t, const Regular2::Triangle& corners) const {
-    return contains(t) && domain_.triangulation().corners(t) == corners;
+    return penalties_.of(t) > 0 && domain_.triangulation().corners(t) == corners;
   }
 
   /// With their corners, the worst first.
   std::vector<std::pair<SimplexId, Regular2::Triangle>> worst_first() const {
     std::vector<std::pair<SimplexId, Regular2::Triangle>> all;
-    for (SimplexId t(0); t.index() < penalty_of_.size(); ++t.value)
-      if (contains(t)) all.emplace_back(t, domain_.triangulation().corners(t));
+    for (SimplexId t(0); t.index() < penalties_.num_ids(); ++t.value)
+      if (penalties_.of(t) > 0) all.emplace_back(t, domain_.triangulation().corners(t));
     std::ranges::sort(all, [&](const auto& a, const auto& b) {
-      if (penalty_of_[a.first] != penalty_of_[b.first]) return penalty_of_[a.first] > penalty_of_[b.first];
+      const double of_a = penalties_.of(a.first), of_b = penalties_.of(b.first);
+      if (of_a != of_b) return of_a > of_b;
       return domain_.triangulation().simplex_before(a.first, b.first);
     });
     return all;
@@ -85,29 +87,19 @@ class BadTriangles final : public Follower<Regular2::Change> {
  private:
   void follow(const Regular2::Change& change) override {
     more_hidden_ += std::ssize(change.hidden) - std::ssize(change.exposed);
-    for (const SimplexId t : change.destroyed) forget(t);
+    for (const SimplexId t : change.destroyed) penalties_.forget(t);
     for (const SimplexId t : change.created) add(t);
   }
   void add(SimplexId t) {
     const double angle = smallest_angle(domain_.triangulation(), domain_.triangulation().corners(t)).degrees;
     if (angle >= smallest_) return;
     const double missing = smallest_ + margin - angle;
-    if (t.index() >= penalty_of_.size()) penalty_of_.resize(t.index() + 1, 0.0);
-    penalty_of_[t] = missing * missing;
-    penalty_ += penalty_of_[t];
-    ++number_;
-  }
-  void forget(SimplexId t) {
-    if (!contains(t)) return;
-    penalty_ -= std::exchange(penalty_of_[t], 0.0);
-    --number_;
+    penalties_.add(t, missing * missing);
   }
 
   PlaneDomain& domain_;
   double smallest_;
-  geom::Table<SimplexId, double> penalty_of_;  ///< 0: good, or no triangle
-  double penalty_ = 0;
-  std::size_t number_ = 0;
+  Penalties<SimplexId> penalties_;
   std::ptrdiff_t more_hidden_ = 0;
 };
 
@@ -207,8 +199,7 @@ bool mend(PlaneDomain& domain, BadTriangles& bad, const Regular2::Triangle& corn
     if (ring == most_rings) return false;
     for (std::size_t i = 0, inner = samples.size(); i < inner; ++i) {
       domain.neighbours(samples[i], link);
-      for (const SiteId y : link)
-        if (std::ranges::find(samples, y) == samples.end()) samples.push_back(y);
+      add_missing(samples, link);
     }
   }
 }

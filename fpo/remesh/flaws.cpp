@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "fpo/optimize.h"
+#include "fpo/rings.h"
 #include "geom/mesh/scaling.h"
 
 namespace fpo {
@@ -63,9 +64,10 @@ CircleId Flaws::take_worst() {
 void Flaws::try_all_again() {
   catch_up();
   tried_.clear();
-  for (std::size_t c = 0; c < penalty_of_.size(); ++c)
-    if (penalty_of_[CircleId(c)] > 0 && !untried_.contains(CircleId(c)))
-      untried_.push(CircleId(c), penalty_of_[CircleId(c)]);
+  for (std::size_t i = 0; i < penalties_.num_ids(); ++i) {
+    const CircleId c(i);
+    if (penalties_.of(c) > 0 && !untried_.contains(c)) untried_.push(c, penalties_.of(c));
+  }
 }
 
 void Flaws::add(CircleId c) {
@@ -73,19 +75,12 @@ void Flaws::add(CircleId c) {
   if (!circle.sites[2].valid()) return;  // type A or B: no triangle
   const double bad = measure_(circle);
   if (!(bad > 0)) return;
-  if (c.index() >= penalty_of_.size()) penalty_of_.resize(c.index() + 1, 0.0);
-  penalty_of_[c] = bad;
-  penalty_ += bad;
-  ++number_;
+  penalties_.add(c, bad);
   if (!tried_.contains(circle.sites)) untried_.push(c, bad);
 }
 
 void Flaws::forget(CircleId c) {
-  if (c.index() >= penalty_of_.size() || penalty_of_[c] == 0) return;
-  penalty_ -= penalty_of_[c];
-  penalty_of_[c] = 0;
-  --number_;
-  if (untried_.contains(c)) untried_.erase(c);
+  if (penalties_.forget(c) && untried_.contains(c)) untried_.erase(c);
 }
 
 LocalResampling::LocalResampling(SurfaceDomain& domain, std::vector<Flaws*> flaws, double enough)
@@ -216,8 +211,7 @@ bool in_growing_sets(const SurfaceDomain& domain, std::array<SiteId, 3> triangle
   if (attempt(samples)) return true;
   for (std::size_t i = 0; i < 3; ++i) {
     domain.dual().link(samples[i], link);
-    for (const SiteId y : link)
-      if (std::ranges::find(samples, y) == samples.end()) samples.push_back(y);
+    add_missing(samples, link);
     if (samples.size() > crowd) return false;
     if (attempt(samples)) return true;
   }

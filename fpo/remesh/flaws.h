@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "fpo/features/curve_slides.h"
+#include "fpo/penalties.h"
 #include "fpo/surface/surface_domain.h"
 #include "geom/indexed_heap.h"
 #include "geom/mesh/aabb_tree.h"
@@ -30,9 +31,9 @@ class Flaws final : public Follower<geom::RestrictedDual::Change> {
   /// costs nothing.
   void follow(const geom::RestrictedDual::Change& change) override;
 
-  std::size_t number() { return catch_up(), number_; }
-  double penalty() { return catch_up(), penalty_; }            ///< the sum of all measures
-  double penalty(CircleId c) const { return penalty_of_[c]; }  ///< of one that take_worst() gave
+  std::size_t number() { return catch_up(), penalties_.number(); }
+  double penalty() { return catch_up(), penalties_.sum(); }      ///< the sum of all measures
+  double penalty(CircleId c) const { return penalties_.of(c); }  ///< of one that take_worst() gave
 
   /// The worst that take_worst() has not given yet since try_all_again(); none if there is none.
   CircleId take_worst();
@@ -52,10 +53,8 @@ class Flaws final : public Follower<geom::RestrictedDual::Change> {
   FlawMeasure measure_;
   std::vector<CircleId> unmeasured_;
   geom::IndexedHeap<CircleId, Order> untried_;
-  std::set<std::array<SiteId, 3>> tried_;     ///< triangles: what is undone comes back as another circle
-  geom::Table<CircleId, double> penalty_of_;  ///< 0: good or no triangle
-  double penalty_ = 0;
-  std::size_t number_ = 0;
+  std::set<std::array<SiteId, 3>> tried_;  ///< triangles: what is undone comes back as another circle
+  Penalties<CircleId> penalties_;
 };
 
 /// Moves some samples and keeps that only if it betters things.

@@ -9,6 +9,7 @@
 #include "fpo/baselines/disks.h"
 #include "fpo/surface/curvature.h"
 #include "geom/check.h"
+#include "geom/disjoint_sets.h"
 #include "geom/mesh/centring.h"
 #include "geom/mesh/scaling.h"
 
@@ -56,17 +57,13 @@ std::vector<std::size_t> joined_corners(const TriMesh& mesh, const std::set<Mesh
       if (!features.contains(side.edge)) sides.push_back(side);
     }
   std::ranges::stable_sort(sides, {}, &Side::edge);
-  std::vector<std::size_t> parent(3 * mesh.num_facets());
-  for (std::size_t c = 0; c < parent.size(); ++c) parent[c] = c;
-  const auto root = [&](std::size_t c) {
-    while (parent[c] != c) c = parent[c] = parent[parent[c]];
-    return c;
-  };
+  geom::DisjointSets sets(3 * mesh.num_facets());
   for (std::size_t i = 0; i + 1 < sides.size(); ++i)
     if (sides[i].edge == sides[i + 1].edge)
-      for (std::size_t end : {0u, 1u}) parent[root(sides[i].corners[end])] = root(sides[i + 1].corners[end]);
-  for (std::size_t c = 0; c < parent.size(); ++c) parent[c] = root(c);
-  return parent;
+      for (std::size_t end : {0u, 1u}) sets.merge(sides[i].corners[end], sides[i + 1].corners[end]);
+  std::vector<std::size_t> joined(3 * mesh.num_facets());
+  for (std::size_t c = 0; c < joined.size(); ++c) joined[c] = sets.find(c);
+  return joined;
 }
 
 OpenedMesh opened(const TriMesh& mesh, const Features& features) {

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "fpo/farthest_move.h"
+
 namespace fpo {
 
 using geom::SiteId;
@@ -68,19 +70,14 @@ std::size_t lower_weights(SurfaceDomain& domain, const std::vector<double>& room
 
 /// So that its disk reaches the middle of an edge of this length. False if it does already or never may.
 bool raise_weight(SurfaceDomain& domain, SiteId x, double length2) {
-  const double share = 1 + length2 / 4 / domain.full_weight(x);
+  const double share = 1 + length2 / 4 / domain.samples().full_weight(x);
   if (!(share > domain.weight_share(x)) || share > most_share) return false;
   return change_weight(domain, x, share);
 }
 
 bool move_away_from(SurfaceDomain& domain, const geom::Location3& middle) {
   const SiteId x = domain.dual().nearest(middle, SiteId()).site;
-  if (domain.is_fixed(x)) return false;
-  domain.remove(x);
-  const Circle c = domain.largest_empty(Scope::global);
-  if (!c.id.valid()) return domain.put_back(x), false;
-  domain.insert_at(x, c);
-  return true;
+  return !domain.is_fixed(x) && move_to_farthest(domain, x);
 }
 
 }  // namespace

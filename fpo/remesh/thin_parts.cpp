@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "fpo/farthest_move.h"
 #include "fpo/optimize.h"
 #include "fpo/remesh/protect.h"
 
@@ -110,15 +111,7 @@ std::size_t call_back_strays(SurfaceDomain& domain) {
   std::size_t moved = 0;
   for (std::size_t i = 0; i < domain.num_samples(); ++i) {
     const SiteId x(i);
-    if (domain.is_fixed(x) || has_triangle(domain, x)) continue;
-    domain.remove(x);
-    const Circle c = domain.largest_empty(Scope::global);
-    if (!c.id.valid()) {
-      domain.put_back(x);
-      continue;
-    }
-    domain.insert_at(x, c);
-    ++moved;
+    if (!domain.is_fixed(x) && !has_triangle(domain, x)) moved += move_to_farthest(domain, x);
   }
   return moved;
 }

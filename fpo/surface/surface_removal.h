@@ -15,8 +15,8 @@ namespace fpo {
 
 class SurfaceRemoval {
  public:
-  /// Plans the removal of x, or carries it out if there is no plan.
-  SurfaceRemoval(SurfaceDomain& domain, SiteId x);
+  /// Plans the removal of x, or carries it out if there is no plan. `state`: of the domain.
+  SurfaceRemoval(SurfaceDomain& domain, SurfaceState& state, SiteId x);
   SurfaceRemoval(const SurfaceRemoval&) = delete;
   SurfaceRemoval& operator=(const SurfaceRemoval&) = delete;
 
@@ -56,6 +56,7 @@ class SurfaceRemoval {
   void find_planned(Scope scope);
 
   SurfaceDomain& domain_;
+  SurfaceState& state_;
   SiteId x_;
   std::optional<geom::RestrictedDual::Plan> plan_;
   bool is_sharp_ = false;

@@ -1,7 +1,6 @@
 #include "fpo/tiles/tiled_optimize.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <mutex>
@@ -10,12 +9,13 @@
 #include <string>
 
 #include "fpo/interruption.h"
+#include "fpo/stopwatch.h"
+#include "fpo/surface/spacings.h"
 #include "fpo/surface/split_facets.h"
 #include "fpo/tiles/tile_domain.h"
 #include "geom/check.h"
 #include "geom/parallel.h"
 #include "geom/rng.h"
-#include "geom/sites/site_tree.h"
 
 namespace fpo {
 namespace {
@@ -23,6 +23,46 @@ namespace {
 constexpr double longest_edge = 4;      // in spacings: a tile is some fifty wide
 constexpr double near_cut = 4;          // in spacings: nearer to a cut many samples cannot be moved
 constexpr int iterations_at_large = 3;  // before there are tiles
+
+/// The samples on the surface, or while there are tiles on one without large facets.
+class TiledSamples {
+ public:
+  TiledSamples(const SurfaceTask& task, std::vector<SurfaceSample> samples)
+      : task_(task), samples_(std::move(samples)), sizing_(task.sizing) {}
+
+  /// On mesh().
+  std::vector<SurfaceSample>& all() { return samples_; }
+  std::size_t size() const { return samples_.size(); }
+  const SurfaceSample& operator[](std::size_t i) const { return samples_[i]; }
+  const geom::TriMesh& mesh() const { return split_ ? split_->mesh : task_.mesh; }
+  const Sizing& sizing() const { return sizing_; }
+  IterationReport measured(int threads) const {
+    return measure_positions(samples_, sizing_, task_.surface.num_fixed, threads);
+  }
+  SurfaceDomain domain() const { return SurfaceDomain(task_.mesh, task_.sizing, samples_, task_.surface); }
+
+  void split();    ///< from now on mesh() has no large facets
+  void unsplit();  ///< from now on it is what was given
+
+ private:
+  const SurfaceTask& task_;
+  std::vector<SurfaceSample> samples_;
+  std::optional<SplitSurface> split_;  ///< if there are large facets
+  Sizing sizing_;                      ///< on mesh()
+};
+
+void TiledSamples::split() {
+  if (!has_long_edges(task_.mesh, task_.sizing, longest_edge)) return;
+  split_ = split_long_edges(task_.mesh, task_.sizing, longest_edge, samples_);
+  if (!sizing_.is_uniform()) sizing_ = Sizing(split_->mesh, split_->h);
+}
+
+void TiledSamples::unsplit() {
+  if (!split_) return;
+  for (SurfaceSample& x : samples_) x.facet = split_->parents[x.facet];
+  sizing_ = task_.sizing;
+  split_.reset();
+}
 
 class TiledRun {
  public:
@@ -32,8 +72,7 @@ class TiledRun {
         tile_options_(tiles),
         options_(options),
         result_(result),
-        samples_(std::move(task.samples)),
-        sizing_(task.sizing),
+        samples_(task, std::move(task.samples)),
         owed_(samples_.size(), 0),
         rng_(options.seed) {}
 
@@ -46,14 +85,10 @@ class TiledRun {
                std::vector<SurfaceSample>& next);
   void catch_up(SurfaceDomain& domain);
   void report(IterationReport report);
-  IterationReport measure_positions() const;
 
   bool interrupted() const { return fpo::interrupted(options_.interrupted); }
   bool is_fixed(SiteId x) const { return x.index() < task_.surface.num_fixed; }
   void announce_move();
-  const geom::TriMesh& mesh() const { return split_ ? split_->mesh : task_.mesh; }
-  void split();    ///< from now on mesh() has no large facets
-  void unsplit();  ///< from now on it is what was given
   bool begin_at_large();
   std::vector<CutCost> cut_costs() const;
   void owe(int moves);
@@ -62,15 +97,13 @@ class TiledRun {
   const TileOptions& tile_options_;
   const OptimizeOptions& options_;
   OptimizeResult& result_;
-  std::vector<SurfaceSample> samples_;  ///< on mesh(), to the end of the last round
-  std::optional<SplitSurface> split_;   ///< if there are large facets
-  Sizing sizing_;                       ///< on mesh()
-  std::vector<int> owed_;               ///< moves that each sample is behind
+  TiledSamples samples_;   ///< to the end of the last round
+  std::vector<int> owed_;  ///< moves that each sample is behind
   geom::Rng rng_;
   int iteration_ = 0, round_ = 0, sweeps_ = 0;
   std::size_t moved_ = 0;  ///< in the round
   std::mutex access_;      ///< to the callbacks, the result and moved_
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Stopwatch watch_;
 };
 
 void TiledRun::announce_move() {
@@ -82,29 +115,9 @@ void TiledRun::announce_move() {
 void TiledRun::report(IterationReport report) {
   report.iteration = iteration_;
   report.moved = moved_;
-  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  report.seconds = watch_.seconds();
   result_.last = report;
   if (options_.on_iteration) options_.on_iteration(report);
-}
-
-/// By distances in space, like measure() if there are no weights.
-IterationReport TiledRun::measure_positions() const {
-  geom::SiteTree tree;
-  for (std::size_t i = 0; i < samples_.size(); ++i) tree.insert(SiteId(i), {samples_[i].position, 0});
-  const std::size_t first = task_.surface.num_fixed < samples_.size() ? task_.surface.num_fixed : 0;
-  std::vector<double> spacings(samples_.size() - first);
-  geom::parallel_ranges(
-      spacings.size(), 1024, tile_options_.threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-          const SurfaceSample& x = samples_[first + i];
-          spacings[i] = std::sqrt(tree.nearest(x.position, SiteId(first + i)).radius2) / sizing_.at(x);
-        }
-      });
-  IterationReport report;
-  report.delta = *std::ranges::min_element(spacings);
-  report.mean_delta =
-      std::accumulate(spacings.begin(), spacings.end(), 0.0) / static_cast<double>(spacings.size());
-  return report;
 }
 
 /// All that is owed to the samples of a tile, spread evenly over the sweeps. Those that turn out to be too
@@ -165,11 +178,13 @@ bool TiledRun::round() {
   sweeps_ = std::min({round_, tile_options_.sweeps, options_.max_iterations - iteration_});
   const std::vector<CutCost> costs = cut_costs();
   owe(sweeps_);
-  std::vector<Tile> tiles = make_tiles(mesh(), samples_, {tile_options_.most_samples, rng_.bits(), costs});
+  std::vector<Tile> tiles =
+      make_tiles(samples_.mesh(), samples_.all(), {tile_options_.most_samples, rng_.bits(), costs});
   // Large ones first, so that threads end at about the same time.
   std::ranges::stable_sort(tiles, std::greater(), [](const Tile& tile) { return tile.samples.size(); });
-  const TiledSurface whole(mesh(), sizing_, samples_, task_.surface, std::move(tiles));
-  std::vector<SurfaceSample> next = samples_;
+  const TiledSurface whole(samples_.mesh(), samples_.sizing(), samples_.all(), task_.surface,
+                           std::move(tiles));
+  std::vector<SurfaceSample> next = samples_.all();
   const std::uint64_t seed = rng_.bits();
   try {
     geom::parallel_ranges(whole.tiles().size(), 1, tile_options_.threads,
@@ -177,7 +192,7 @@ bool TiledRun::round() {
   } catch (const geom::Bug& bug) {
     throw geom::Bug("after iteration " + std::to_string(iteration_) + ", " + bug.what());
   }
-  samples_ = std::move(next);
+  samples_.all() = std::move(next);
   iteration_ += sweeps_;
   return !interrupted();
 }
@@ -187,7 +202,7 @@ std::vector<CutCost> TiledRun::cut_costs() const {
   std::vector<CutCost> costs;
   costs.reserve(samples_.size());
   for (std::size_t i = 0; i < samples_.size(); ++i)
-    costs.push_back({static_cast<double>(owed_[i]) * owed_[i], near_cut * sizing_.at(samples_[i])});
+    costs.push_back({static_cast<double>(owed_[i]) * owed_[i], near_cut * samples_.sizing().at(samples_[i])});
   return costs;
 }
 
@@ -213,7 +228,7 @@ void TiledRun::catch_up(SurfaceDomain& domain) {
 /// The first iterations, on the whole surface. They even out the density of the samples at large, which tiles
 /// would do slowly: without them delta ends lower. False if that was all.
 bool TiledRun::begin_at_large() {
-  SurfaceDomain domain(task_.mesh, task_.sizing, samples_, task_.surface);
+  SurfaceDomain domain = samples_.domain();
   OptimizeOptions first = options_;
   first.max_iterations = std::min(iterations_at_large, options_.max_iterations);
   first.on_iteration = [&](const IterationReport& now) {
@@ -224,21 +239,8 @@ bool TiledRun::begin_at_large() {
   const OptimizeResult done = optimize(domain, first);
   result_.moves = done.moves;
   result_.reason = done.reason;
-  for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i] = domain.sample(SiteId(i));
+  for (std::size_t i = 0; i < samples_.size(); ++i) samples_.all()[i] = domain.sample(SiteId(i));
   return done.reason == StopReason::iteration_cap && iteration_ < options_.max_iterations;
-}
-
-void TiledRun::split() {
-  if (!has_long_edges(task_.mesh, task_.sizing, longest_edge)) return;
-  split_ = split_long_edges(task_.mesh, task_.sizing, longest_edge, samples_);
-  if (!sizing_.is_uniform()) sizing_ = Sizing(split_->mesh, split_->h);
-}
-
-void TiledRun::unsplit() {
-  if (!split_) return;
-  for (SurfaceSample& x : samples_) x.facet = split_->parents[x.facet];
-  sizing_ = task_.sizing;
-  split_.reset();
 }
 
 /// Rounds until there is a reason to stop.
@@ -247,7 +249,7 @@ StopReason TiledRun::rounds() {
     if (!round()) return StopReason::interrupted;
     if (moved_ == 0 && std::ranges::count(owed_, 0) == std::ssize(owed_)) return StopReason::nothing_moved;
     if (iteration_ == options_.max_iterations) break;
-    const IterationReport now = measure_positions();
+    const IterationReport now = samples_.measured(tile_options_.threads);
     if (now.delta > options_.target_delta) return StopReason::target_reached;
     report(now);
   }
@@ -255,16 +257,16 @@ StopReason TiledRun::rounds() {
 }
 
 SurfaceDomain TiledRun::take() {
-  geom::require(!samples_.empty(), "there must be at least one sample");
+  geom::require(samples_.size() > 0, "there must be at least one sample");
   if (options_.scope == Scope::global && options_.max_iterations > 0) {
-    if (!begin_at_large()) return SurfaceDomain(task_.mesh, task_.sizing, samples_, task_.surface);
+    if (!begin_at_large()) return samples_.domain();
   } else {
-    report(measure_positions());
+    report(samples_.measured(tile_options_.threads));
   }
-  split();
+  samples_.split();
   result_.reason = rounds();
-  unsplit();
-  SurfaceDomain domain(task_.mesh, task_.sizing, samples_, task_.surface);
+  samples_.unsplit();
+  SurfaceDomain domain = samples_.domain();
   if (iteration_ == 0) return domain;
   if (result_.reason == StopReason::iteration_cap) catch_up(domain);
   report(measure(domain));

@@ -87,7 +87,7 @@ TriMesh horn(int size) {
 TriMesh dumbbell(int size) {
   constexpr double bar = 0.03;
   const int steps = std::max(6, 2 * size);
-  // Two unit balls about -1.5 and 1.5, the bar between them: by the angle around each centre, and by height.
+  // Two unit balls about -1.5 and 1.5, the bar between them: by the angle around each center, and by height.
   const double leaves = std::asin(bar);
   std::vector<Vec2> profile{{0, -2.5}};
   for (int i = 1; i <= steps; ++i) {

@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "io/mesh_io.h"
+#include "tests/bench/models.h"
 
 namespace {
 
@@ -37,10 +37,8 @@ void measure(const std::filesystem::path& path) {
 int main(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) measure(argv[i]);
   if (argc > 1) return 0;
-  const char* models = std::getenv("FPO_MODELS");
   for (const char* name : {"eight", "venus", "homer", "bunny", "elephant", "joint", "mask"}) {
-    const auto path =
-        std::filesystem::path(models ? models : "../shared/models") / (std::string(name) + ".obj");
+    const std::filesystem::path path = bench::model_file(name);
     if (std::filesystem::exists(path)) measure(path);
   }
 }

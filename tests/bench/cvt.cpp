@@ -15,6 +15,7 @@
 
 #include "fpo/remesh/remesh_defaults.h"
 #include "io/mesh_io.h"
+#include "tests/bench/models.h"
 #include "tools/measures.h"
 
 namespace {
@@ -88,8 +89,7 @@ int main(int argc, char** argv) {
   const std::string model = argc > 2 ? argv[1] : "eight";
   const std::size_t n = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1700;
   const int seeds = argc > 3 ? std::atoi(argv[3]) : 4, iterations = argc > 4 ? std::atoi(argv[4]) : 300;
-  const char* folder = std::getenv("FPO_MODELS");
-  const auto file = std::filesystem::path(folder ? folder : "../shared/models") / (model + ".obj");
+  const auto file = bench::model_file(model);
   if (!std::filesystem::exists(file)) return std::printf("missing: %s\n", file.c_str()), 0;
   const geom::TriMesh mesh = io::read_mesh(file), smooth = subdivided(subdivided(mesh));
   for (int seed = 1; seed <= seeds; ++seed) {

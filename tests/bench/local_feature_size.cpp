@@ -18,6 +18,7 @@
 #include "fpo/surface/surface_cover.h"
 #include "io/mesh_io.h"
 #include "io/mesh_picture.h"
+#include "tests/bench/models.h"
 
 namespace {
 
@@ -78,7 +79,6 @@ int main(int argc, char** argv) {
   if (argc > 2 && std::string(argv[1]) == "-o") folder = argv[2], first = 3;
   for (int i = first; i + 1 < argc; i += 2) measure(argv[i], std::atof(argv[i + 1]), folder);
   if (first < argc) return 0;
-  const char* models = std::getenv("FPO_MODELS");
   for (const auto& [name, n] : {std::pair("eight", 1700),
                                 {"venus", 3000},
                                 {"homer", 7500},
@@ -86,8 +86,7 @@ int main(int argc, char** argv) {
                                 {"elephant", 11300},
                                 {"joint", 5000},
                                 {"mask", 6000}}) {
-    const auto path =
-        std::filesystem::path(models ? models : "../shared/models") / (std::string(name) + ".obj");
+    const std::filesystem::path path = bench::model_file(name);
     if (std::filesystem::exists(path)) measure(path.string(), n, folder);
   }
 }

@@ -15,7 +15,6 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <optional>
@@ -31,6 +30,8 @@
 #include "io/atomic_file.h"
 #include "io/chart.h"
 #include "io/mesh_io.h"
+#include "tests/bench/models.h"
+#include "tools/worded.h"
 
 namespace {
 
@@ -127,19 +128,13 @@ Figures on_torus(const Job& job) {
 }
 
 std::vector<Job> jobs_up_to(std::size_t largest) {
-  const char* folder = std::getenv("FPO_MODELS");
   std::vector<Job> jobs;
-  for (const auto& [name, n] :
-       {std::pair("eight", 1700), {"venus", 1700}, {"homer", 7900}, {"bunny", 6300}}) {
-    const auto file =
-        std::filesystem::path(folder ? folder : "../shared/models") / (std::string(name) + ".obj");
-    if (!std::filesystem::exists(file)) continue;
-    const auto run = [file](const Job& job) { return on_surface(io::read_mesh(file), job); };
+  for (const bench::Model& model : bench::models_of_figure_10()) {
+    const auto run = [file = model.file](const Job& job) { return on_surface(io::read_mesh(file), job); };
     for (const char* engine : {"search", "triangulation"})
-      jobs.push_back({name, engine, static_cast<std::size_t>(n), run});
-    if (n > 3000)
-      for (const int threads : {1, 2})
-        jobs.push_back({name, "tiles", static_cast<std::size_t>(n), run, threads});
+      jobs.push_back({model.name, engine, model.samples, run});
+    if (model.samples > 3000)
+      for (const int threads : {1, 2}) jobs.push_back({model.name, "tiles", model.samples, run, threads});
   }
   for (std::size_t n = 1000; n <= largest; n *= 10) {
     jobs.push_back({"sphere", "search", n, on_sphere});
@@ -181,17 +176,14 @@ std::optional<Row> run_apart(const Job& job) {
 }
 
 std::string seconds(double value, const char* none) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", value);
-  return value < 0 ? none : text;
+  return value < 0 ? none : tools::worded("%.2f", value);
 }
 
 std::string csv_line(const Row& r) {
-  char line[240];
-  std::snprintf(line, sizeof line, "%s,%zu,%zu,%s,%d,%.3f,%s,%s,%.1f\n", r.job.surface.c_str(),
-                r.figures.facets, r.job.n, r.job.engine.c_str(), r.job.threads, r.figures.us_per_move,
-                seconds(r.figures.to_90, "").c_str(), seconds(r.figures.to_92, "").c_str(), r.peak_mib);
-  return line;
+  return tools::worded("%s,%zu,%zu,%s,%d,%.3f,%s,%s,%.1f\n", r.job.surface.c_str(), r.figures.facets, r.job.n,
+                       r.job.engine.c_str(), r.job.threads, r.figures.us_per_move,
+                       seconds(r.figures.to_90, "").c_str(), seconds(r.figures.to_92, "").c_str(),
+                       r.peak_mib);
 }
 
 /// Microseconds a move against n, a curve for each family that grows.

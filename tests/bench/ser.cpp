@@ -15,12 +15,13 @@
 #include "fpo/measure/quality.h"
 #include "fpo/plane/plane_domain.h"
 #include "fpo/remesh/extract.h"
-#include "fpo/shortest_edge.h"
 #include "fpo/surface/initial_samples.h"
 #include "fpo/surface/sizing_kinds.h"
 #include "fpo/surface/surface_domain.h"
 #include "io/mesh_io.h"
+#include "tests/bench/models.h"
 #include "tools/convergence.h"
+#include "tools/worded.h"
 
 namespace {
 
@@ -28,44 +29,34 @@ constexpr int most_iterations = 40;
 constexpr std::array<double, 3> mean_deltas = {0.85, 0.87, 0.9}, deltas = {0.75, 0.8, 0.88};
 constexpr std::array<double, 3> q_avgs = {0.83, 0.84, 0.85};
 
-/// By iteration, the state before the first one included.
+/// The milliseconds of a set, and its Q_avg.
 struct Course {
+  explicit Course(const tools::Convergence& c, std::size_t n)
+      : milliseconds(c.microseconds), mean_delta(c.mean_delta), delta(c.delta), q_avg(c.measured) {
+    for (double& time : milliseconds) time *= 1e-3 * static_cast<double>(n);
+  }
   std::vector<double> milliseconds, mean_delta, delta, q_avg;
 };
 
 Course course(fpo::Domain& domain, const tools::Way& way, fpo::VisitOrder order, double start,
               const std::function<double()>& q_avg) {
-  Course result;
-  if (way.shortest_edges) fpo::remove_shortest_edges(domain);
-  fpo::OptimizeOptions o;
-  o.max_iterations = most_iterations;
-  o.target_delta = 2;
-  o.scope = way.scope;
-  o.order = order;
-  o.on_iteration = [&](const fpo::IterationReport& r) {
-    const double before = tools::thread_seconds();
-    result.milliseconds.push_back(1e3 * (before - start));
-    result.mean_delta.push_back(r.mean_delta);
-    result.delta.push_back(r.delta);
-    result.q_avg.push_back(q_avg());
-    start += tools::thread_seconds() - before;
-  };
-  fpo::optimize(domain, o);
-  return result;
+  tools::ConvergenceOptions options;
+  options.iterations = most_iterations;
+  options.order = order;
+  options.measure = q_avg;
+  return Course(converge(domain, way, start, options), domain.num_samples());
 }
 
 /// When the values first come to that one.
 std::string time_to(const Course& c, const std::vector<double>& values, double wanted) {
-  char text[32] = "-";
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i] < wanted) continue;
     const double part = i == 0 ? 0 : (wanted - values[i - 1]) / (values[i] - values[i - 1]);
     const double time = i == 0 ? c.milliseconds[0]
                                : c.milliseconds[i - 1] + part * (c.milliseconds[i] - c.milliseconds[i - 1]);
-    std::snprintf(text, sizeof text, "%.0f", time);
-    break;
+    return tools::worded("%.0f", time);
   }
-  return text;
+  return "-";
 }
 
 void row(const std::string& name, const Course& c) {
@@ -129,7 +120,6 @@ int main(int argc, char** argv) {
   std::vector<std::pair<std::string, std::size_t>> models = {{"eight", 1700}, {"homer", 7900}};
   if (argc > 2) models.clear();
   for (int i = 1; i + 1 < argc; i += 2) models.emplace_back(argv[i], std::strtoull(argv[i + 1], nullptr, 10));
-  const char* folder = std::getenv("FPO_MODELS");
 
   std::printf("%-34s", "ms to");
   for (const double x : mean_deltas) std::printf("  d~ %.2f", x);
@@ -139,7 +129,7 @@ int main(int argc, char** argv) {
   for (const std::size_t n : {1000, 4000, 16000})
     for (const char* field : {"uniform", "waves5"}) plane(field, n);
   for (const auto& [model, n] : models) {
-    const auto file = std::filesystem::path(folder ? folder : "../shared/models") / (model + ".obj");
+    const auto file = bench::model_file(model);
     if (!std::filesystem::exists(file)) {
       std::printf("missing: %s\n", file.c_str());
       continue;

@@ -12,6 +12,7 @@
 #include "fpo/optimize.h"
 #include "fpo/surface/surface_domain.h"
 #include "io/mesh_io.h"
+#include "tests/bench/models.h"
 
 namespace {
 
@@ -66,14 +67,10 @@ int main(int argc, char** argv) {
     measure(job);
     return 0;
   }
-  const char* folder = std::getenv("FPO_MODELS");
-  for (const auto& [name, n] : {std::pair("eight", 1700), {"venus", 1700}, {"homer", 7900}, {"bunny", 6300}})
+  for (const bench::Model& model : bench::models_of_figure_10())
     for (const fpo::Engine engine : {fpo::Engine::search, fpo::Engine::triangulation}) {
-      Job job{std::filesystem::path(folder ? folder : "../shared/models") / (std::string(name) + ".obj"),
-              static_cast<std::size_t>(n),
-              10,
-              {}};
+      Job job{model.file, model.samples, 10, {}};
       job.options.engine = engine;
-      if (std::filesystem::exists(job.model)) measure(job);
+      measure(job);
     }
 }

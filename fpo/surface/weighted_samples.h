@@ -1,0 +1,47 @@
+#pragma once
+// The samples on a surface and their weights.
+//
+// A sample where the sizing wants edges of length h has weight (c h)^2 (section 3.2 with k chosen so that the
+// weight is a squared length), or 0 if the sizing is uniform (or on request): equal weights do nothing. The
+// weight is that of the sample's own place: it changes as the sample moves.
+
+#include <span>
+
+#include "fpo/surface/sizing.h"
+#include "fpo/surface/surface_options.h"
+#include "fpo/surface/surface_sample.h"
+#include "geom/ids.h"
+
+namespace fpo {
+
+class WeightedSamples {
+ public:
+  /// Each with all of the weight that the sizing gives it. Of the options those of weights count.
+  WeightedSamples(const Sizing& sizing, std::span<const SurfaceSample> samples,
+                  const SurfaceOptions& options);
+
+  std::size_t size() const { return places_.size(); }
+  const SurfaceSample& operator[](SiteId x) const { return places_[x]; }
+  const Sizing& sizing() const { return sizing_; }
+
+  void put(SiteId x, const SurfaceSample& place) { places_[x] = place; }
+  /// The share of its full weight that x has, here and wherever it goes: not negative.
+  void set_share(SiteId x, double share);
+  double share(SiteId x) const { return shares_[x]; }
+  /// What the sizing gives x: (c h)^2, also if it is uniform.
+  double full_weight(SiteId x) const;
+  /// What x has in the diagram: its share of that, less what all have.
+  double weight(SiteId x) const;
+  /// All weights are and have always been 0.
+  bool have_no_weights() const { return unweighted_; }
+
+ private:
+  Sizing sizing_;
+  double factor_;  ///< c
+  bool equal_;     ///< full weights do not count
+  bool unweighted_;
+  geom::Table<SiteId, SurfaceSample> places_;
+  geom::Table<SiteId, double> shares_;
+};
+
+}  // namespace fpo
