@@ -15,6 +15,10 @@ constexpr std::size_t share = 8;  ///< one circle in so many is above a new bar
 
 }  // namespace
 
+double PlanePriority::by_place(const geom::Vec2& at, double radius2) const {
+  return rule({{at.x(), at.y(), 0}, radius2, weights.edge_length(at)});
+}
+
 CircleQueue::CircleQueue(const geom::Regular2& triangulation, const PlanePriority& priority)
     : triangulation_(triangulation), priority_(priority), heap_(Order{&triangulation}), bar_(0) {}
 

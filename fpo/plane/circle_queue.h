@@ -18,8 +18,11 @@ struct PlanePriority {
   const PlaneWeights& weights;
 
   double operator()(const geom::Vec2& at, double radius2) const {
-    return priority_by(rule, {at.x(), at.y(), 0}, radius2, [&] { return weights.edge_length(at); });
+    return rule == by_radius ? radius2 : by_place(at, radius2);
   }
+
+ private:
+  double by_place(const geom::Vec2& at, double radius2) const;
 };
 
 /// The farthest empty circle of a triangulation under change. Farthest point optimization only ever asks for

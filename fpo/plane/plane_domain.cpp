@@ -101,14 +101,15 @@ void PlaneDomain::expect(SiteId x) {
 
 double PlaneDomain::normalized_spacing(SiteId x) {
   double least2 = std::numeric_limits<double>::infinity();
-  if (triangulation_.is_hidden(x)) {
-    least2 = triangulation_.difference(x, triangulation_.nearest_other(x).id).squaredNorm();
-  } else {
+  const auto look_at = [&](SiteId y) {
+    least2 = std::min(least2, triangulation_.difference(x, y).squaredNorm());
+  };
+  if (triangulation_.is_hidden(x))
+    look_at(triangulation_.nearest_other(x).id);
+  else
     triangulation_.visit_star(x, [&](SimplexId t, int corner) {
-      const SiteId y = triangulation_.corners(t)[static_cast<std::size_t>(corner == 2 ? 0 : corner + 1)];
-      least2 = std::min(least2, triangulation_.difference(x, y).squaredNorm());
+      look_at(triangulation_.corners(t)[static_cast<std::size_t>(corner == 2 ? 0 : corner + 1)]);
     });
-  }
   return std::sqrt(least2) / edge_length(x);
 }
 

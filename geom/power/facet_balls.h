@@ -6,7 +6,7 @@
 #include "geom/ids.h"
 #include "geom/mesh/levels.h"
 #include "geom/mesh/trimesh.h"
-#include "geom/power/clip_predicates.h"
+#include "geom/power/construct.h"
 
 namespace geom {
 
