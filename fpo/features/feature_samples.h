@@ -70,8 +70,8 @@ SharedSizing share_sizing(const geom::TriMesh& mesh, const Features& features,
                           std::span<const SurfaceSample> fixed,
                           const std::function<Sizing(std::size_t)>& sizing_for, CurveSampling sampling);
 
-/// The edges of the chains that are no edges of a remesh whose first vertices are the samples, in the order of
-/// the chains. O(F log F).
+/// The edges of the chains that are no edges of a remesh whose first vertices are the samples, in the order
+/// of the chains. O(F log F).
 std::vector<std::pair<geom::SiteId, geom::SiteId>> broken_edges(const geom::TriMesh& remesh,
                                                                 const FeatureSamples& features);
 /// The edges of the chains.

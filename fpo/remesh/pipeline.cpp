@@ -1,12 +1,15 @@
 #include "fpo/remesh/pipeline.h"
 
 #include <string>
+#include <tuple>
 
+#include "fpo/features/corner_angles.h"
 #include "fpo/features/curve_slides.h"
 #include "fpo/features/curve_spacing.h"
 #include "fpo/features/feature_choice.h"
 #include "fpo/interruption.h"
 #include "fpo/remesh/attempts.h"
+#include "fpo/remesh/recovered_edges.h"
 #include "fpo/remesh/small_loops.h"
 #include "fpo/remesh/stand_in.h"
 #include "fpo/surface/sheet_levels.h"
@@ -318,6 +321,27 @@ void improve(SurfaceDomain& domain, const SharedSizing& shared, const AngleOptio
   result.fidelity = improve_fidelity(domain, angles, fidelity);
 }
 
+/// What is left to be done on the mesh: edges of curves that the RRT lacks, small angles.
+void finish(SurfaceDomain& domain, const SharedSizing& shared, const CurveSlides* slides,
+            const RemeshOptions& options, Dual& dual, RemeshResult& result) {
+  if (!options.mend || options.method != Method::fpo || interrupted(options)) return;
+  std::tie(dual.mesh, result.recovered_edges) = recover_edges(dual.mesh, shared.features);
+  if (!options.optimize_angles || options.maximal || !dual.type.is_manifold()) return;
+  const std::vector<SurfaceSample> before = dual.samples;
+  const AngleOptions angles = angle_options(options);
+  result.last_angles = mend_last_angles({domain.mesh(), domain.sizing(), shared.features, slides, angles},
+                                        dual.mesh, dual.samples);
+  if (!options.keep_cells || result.last_angles.mended == 0) return;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const SiteId x(i);
+    if (before[i].position == dual.samples[i].position) continue;
+    const double share = domain.weight_share(x);
+    domain.remove(x);
+    domain.insert_at(x, dual.samples[i], share);
+  }
+  dual.cells = cell_polygons(*domain.diagram());
+}
+
 RemeshResult remesh_task(const Task& task, RemeshOptions options) {
   RemeshResult result;
   SharedSizing shared = sizing_and_features(task, options);
@@ -348,8 +372,8 @@ RemeshResult remesh_task(const Task& task, RemeshOptions options) {
   const Sizing& sizing = domain.sizing();
   AngleOptions angles = angle_options(options);
   std::optional<CurveSlides> slides;
-  if (!shared.features.chains.empty() && !apart)
-    angles.slides = &slides.emplace(surface, task.features, shared.features, sizing);
+  if (!shared.features.chains.empty()) slides.emplace(task.surface(), task.features, shared.features, sizing);
+  if (slides && !apart) angles.slides = &*slides;
   improve(domain, shared, angles, options, result);
   if (options.maximal) move_until_maximal(domain, shared, options, result);
   result.hidden = domain.num_hidden();
@@ -357,11 +381,13 @@ RemeshResult remesh_task(const Task& task, RemeshOptions options) {
   result.type = dual.type;
   result.advice = type_advice(dual, surface, type, sizing);
   result.localization = dual.localization;
+  finish(domain, shared, slides ? &*slides : nullptr, options, dual, result);
   result.mesh = std::move(dual.mesh);
   result.samples = std::move(dual.samples);
   result.cells = std::move(dual.cells);
   result.feature_samples = shared.features.samples.size();
   result.feature_edges = num_edges(shared.features);
+  result.corner_angle = smallest_corner_angle(task.surface(), task.features);
   count_creases(task.features, shared.features, result);
   const auto broken = broken_edges(result.mesh, shared.features);
   result.broken_feature_edges = broken.size();
