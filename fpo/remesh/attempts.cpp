@@ -20,6 +20,7 @@ auto rank(const RemeshResult& r) {
 }  // namespace
 
 bool is_fine(const RemeshResult& r) {
+  if (r.finish.recovered_edges > 0 || r.finish.last_angles.mended > 0) return false;
   return r.type.ok() && r.broken_feature_edges == 0 &&
          r.measures.theta_min >= std::min(small_angle, by_chords * r.corner_angle);
 }

@@ -14,7 +14,7 @@
 #include "fpo/remesh/edge_advice.h"
 #include "fpo/remesh/fidelity.h"
 #include "fpo/remesh/final_measures.h"
-#include "fpo/remesh/last_angles.h"
+#include "fpo/remesh/finish.h"
 #include "fpo/remesh/maximal.h"
 #include "fpo/remesh/methods.h"
 #include "fpo/remesh/protect.h"
@@ -75,7 +75,7 @@ struct RemeshResult {
   std::string given_up;                  ///< features that are not kept, and why, for users; empty: none
   Protection protection;                 ///< of those edges
   std::size_t broken_feature_edges = 0;  ///< those that are no edges of the mesh
-  std::size_t recovered_edges = 0;       ///< those made by flips (recovered_edges.h)
+  Finish finish;                         ///< what was mended on the mesh
   double corner_angle = 180;             ///< the smallest between features of the input (corner_angles.h)
   EdgeAdvice edge_advice;                ///< where, and how many samples would do
   ShortestEdgeResult shortest_edges;
@@ -84,7 +84,6 @@ struct RemeshResult {
   double radius_factor = 0;      ///< methods with disks: their radius in units of the wanted edge length
   std::vector<Reached> reached;  ///< the measures that another method than fpo has of itself
   AngleResult angles;
-  LastAngles last_angles;  ///< and what was done about them in the end
   FidelityResult fidelity;
   ThinParts thin_parts;
   MaximalResult maximal;
