@@ -113,6 +113,7 @@ void add_rest(Summary& s, const RemeshArguments& a, const fpo::RemeshResult& res
     s.count("feature_edges", result.feature_edges);
     s.count("broken_feature_edges", result.broken_feature_edges);
     s.count("protected_samples", result.protection.weighted);
+    if (result.finish.recovered_edges > 0) s.count("recovered_feature_edges", result.finish.recovered_edges);
   }
   if (a.remesh.improve_fidelity) {
     s.count("far_triangles_tried", result.fidelity.tried);
@@ -128,6 +129,7 @@ void add_rest(Summary& s, const RemeshArguments& a, const fpo::RemeshResult& res
     s.count("angles_tried", result.angles.tried);
     s.count("angles_mended", result.angles.mended);
     s.count("samples_reweighted", result.angles.reweighted);
+    if (result.finish.last_angles.mended > 0) s.count("last_angles_mended", result.finish.last_angles.mended);
   }
 }
 

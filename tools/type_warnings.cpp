@@ -61,9 +61,12 @@ std::vector<std::string> type_warnings(const geom::TriMesh& input, const fpo::Re
 
 std::vector<std::string> shape_warnings(const fpo::RemeshResult& result) {
   std::vector<std::string> lines;
-  if (result.measures.angles_below_30 > 0)
+  if (result.measures.angles_below_30 > 0) {
     lines.push_back(worded("%zu angles are below 30 degrees, the smallest is %.1f",
                            result.measures.angles_below_30, result.measures.theta_min));
+    if (result.corner_angle < 30)
+      lines.back() += worded("; between creases of the input the smallest is %.1f", result.corner_angle);
+  }
   if (result.broken_feature_edges > 0)
     lines.push_back(worded(
         "%zu of %zu feature edges are no edges of the remesh, the first at (%.6g, %.6g, %.6g): curves are "

@@ -40,14 +40,18 @@ CurveSlides::CurveSlides(const geom::TriMesh& mesh, const Features& features, co
 }
 
 std::vector<SurfaceSample> CurveSlides::places(const SurfaceDomain& domain, SiteId x) const {
+  const auto [before, after] = neighbours(x);
+  return places(x, domain.sample(x), {domain.sample(before).position, domain.sample(after).position});
+}
+
+std::vector<SurfaceSample> CurveSlides::places(SiteId x, const SurfaceSample& now,
+                                               const std::array<Vec3, 2>& beside) const {
   const Track& track = tracks_[x];
   const CurveMetric& metric = metrics_[track.curve];
-  const SurfaceSample& now = domain.sample(x);
   const double h = sizing_.at(now), t = metric.nearest(now.position).t;
   const auto worst_gap = [&](const Vec3& place) {
     double worst = 0;
-    for (const SiteId y : {track.before, track.after})
-      worst = std::max(worst, beyond((domain.sample(y).position - place).norm() / h));
+    for (const Vec3& y : beside) worst = std::max(worst, beyond((y - place).norm() / h));
     return worst;
   };
   const double worst_now = worst_gap(now.position);

@@ -2,6 +2,7 @@
 // Samples on feature curves may slide along them after the optimization: "1D FPO" (paper, section 5) sees the
 // curve only, not the triangles on both sides.
 
+#include <array>
 #include <vector>
 
 #include "fpo/features/curve_domain.h"
@@ -21,6 +22,11 @@ class CurveSlides {
   /// samples before and after it are neither closer than .6 nor farther than 1.3 of the wanted length, unless
   /// that gets better. Requires can_slide(x). O(length of the curve in mesh edges).
   std::vector<SurfaceSample> places(const SurfaceDomain& domain, SiteId x) const;
+  /// The same for x being here, and its neighbours there.
+  std::vector<SurfaceSample> places(SiteId x, const SurfaceSample& now,
+                                    const std::array<geom::Vec3, 2>& beside) const;
+  /// Before it and after it on the curve. Requires can_slide(x).
+  std::array<SiteId, 2> neighbours(SiteId x) const { return {tracks_[x].before, tracks_[x].after}; }
   /// Are the edges of the chains at x and at its neighbours edges of the RRT?
   bool has_its_edges(const SurfaceDomain& domain, SiteId x) const;
 

@@ -32,7 +32,7 @@ constexpr double on_surface = 1e-6;  // of the diagonal
 constexpr double longest_edge = 1.25;
 constexpr double fully_spaced = 0.98;  // a curve's samples are evenly spaced then
 constexpr int curve_iterations = 200;
-constexpr double too_narrow = 0.4;    // a sample so near to the middle of an edge parts its ends
+constexpr double too_narrow = 0.29;   // width over edge length: below it even these have angles under 30
 constexpr double wide_enough = 0.62;  // width over edge length: right triangles have 32 degrees
 
 /// The part of a curve between two samples that stay, or a loop without any.

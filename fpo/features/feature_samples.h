@@ -41,7 +41,7 @@ struct CurveSampling {
 };
 
 /// Samples all features, with about the spacing that the sizing wants, but not more than `most` samples in
-/// all. Where edges would be 1.6 to 2.5 widths of the strip between facing curves long, samples of one are
+/// all. Where edges would be 1.6 to 3.4 widths of the strip between facing curves long, samples of one are
 /// opposite to the middles of the other's edges. Between two fixed ones there is at least what makes the
 /// curves a simplicial complex: a loop has three edges, and only one of several curves between the same two
 /// corners may be a single edge, the shortest. `fixed` points on a curve divide it. Where curves leave a

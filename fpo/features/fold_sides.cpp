@@ -83,8 +83,8 @@ FoldSides fold_sides(const TriMesh& mesh, const Features& features) {
 }
 
 bool is_noise(const FoldSides& sides) {
-  constexpr std::size_t enough = 20;
-  return sides.pairs >= enough && 20 * sides.opposite > 3 * sides.pairs;
+  constexpr std::size_t enough = 20, most_opposite = 15;  // percent
+  return sides.pairs >= enough && 100 * sides.opposite > most_opposite * sides.pairs;
 }
 
 }  // namespace fpo

@@ -8,6 +8,7 @@ namespace {
 
 constexpr double small_angle = 30, useless_angle = 10;
 constexpr double weight_of_edges = 10;
+constexpr double by_chords = 0.97;  // the angle between chords of two curves over that between the curves
 
 auto rank(const RemeshResult& r) {
   const double edges = static_cast<double>(std::max<std::size_t>(r.feature_edges, 1));
@@ -19,7 +20,9 @@ auto rank(const RemeshResult& r) {
 }  // namespace
 
 bool is_fine(const RemeshResult& r) {
-  return r.type.ok() && r.broken_feature_edges == 0 && r.measures.theta_min >= small_angle;
+  if (r.finish.recovered_edges > 0 || r.finish.last_angles.mended > 0) return false;
+  return r.type.ok() && r.broken_feature_edges == 0 &&
+         r.measures.theta_min >= std::min(small_angle, by_chords * r.corner_angle);
 }
 
 bool is_useful(const RemeshResult& r) {

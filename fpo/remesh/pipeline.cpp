@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "fpo/features/corner_angles.h"
 #include "fpo/features/curve_slides.h"
 #include "fpo/features/curve_spacing.h"
 #include "fpo/features/feature_choice.h"
@@ -9,6 +10,7 @@
 #include "fpo/remesh/attempts.h"
 #include "fpo/remesh/small_loops.h"
 #include "fpo/remesh/stand_in.h"
+#include "fpo/remesh/start.h"
 #include "fpo/surface/sheet_levels.h"
 #include "geom/check.h"
 #include "geom/mesh/centring.h"
@@ -19,6 +21,7 @@ namespace {
 
 constexpr int futile_mending_rounds = 10;  // in a row, without fewer defects
 constexpr std::size_t least_fidelity_moves = 2000;
+constexpr int start_saves = 3;  // times as many iterations, for samples that are spread already
 
 const ThinPartOptions thin;  // how far lengths may change from place to place, and others be stretched
 
@@ -54,7 +57,8 @@ struct Task {
   const SizingFor& plain;
   const NarrowSurface* narrow;  ///< null: where curves are nowhere close to each other
   Features features;
-  bool only_apart = false;  ///< there is nothing to do without sheets that are near each other
+  bool only_apart = false;              ///< there is nothing to do without sheets that are near each other
+  const RemeshResult* start = nullptr;  ///< its samples are those to begin with
   const geom::TriMesh& surface() const { return narrow ? narrow->split.mesh : input; }
 };
 
@@ -73,19 +77,6 @@ SharedSizing sizing_and_features(const Task& task, const RemeshOptions& options)
                                               thin.most_scale)
                         .sizing;
   return shared;
-}
-
-/// Those that stay, then random ones; all in the exact range of the predicates, like the surface.
-std::vector<SurfaceSample> initial_samples(const geom::TriMesh& surface, const SharedSizing& shared,
-                                           const RemeshOptions& options) {
-  std::vector<SurfaceSample> samples = shared.features.samples;
-  if (samples.size() < options.num_samples) {
-    const std::vector<SurfaceSample> inner =
-        random_samples(surface, shared.sizing, options.num_samples - samples.size(), options.seed);
-    samples.insert(samples.end(), inner.begin(), inner.end());
-  }
-  for (SurfaceSample& x : samples) x.position = geom::snapped(x.position);
-  return samples;
 }
 
 bool interrupted(const RemeshOptions& options) { return fpo::interrupted(options.optimize.interrupted); }
@@ -161,14 +152,6 @@ std::optional<RemeshResult> remesh_of_stand_in(const geom::TriMesh& surface,
   return {};
 }
 
-/// Its samples but for those on features in the place of random ones.
-void take_inner(const RemeshResult& coarse, std::size_t num_fixed, std::vector<SurfaceSample>& samples) {
-  const auto first = coarse.samples.begin() + static_cast<std::ptrdiff_t>(coarse.feature_samples);
-  const auto some =
-      std::min(std::ssize(samples) - static_cast<std::ptrdiff_t>(num_fixed), coarse.samples.end() - first);
-  std::copy(first, first + some, samples.begin() + static_cast<std::ptrdiff_t>(num_fixed));
-}
-
 /// It as the result, for there is no time for another one.
 RemeshResult on_surface(RemeshResult coarse, const geom::TriMesh& surface, const Sizing& sizing) {
   geom::Table<geom::VertexId, geom::Vec3> positions;
@@ -184,8 +167,8 @@ RemeshResult on_surface(RemeshResult coarse, const geom::TriMesh& surface, const
 SurfaceDomain settled_samples(const geom::TriMesh& surface, const SharedSizing& shared,
                               const RemeshResult& coarse, const RemeshOptions& options,
                               RemeshResult& result) {
-  std::vector<SurfaceSample> samples = initial_samples(surface, shared, options);
-  take_inner(coarse, shared.features.samples.size(), samples);
+  std::vector<SurfaceSample> samples = initial_samples(surface, shared, options.num_samples, options.seed);
+  take_inner(coarse.samples, coarse.feature_samples, shared.features.samples.size(), samples);
   SurfaceDomain domain(surface, shared.sizing, samples, surface_options(shared, options));
   OptimizeOptions once = options.optimize;
   once.max_iterations = 1;
@@ -202,12 +185,17 @@ SurfaceDomain settled_samples(const geom::TriMesh& surface, const SharedSizing& 
 
 /// Farthest point optimization.
 SurfaceDomain optimized_samples(const geom::TriMesh& surface, const SharedSizing& shared,
-                                const RemeshOptions& options, RemeshResult& result) {
+                                const RemeshResult* start, const RemeshOptions& options,
+                                RemeshResult& result) {
   OptimizeOptions optimization = options.optimize;
   optimization.seed = options.seed;
   optimization.order = VisitOrder::in_turn;  // the initial samples are in random order already
   const SurfaceOptions diagram = surface_options(shared, options);
-  std::vector<SurfaceSample> samples = initial_samples(surface, shared, options);
+  std::vector<SurfaceSample> samples = initial_samples(surface, shared, options.num_samples, options.seed);
+  if (start) {
+    take_inner(brought_to(surface, start->samples), start->feature_samples, diagram.num_fixed, samples);
+    optimization.max_iterations = std::max(optimization.max_iterations / start_saves, 1);
+  }
   if (options.tile_samples == 0 || samples.size() <= options.tile_samples || surface.has_levels()) {
     SurfaceDomain domain(surface, shared.sizing, samples, diagram);
     remove_short_edges(domain, options, result);
@@ -261,10 +249,11 @@ SurfaceDomain baseline_samples(const MethodFacts& method, const geom::TriMesh& s
 
 /// The samples by the method wanted, with their diagram.
 SurfaceDomain distributed_samples(const geom::TriMesh& surface, const SharedSizing& shared,
-                                  const RemeshOptions& options, RemeshResult& result) {
+                                  const RemeshResult* start, const RemeshOptions& options,
+                                  RemeshResult& result) {
   const MethodFacts& method = facts_of(options.method);
   if (method.distribute) return baseline_samples(method, surface, shared, options, result);
-  return optimized_samples(surface, shared, options, result);
+  return optimized_samples(surface, shared, start, options, result);
 }
 
 /// The surface with its sheets apart, if it has some that are near each other and that is wanted.
@@ -339,17 +328,17 @@ RemeshResult remesh_task(const Task& task, RemeshOptions options) {
   if (apart && !apart->h.empty()) shared.sizing = Sizing(apart->mesh, apart->h);
   const geom::TriMesh& surface = apart ? apart->mesh : task.surface();
   const geom::SurfaceType type = geom::surface_type(surface);
-  auto distributed =
-      std::make_unique<SurfaceDomain>(coarse ? settled_samples(surface, shared, *coarse, options, result)
-                                             : distributed_samples(surface, shared, options, result));
+  auto distributed = std::make_unique<SurfaceDomain>(
+      coarse ? settled_samples(surface, shared, *coarse, options, result)
+             : distributed_samples(surface, shared, task.start, options, result));
   const std::unique_ptr<SurfaceDomain> samples =
       with_room(std::move(distributed), shared, type, options, result);
   SurfaceDomain& domain = *samples;
   const Sizing& sizing = domain.sizing();
   AngleOptions angles = angle_options(options);
   std::optional<CurveSlides> slides;
-  if (!shared.features.chains.empty() && !apart)
-    angles.slides = &slides.emplace(surface, task.features, shared.features, sizing);
+  if (!shared.features.chains.empty()) slides.emplace(task.surface(), task.features, shared.features, sizing);
+  if (slides && !apart) angles.slides = &*slides;
   improve(domain, shared, angles, options, result);
   if (options.maximal) move_until_maximal(domain, shared, options, result);
   result.hidden = domain.num_hidden();
@@ -357,11 +346,17 @@ RemeshResult remesh_task(const Task& task, RemeshOptions options) {
   result.type = dual.type;
   result.advice = type_advice(dual, surface, type, sizing);
   result.localization = dual.localization;
+  if (options.mend && options.method == Method::fpo && !interrupted(options))
+    result.finish = finish(domain, shared.features,
+                           {angle_options(options), options.optimize_angles && !options.maximal,
+                            options.keep_cells, slides ? &*slides : nullptr},
+                           dual);
   result.mesh = std::move(dual.mesh);
   result.samples = std::move(dual.samples);
   result.cells = std::move(dual.cells);
   result.feature_samples = shared.features.samples.size();
   result.feature_edges = num_edges(shared.features);
+  result.corner_angle = smallest_corner_angle(task.surface(), task.features);
   count_creases(task.features, shared.features, result);
   const auto broken = broken_edges(result.mesh, shared.features);
   result.broken_feature_edges = broken.size();
@@ -392,17 +387,18 @@ std::optional<NarrowSurface> helpful_narrow_surface(const geom::TriMesh& surface
 
 /// `only_apart`: no mesh if there are no sheets to be set apart.
 RemeshResult remesh_with(const geom::TriMesh& surface, const FeatureChoice& choice,
-                         const RemeshOptions& options, bool only_apart = false) {
+                         const RemeshOptions& options, const RemeshResult* start = nullptr,
+                         bool only_apart = false) {
   const SizingFor plain = plain_sizing(surface, options);
   const std::optional<NarrowSurface> narrow =
       helpful_narrow_surface(surface, choice.features, plain, options);
   RemeshResult result;
   if (narrow) {
     const Features features = chosen_features(narrow->split.mesh, options).features;
-    result = remesh_task({surface, plain, &*narrow, features, only_apart}, options);
+    result = remesh_task({surface, plain, &*narrow, features, only_apart, start}, options);
     return_to(narrow->split, result);
   } else {
-    result = remesh_task({surface, plain, nullptr, choice.features, only_apart}, options);
+    result = remesh_task({surface, plain, nullptr, choice.features, only_apart, start}, options);
   }
   result.given_up = choice.given_up;
   return result;
@@ -418,7 +414,7 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
   with_levels.sheets = Sheets::apart;
   const auto attempt = [&](const RemeshOptions& otherwise, bool only_apart) {
     if (interrupted(options)) return;
-    RemeshResult other = remesh_with(surface, choice, otherwise, only_apart);
+    RemeshResult other = remesh_with(surface, choice, otherwise, &best, only_apart);
     if (interrupted(options) || (only_apart && !other.has_levels)) return;
     if (is_better(other, best)) best = std::move(other);
   };

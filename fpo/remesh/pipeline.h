@@ -14,6 +14,7 @@
 #include "fpo/remesh/edge_advice.h"
 #include "fpo/remesh/fidelity.h"
 #include "fpo/remesh/final_measures.h"
+#include "fpo/remesh/finish.h"
 #include "fpo/remesh/maximal.h"
 #include "fpo/remesh/methods.h"
 #include "fpo/remesh/protect.h"
@@ -74,6 +75,8 @@ struct RemeshResult {
   std::string given_up;                  ///< features that are not kept, and why, for users; empty: none
   Protection protection;                 ///< of those edges
   std::size_t broken_feature_edges = 0;  ///< those that are no edges of the mesh
+  Finish finish;                         ///< what was mended on the mesh
+  double corner_angle = 180;             ///< the smallest between features of the input (corner_angles.h)
   EdgeAdvice edge_advice;                ///< where, and how many samples would do
   ShortestEdgeResult shortest_edges;
   OptimizeResult optimization;

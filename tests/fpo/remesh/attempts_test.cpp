@@ -37,6 +37,11 @@ TEST_CASE("attempts: fine is what has it all; small angles or lost edges alone l
   CHECK(is_fine(measured(true, 30, 0)));
   for (const RemeshResult& r : {measured(false, 30, 0), measured(true, 29.9, 0), measured(true, 30, 1)})
     CHECK(!is_fine(r));
+  RemeshResult wedge = measured(true, 15, 0);
+  wedge.corner_angle = 15;  // a part has what corners it has
+  CHECK(is_fine(wedge));
+  wedge.measures.theta_min = 14;
+  CHECK(!is_fine(wedge));
   CHECK(is_useful(measured(true, 2, 0)));
   CHECK(is_useful(measured(true, 12, 50)));
   CHECK(!is_useful(measured(true, 2, 1)));

@@ -2,6 +2,7 @@
 
 #include "doctest.h"
 #include "geom/check.h"
+#include "geom/shapes/shapes.h"
 #include "tests/fixtures/effort.h"
 #include "tests/fixtures/surfaces.h"
 
@@ -128,6 +129,22 @@ TEST_CASE("pipeline: a plate thinner than the spacing of its samples is closed a
   CHECK(result.localization.remaining == 0);
   CHECK(result.mesh.num_vertices() == 150);
   MESSAGE("plate: euler ", t.euler, ", non-manifold edges ", t.nonmanifold_edges);
+}
+
+TEST_CASE("pipeline: where edges of curves are lost samples of close curves face each other in the end") {
+  RemeshOptions options;
+  options.num_samples = 900;
+  options.features = FeatureOptions();
+  options.optimize.max_iterations = 1;
+  options.optimize_angles = options.improve_fidelity = false;
+  options.mend = false;  // nor are edges made by flips
+  const geom::TriMesh plate = geom::make_shape("hole-plate");
+  options.sheets = Sheets::together;
+  const RemeshResult plain = remesh(plate, options);
+  options.sheets = Sheets::automatic;
+  const RemeshResult best = remesh(plate, options);
+  CHECK(plain.broken_feature_edges > 20);
+  CHECK(4 * best.broken_feature_edges < plain.broken_feature_edges);
 }
 
 TEST_CASE("pipeline: tiles, with features, sizes and shortest edge removal, give the same with any threads") {

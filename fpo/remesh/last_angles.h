@@ -1,0 +1,39 @@
+#pragma once
+// Angles that are small still when the remesh is made. Angle optimization (angles.h, paper, section 5) moves
+// samples under their diagram. Beside curves that are closer to each other than the samples the diagram has
+// few choices: here triangles are seen as triangles, those on both sides of a curve alike.
+
+#include <cstddef>
+#include <vector>
+
+#include "fpo/features/curve_slides.h"
+#include "fpo/features/feature_samples.h"
+#include "fpo/remesh/angles.h"
+
+namespace fpo {
+
+/// A remesh whose vertex i is sample i.
+struct LastAnglesTask {
+  const geom::TriMesh& surface;
+  const Sizing& sizing;  ///< on it
+  const FeatureSamples& features;
+  const CurveSlides* slides = nullptr;  ///< of these; null: samples on curves stay
+  const AngleOptions& angles;
+};
+
+struct LastAngles {
+  std::size_t bad_before = 0, bad_after = 0;  ///< triangles with an angle below 30 degrees, or that wanted
+  std::size_t mended = 0;                     ///< flips and moves that were kept
+};
+
+/// Where triangles have angles below the smaller of 30 degrees and the smallest that is wanted: flips an
+/// edge, or moves a vertex on the surface, on its curve if it is on one, by at most a third of the wanted
+/// length, with flips around it; or one of the vertices around these. Kept if the sum of bad_angles() becomes
+/// smaller, no angle around smaller than it was or than that bound, and no edge shorter than it was or than
+/// .55 wanted lengths. Edges of curves are not flipped, nor edges that the surface is folded at; corners and
+/// points of the user stay. The mesh stays of its topological type; if nothing is that bad it stays as it is.
+/// The worst first, through all of them up to ten times, with at most 200 attempts and n / 4. Deterministic.
+LastAngles mend_last_angles(const LastAnglesTask& task, geom::TriMesh& remesh,
+                            std::vector<SurfaceSample>& samples);
+
+}  // namespace fpo

@@ -1,0 +1,101 @@
+// Small angles that are left in a remesh.
+
+#include "fpo/remesh/last_angles.h"
+
+#include <algorithm>
+
+#include "doctest.h"
+#include "fpo/remesh/edited_mesh.h"
+#include "fpo/remesh/recovered_edges.h"
+#include "geom/mesh/aabb_tree.h"
+#include "geom/shapes/shapes.h"
+
+using namespace fpo;
+using geom::FacetId;
+using geom::SiteId;
+using geom::TriMesh;
+using geom::Vec3;
+using geom::VertexId;
+
+namespace {
+
+/// A surface remeshed by itself, some of its vertices moved towards a neighbour.
+struct Spoilt {
+  explicit Spoilt(const char* name, int size, double share)
+      : surface(geom::make_shape(name, size)), sizing(Sizing::uniform(1)), remesh(surface) {
+    double edges = 0;
+    for (const TriMesh::Facet& f : surface.facets())
+      edges += (surface.position(f[0]) - surface.position(f[1])).norm();
+    sizing = Sizing::uniform(edges / static_cast<double>(surface.num_facets()));
+    const geom::AabbTree tree(surface);
+    geom::Table<VertexId, Vec3> at = surface.vertices();
+    for (FacetId t(0); t.index() < surface.num_facets(); t = FacetId(t.value + 29)) {
+      const TriMesh::Facet& f = surface.facet(t);
+      at[f[0]] = tree.closest(at[f[0]] + share * (at[f[1]] - at[f[0]])).point;
+    }
+    for (const Vec3& x : at) samples.push_back({x, tree.closest(x).facet});
+    remesh = TriMesh(at, surface.facets());
+  }
+
+  TriMesh surface;
+  Sizing sizing;
+  FeatureSamples features;
+  TriMesh remesh;
+  std::vector<SurfaceSample> samples;
+};
+
+double smallest_angle(const TriMesh& mesh) {
+  double least = 180;
+  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
+    least = std::min(least,
+                     std::ranges::min(angles_of({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)})));
+  return least;
+}
+
+}  // namespace
+
+TEST_CASE("last angles: become larger, on the surface, with as many samples and the type as it was") {
+  Spoilt s("sphere", 6, 0.55);
+  const double before = smallest_angle(s.remesh);
+  REQUIRE(before < 25);
+  const AngleOptions angles;
+  const LastAngles result =
+      mend_last_angles({s.surface, s.sizing, s.features, nullptr, angles}, s.remesh, s.samples);
+  CHECK(result.bad_before > 5);
+  CHECK(result.bad_after == 0);
+  CHECK(smallest_angle(s.remesh) >= 30 - 1e-6);
+  CHECK(geom::topology(s.remesh).euler == 2);
+  CHECK(geom::topology(s.remesh).manifold());
+  const geom::AabbTree tree(s.surface);
+  REQUIRE(s.remesh.num_vertices() == s.samples.size());
+  for (std::size_t i = 0; i < s.samples.size(); ++i) {
+    CHECK(s.remesh.position(VertexId(i)) == s.samples[i].position);
+    CHECK(tree.closest(s.samples[i].position).distance2 < 1e-20);
+  }
+}
+
+TEST_CASE("last angles: samples of features without a curve to slide on stay, and so do their edges") {
+  Spoilt s("sphere", 6, 0.55);
+  for (std::size_t i = 0; i < s.samples.size(); ++i) s.features.samples.push_back(s.samples[i]);
+  const TriMesh::Facet f = s.remesh.facet(FacetId(29));
+  s.features.chains = {{SiteId(f[0].value), SiteId(f[1].value)}, {SiteId(f[1].value), SiteId(f[2].value)}};
+  const TriMesh before = s.remesh;
+  const AngleOptions angles;
+  mend_last_angles({s.surface, s.sizing, s.features, nullptr, angles}, s.remesh, s.samples);
+  CHECK(s.remesh.vertices() == before.vertices());
+  CHECK(broken_edges(s.remesh, s.features).empty());
+  CHECK(smallest_angle(s.remesh) >= smallest_angle(before));
+}
+
+TEST_CASE("last angles: nothing changes where none is below 30 degrees, or below what is wanted") {
+  Spoilt s("sphere", 6, 0.05);
+  AngleOptions angles;
+  const TriMesh before = s.remesh;
+  if (smallest_angle(before) < 30) angles.smallest = smallest_angle(before) - 1;
+  const LastAngles result =
+      mend_last_angles({s.surface, s.sizing, s.features, nullptr, angles}, s.remesh, s.samples);
+  CHECK(result.bad_before == 0);
+  CHECK(result.mended == 0);
+  CHECK(s.remesh.facets() == before.facets());
+  CHECK(s.remesh.vertices() == before.vertices());
+}
