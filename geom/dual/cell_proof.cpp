@@ -72,14 +72,12 @@ bool CellProof::find_corners() {
   corners_.clear();
   Frame::Values values;
   for (int j = 0; j < rim.size(); ++j) {
-    const FacetId t = around_.facet_on_axis({p, j, rim.next(j)}, state.circles[rim.inner(j)].facet);
+    const auto [t, point] =
+        around_.meeting({around_.p, rim[j], rim[rim.next(j)]}, state.circles[rim.inner(j)].facet);
     if (!t.valid()) return false;
-    std::array<SiteId, 3> sites{around_.p, rim[j], rim[rim.next(j)]};
-    std::ranges::sort(sites);
-    const RoundedPoint point = state.clipper.meeting(t, sites);
     around_.frame.evaluate(point.position - around_.frame.origin().position, point.tolerance, values);
     for (int i = 0; i < rim.size(); ++i)
-      if (i != j && i != rim.next(j) && !values.nearer(p, i)) return false;
+      if (!values.nearer(p, i) && i != j && i != rim.next(j)) return false;
     corners_.push_back({t, point});
   }
   return true;

@@ -9,6 +9,8 @@ namespace {
 using margin::bend;
 using margin::more;
 
+constexpr double tight = 1.2;  // a bound of the power in the cell, to that at its corners
+
 }  // namespace
 
 bool Hole::plan() {
@@ -85,12 +87,14 @@ bool Hole::bound_on_sheet() {
   const auto facet = [&](int j) { return state.circles[rim.inner(j)].facet; };
   double corner2 = 0, own2 = 0;
   for (int j = 0; j < rim.size(); ++j) corner2 = std::max(corner2, corner(j).squaredNorm());
-  for (int j = 0; j < rim.size(); ++j) {
-    const int i = rim.previous(j);
-    const Surroundings::Edge arc{around_.self, j, facet(i), facet(j), corner(i), corner(j)};
-    own2 = std::max(own2, around_.with_tolerance(around_.farthest2(arc, bend * corner2)));
+  if (reach_ + site.weight > tight * corner2) {
+    for (int j = 0; j < rim.size(); ++j) {
+      const int i = rim.previous(j);
+      const Surroundings::Edge arc{around_.self, j, facet(i), facet(j), corner(i), corner(j)};
+      own2 = std::max(own2, around_.with_tolerance(around_.farthest2(arc, bend * corner2)));
+    }
+    reach_ = std::min(reach_, own2 - site.weight);
   }
-  reach_ = std::min(reach_, own2 - site.weight);
   const double own = state.distance_at(reach_, around_.p);
   if (!around_.sheet.covers(site.position, own)) return false;
   for (const Triangle& triangle : triangles())
