@@ -1,10 +1,10 @@
 #pragma once
 // Where the axis of three sites meets the surface: the corner of their cells, found by a walk over facets.
 //
-//          /|\             On a facet the differences F, G of the powers of two sites to that of the third are
-//         / | \            affine, so at its corners l = F x G are the barycentric coordinates, up to scale, of
-//        / t|  \           where both vanish (construct.h). If none is negative the axis meets the facet. Else
-//       /___|___\          the walk goes on across the edge opposite the corner with the least one.
+//          /|\             On a facet the differences F, G of the powers of two sites to that of the third
+//         / | \            are affine, so at its corners l = F x G are the barycentric coordinates, up to
+//        / t|  \           scale, of where both vanish (construct.h). If none is negative the axis meets the
+//       /___|___\          facet. Else the walk goes on across the edge opposite the corner of least l.
 //
 // The l are rounded and off by a bound: if all are more than that, the axis surely meets the inside of the
 // facet, and the sign of their sum tells on which side of the surface the sites turn counterclockwise. Which

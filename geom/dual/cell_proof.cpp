@@ -197,6 +197,7 @@ bool CellProof::has_no_stranger(double radius) {
   strangers.find_rivals(around_.p, site.position, radius);
   strangers.keep_near(around_.frame, around_.p, around_.rim.sites(), {site.position - origin, radius},
                       around_.self);
+  if (strangers.kept().empty()) return true;
   const auto is_p_nearest = [&](const Vec3& z, double off) { return strangers.are_beyond(z, site, off); };
   return std::ranges::all_of(
              corners_, [&](const Corner& c) { return is_p_nearest(c.point.position, c.point.tolerance); }) &&

@@ -78,7 +78,8 @@ bool Hole::prove() {
   return false;
 }
 
-/// Sets reach_ from the edges of the cell, max_radius2_ and range_ from the rim.
+/// Sets reach_ from the edges of the cell, if it is not tight as it is known, max_radius2_ and range_ from the
+/// rim.
 bool Hole::bound_on_sheet() {
   const WeightedPoint3& site = around_.site();
   const Rim& rim = around_.rim;
@@ -147,6 +148,7 @@ bool Hole::has_no_stranger() {
   const Vacancy hole{around_.p, site.position, radius, max_radius2_ + 1e-9 * std::abs(max_radius2_)};
   strangers.find_heirs(hole, around_.on_sheet ? range_ : infinity);
   strangers.keep_near(around_.frame, around_.p, around_.rim.sites(), {Vec3(0, 0, 0), radius}, Frame::nobody);
+  if (strangers.kept().empty()) return true;
   const auto is_empty = [&](const Vec3& z, int nearest, double off) {
     return strangers.are_beyond(z, around_.site(nearest), off);
   };

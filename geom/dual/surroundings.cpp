@@ -54,18 +54,20 @@ bool Surroundings::is_flood_level() const {
 double Surroundings::farthest2(const Edge& edge, double enough) const {
   const Vec3 d = frame.offset(edge.left);
   if (edge.from == edge.to) return std::max((edge.start - d).squaredNorm(), (edge.end - d).squaredNorm());
+  const auto by_tracing = [&] {
+    const Vec3& origin = frame.origin().position;
+    const WeightedPoint3& left = edge.left == self ? site() : site(edge.left);
+    return extent_of_edge(state.mesh, left, site(edge.right),
+                          {edge.from, edge.to, edge.start + origin, edge.end + origin})
+        .far2;
+  };
   const auto is_across = [&](int e) { return state.mesh.across(edge.from, e) == edge.to; };
-  double bound = infinity;
-  if (!is_across(0) && !is_across(1) && !is_across(2)) {
-    const int left = edge.left == self ? rim.size() : edge.left;
-    bound = chart.farthest2(left, edge.right, edge.start - d, edge.end - d);
-    if (bound <= enough) return bound;
-  }
-  const Vec3& origin = frame.origin().position;
-  const WeightedPoint3& l = edge.left == self ? site() : site(edge.left);
-  return std::min(bound, extent_of_edge(state.mesh, l, site(edge.right),
-                                        {edge.from, edge.to, edge.start + origin, edge.end + origin})
-                             .far2);
+  const bool is_short = is_across(0) || is_across(1) || is_across(2);
+  if (is_short)
+    if (const double traced = by_tracing(); traced < infinity) return traced;
+  const int left = edge.left == self ? rim.size() : edge.left;
+  const double bound = chart.farthest2(left, edge.right, edge.start - d, edge.end - d);
+  return is_short || bound <= enough ? bound : std::min(bound, by_tracing());
 }
 
 bool Surroundings::is_simple_with_strangers(double radius) {

@@ -26,8 +26,8 @@ RoundedPoint corner_on_edge(const Vec3& a, const Vec3& b, double fa, double fb, 
   return {a + t * ab, 2 * (dt * ab.lpNorm<Eigen::Infinity>() + 8 * unit_roundoff * extent)};
 }
 
-// With D the sum of the l_i, x = sum (l_i / D) q_i. Since each exact l_i / D is in [0, 1], each rounded one is
-// off by at most (error + sum_error) / |D| + 4u.
+// With D the sum of the l_i, x = sum (l_i / D) q_i. Since each exact l_i / D is in [0, 1], each rounded one
+// is off by at most (error + sum_error) / |D| + 4u.
 RoundedPoint corner_in_facet(const Vec3& q0, const Vec3& q1, const Vec3& q2, const AxisMinors& minors,
                              double extent) {
   const auto& [l, sum, e_lambda, e_sum] = minors;
