@@ -72,14 +72,12 @@ bool CellProof::find_corners() {
   corners_.clear();
   Frame::Values values;
   for (int j = 0; j < rim.size(); ++j) {
-    const FacetId t = around_.facet_on_axis({p, j, rim.next(j)}, state.circles[rim.inner(j)].facet);
+    const auto [t, point] =
+        around_.meeting({around_.p, rim[j], rim[rim.next(j)]}, state.circles[rim.inner(j)].facet);
     if (!t.valid()) return false;
-    std::array<SiteId, 3> sites{around_.p, rim[j], rim[rim.next(j)]};
-    std::ranges::sort(sites);
-    const RoundedPoint point = state.clipper.meeting(t, sites);
     around_.frame.evaluate(point.position - around_.frame.origin().position, point.tolerance, values);
     for (int i = 0; i < rim.size(); ++i)
-      if (i != j && i != rim.next(j) && !values.nearer(p, i)) return false;
+      if (!values.nearer(p, i) && i != j && i != rim.next(j)) return false;
     corners_.push_back({t, point});
   }
   return true;
@@ -199,6 +197,7 @@ bool CellProof::has_no_stranger(double radius) {
   strangers.find_rivals(around_.p, site.position, radius);
   strangers.keep_near(around_.frame, around_.p, around_.rim.sites(), {site.position - origin, radius},
                       around_.self);
+  if (strangers.kept().empty()) return true;
   const auto is_p_nearest = [&](const Vec3& z, double off) { return strangers.are_beyond(z, site, off); };
   return std::ranges::all_of(
              corners_, [&](const Corner& c) { return is_p_nearest(c.point.position, c.point.tolerance); }) &&

@@ -100,24 +100,26 @@ bool Chart::is_far(int first, int second, int third, double radius) const {
 // root of that and of the heaviest weight. Both are largest at 0 or at the radius.
 Chart::Gain Chart::most_gain(int count, double radius, double weight, double heaviest) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  Gain most{-infinity, 0};
   const double shrink = 1 / std::sqrt(1 + slope2_), slope = std::sqrt(slope2_);
-  std::array<double, most_sites> length;
+  std::array<double, most_sites> length, half;  // of site i; the cosine from i to the next one
   for (int j = 0; j < count; ++j) length[at(j)] = std::sqrt(x_[at(j)] * x_[at(j)] + y_[at(j)] * y_[at(j)]);
   for (int j = 0; j < count; ++j) {
     const std::size_t a = at(j), b = at(j + 1 == count ? 0 : j + 1);
     if (!(x_[a] * y_[b] - y_[a] * x_[b] > 0)) return {infinity, infinity};
     const double cosine = (x_[a] * x_[b] + y_[a] * y_[b]) / (length[a] * length[b]);
-    const double half = std::sqrt(std::max(0.5 * (1 + cosine), 0.0)) / steeper;
-    for (const std::size_t i : {a, b}) {
-      const double falls = length[i] * half - slope * std::abs(z_[i]);
-      const double far = radius * radius + c_[i] - 2 * radius * (falls > 0 ? falls * shrink : falls);
-      const double power = std::max(c_[i], far);
-      most.power = std::max(most.power, power);
-      most.range = std::max({most.range, std::sqrt(std::max(c_[i] - weight + heaviest, 0.0)),
-                             radius + std::sqrt(std::max(far - weight + heaviest, 0.0))});
-    }
+    half[a] = std::sqrt(std::max(0.5 * (1 + cosine), 0.0)) / steeper;
   }
+  double most_far = -infinity, most_c = -infinity;
+  for (int j = 0; j < count; ++j) {
+    const std::size_t i = at(j);
+    const double falls =
+        length[i] * std::min(half[i], half[at(j == 0 ? count - 1 : j - 1)]) - slope * std::abs(z_[i]);
+    const double far = radius * radius + c_[i] - 2 * radius * (falls > 0 ? falls * shrink : falls);
+    most_far = std::max(most_far, far);
+    most_c = std::max(most_c, c_[i]);
+  }
+  const auto distance = [&](double c) { return std::sqrt(std::max(c - weight + heaviest, 0.0)); };
+  const Gain most{std::max(most_c, most_far), std::max(distance(most_c), radius + distance(most_far))};
   const double slack = 1e-9 * (std::abs(most.power) + std::abs(weight) + radius * radius);
   return {steeper * most.power + slack - weight, steeper * most.range + std::sqrt(slack)};
 }

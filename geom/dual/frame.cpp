@@ -101,6 +101,20 @@ bool Frame::is_behind_one_of(const Vec3& d, double base, const Vec3& twice_cente
   return false;
 }
 
+// The nearer of two is at most at the mean of their powers, which is affine, too: as that of a site whose d
+// and c are the means.
+bool Frame::is_behind_two(const Vec3& d, double c, const Vec3& center, double radius) const {
+  const double limit2 = 4 * (1 + 1e-6) * radius * radius;
+  const double base = c - 2 * d.dot(center) - 1e-9 * (d.squaredNorm() + largest2_ + heaviest_ + std::abs(c));
+  for (int i = 0; i < size_; ++i) {
+    const int j = i + 1 == size_ ? 0 : i + 1;
+    const Vec3 mean = 0.5 * (offset(i) + offset(j));
+    const double lead = base - (0.5 * (c_[i] + c_[j]) - 2 * mean.dot(center));
+    if (lead * std::abs(lead) > limit2 * (d - mean).squaredNorm()) return true;
+  }
+  return false;
+}
+
 Sure Frame::difference(const Values& at, const Vec3& d, double c, int j) const {
   const double d2 = d.squaredNorm(), far2 = std::max(d2, largest2_);
   const double size = std::abs(at.y.x()) + std::abs(at.y.y()) + std::abs(at.y.z());
@@ -139,30 +153,6 @@ int Frame::nearest(const Vertex& v) const {
   for (int i = 0; i < size_; ++i)
     if (i != nearest && !v.nearer(nearest, i)) return -1;
   return nearest;
-}
-
-// lambda_i = a_j b_k - a_k b_j for the values a, b of two bisectors at the corners: the barycentric
-// coordinates of the axis up to scale. One bound for the three: with A and B the largest |a|, |b| and E the
-// largest error of one, 2 E (A + B) + 2 E E + 6u A B.
-Frame::Meets Frame::axis_meets(const std::array<const Values*, 3>& corners, const std::array<int, 3>& sites,
-                               int& farthest) {
-  double a[3], b[3], error = 0, most_a = 0, most_b = 0;
-  const std::size_t s0 = Values::at(sites[0]), s1 = Values::at(sites[1]), s2 = Values::at(sites[2]);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Values& corner = *corners[i];
-    a[i] = corner.g[s1] - corner.g[s0];
-    b[i] = corner.g[s2] - corner.g[s0];
-    error = std::max(error, 3 * corner.error);
-    most_a = std::max(most_a, std::abs(a[i]));
-    most_b = std::max(most_b, std::abs(b[i]));
-  }
-  const double lambda[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  if (!(lambda[0] + lambda[1] + lambda[2] > 0)) return Meets::unsure;
-  farthest = lambda[1] < lambda[0] ? 1 : 0;
-  if (lambda[2] < lambda[farthest]) farthest = 2;
-  if (lambda[farthest] < 0) return Meets::beyond;
-  const double bound = 2.1 * error * (most_a + most_b + error) + 0x1p-50 * most_a * most_b;
-  return lambda[farthest] > bound ? Meets::inside : Meets::unsure;
 }
 
 }  // namespace geom

@@ -73,6 +73,8 @@ class Frame {
   /// Is a site given by its d and c surely farther than one of these in all of the ball? `first`: the one
   /// that is tried first, if any; it may be the origin.
   bool is_behind(const Vec3& d, double c, const Vec3& center, double radius, int first) const;
+  /// The same, of each location of the ball, by the nearer one of two sites with successive numbers.
+  bool is_behind_two(const Vec3& d, double c, const Vec3& center, double radius) const;
   /// Of a site given by its d and c.
   Sure difference(const Values& at, const Vec3& d, double c, int j) const;
 
@@ -102,11 +104,6 @@ class Frame {
 
   /// M = a(u) b(v) - a(v) b(u) for a = g_i - g_k, b = g_j - g_k.
   static Sure determinant(const Values& u, const Values& v, int i, int j, int k);
-  /// Does the axis of three sites meet the triangle with these corners, and the sites run counterclockwise
-  /// there? Else the corner from which it is farthest, on the other side of the edge opposite.
-  enum class Meets { inside, beyond, unsure };
-  static Meets axis_meets(const std::array<const Values*, 3>& corners, const std::array<int, 3>& sites,
-                          int& farthest);
 
   /// d_i, c_i, and the power of the location y to site i.
   Vec3 offset(int i) const { return i == none ? Vec3(0, 0, 0) : Vec3(dx_[i], dy_[i], dz_[i]); }

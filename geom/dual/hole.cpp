@@ -9,6 +9,8 @@ namespace {
 using margin::bend;
 using margin::more;
 
+constexpr double tight = 1.2;  // a bound of the power in the cell, to that at its corners
+
 }  // namespace
 
 bool Hole::plan() {
@@ -76,7 +78,8 @@ bool Hole::prove() {
   return false;
 }
 
-/// Sets reach_ from the edges of the cell, max_radius2_ and range_ from the rim.
+/// Sets reach_ from the edges of the cell, if it is not tight as it is known, and max_radius2_ and range_ from
+/// the rim.
 bool Hole::bound_on_sheet() {
   const WeightedPoint3& site = around_.site();
   const Rim& rim = around_.rim;
@@ -85,12 +88,14 @@ bool Hole::bound_on_sheet() {
   const auto facet = [&](int j) { return state.circles[rim.inner(j)].facet; };
   double corner2 = 0, own2 = 0;
   for (int j = 0; j < rim.size(); ++j) corner2 = std::max(corner2, corner(j).squaredNorm());
-  for (int j = 0; j < rim.size(); ++j) {
-    const int i = rim.previous(j);
-    const Surroundings::Edge arc{around_.self, j, facet(i), facet(j), corner(i), corner(j)};
-    own2 = std::max(own2, around_.with_tolerance(around_.farthest2(arc, bend * corner2)));
+  if (reach_ + site.weight > tight * corner2) {
+    for (int j = 0; j < rim.size(); ++j) {
+      const int i = rim.previous(j);
+      const Surroundings::Edge arc{around_.self, j, facet(i), facet(j), corner(i), corner(j)};
+      own2 = std::max(own2, around_.with_tolerance(around_.farthest2(arc, bend * corner2)));
+    }
+    reach_ = std::min(reach_, own2 - site.weight);
   }
-  reach_ = std::min(reach_, own2 - site.weight);
   const double own = state.distance_at(reach_, around_.p);
   if (!around_.sheet.covers(site.position, own)) return false;
   for (const Triangle& triangle : triangles())
@@ -143,6 +148,7 @@ bool Hole::has_no_stranger() {
   const Vacancy hole{around_.p, site.position, radius, max_radius2_ + 1e-9 * std::abs(max_radius2_)};
   strangers.find_heirs(hole, around_.on_sheet ? range_ : infinity);
   strangers.keep_near(around_.frame, around_.p, around_.rim.sites(), {Vec3(0, 0, 0), radius}, Frame::nobody);
+  if (strangers.kept().empty()) return true;
   const auto is_empty = [&](const Vec3& z, int nearest, double off) {
     return strangers.are_beyond(z, around_.site(nearest), off);
   };

@@ -90,11 +90,10 @@ int HoleTriangles::apex(int first, int last) const {
 
 bool HoleTriangles::find_circle(Triangle& triangle, FacetId start) {
   const auto& [a, b, c] = triangle.corners;
-  triangle.facet = around_.facet_on_axis(triangle.corners, start);
-  if (!triangle.facet.valid()) return false;
-  std::array<SiteId, 3> sites{around_.rim[a], around_.rim[b], around_.rim[c]};
-  std::ranges::sort(sites);
-  triangle.point = around_.state.clipper.meeting(triangle.facet, sites);
+  const auto [facet, point] = around_.meeting({around_.rim[a], around_.rim[b], around_.rim[c]}, start);
+  if (!facet.valid()) return false;
+  triangle.facet = facet;
+  triangle.point = point;
   around_.frame.evaluate(triangle.point.position - around_.frame.origin().position, triangle.point.tolerance,
                          triangle.values);
   return true;
@@ -130,7 +129,8 @@ bool HoleTriangles::flip_until_empty() {
     if (!certain || flips > 4 * around_.rim.size()) return false;
   for (const Triangle& triangle : triangles_) {
     for (int s = 0; s < around_.rim.size(); ++s)
-      if (std::ranges::find(triangle.corners, s) == triangle.corners.end() && holds(triangle, s, certain))
+      if (!triangle.values.nearer(triangle.corners[0], s) &&
+          std::ranges::find(triangle.corners, s) == triangle.corners.end())
         return false;
     if (!holds(triangle, Frame::none, certain)) return false;  // in the cell of p
   }

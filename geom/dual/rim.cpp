@@ -14,23 +14,27 @@ void Rim::clear() {
 
 bool Rim::open_star(const DualState& state, SiteId p) {
   const std::span<const CircleId> own = state.circles.of_site(p);
-  if (own.size() < 3 || own.size() > most) return false;
-  clear();
+  const std::size_t n = own.size();
+  if (n < 3 || n > most) return false;
+  sites_.resize(n);
+  inner_.resize(n);
+  outer_.resize(n);
   CircleId c = own.front();
   SiteId first = SiteId();  // of the next circle
-  for (std::size_t j = 0; j < own.size(); ++j) {
+  for (std::size_t j = 0; j < n; ++j) {
     const EmptyCircle& circle = state.circles[c];
     const std::size_t i = circle.index_of(p);
     const SiteId site = circle.sites[circle.after(i)];
     if (j > 0 && site != first) return false;
     first = circle.sites[circle.before(i)];
-    if (std::ranges::find(sites_, site) != sites_.end() || !circle.beyond[i].valid()) return false;
-    if (!state.is_level(circle, state.sites[p].level)) return false;
-    sites_.push_back(site);
-    inner_.push_back(c);
-    outer_.push_back(circle.beyond[i]);
+    for (std::size_t k = 0; k < j; ++k)
+      if (sites_[k] == site) return false;
+    if (!circle.beyond[i].valid() || !state.is_level(circle, state.sites[p].level)) return false;
+    sites_[j] = site;
+    inner_[j] = c;
+    outer_[j] = circle.beyond[i];
     c = circle.beyond[circle.after(i)];
-    if (!c.valid() || (c == own.front()) != (j + 1 == own.size())) return false;
+    if (!c.valid() || (c == own.front()) != (j + 1 == n)) return false;
   }
   inside_ = inner_;
   return true;

@@ -15,6 +15,7 @@ constexpr int axis_rounds = 8;
 
 /// Does the triangle come within that distance of the origin? Rounded.
 bool comes_within(double limit2, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) {
+  if (a.squaredNorm() <= limit2) return true;
   const double height = normal.dot(a);
   if (height * height > limit2 * normal.squaredNorm() * (1 + 1e-9)) return false;
   const auto beside = [&](const Vec3& from, const Vec3& to) { return from.cross(to).dot(normal) < 0; };

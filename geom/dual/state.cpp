@@ -115,9 +115,11 @@ bool DualState::find_near(const Vec3& x, double distance, std::vector<SiteId>& o
 NeighbourOracle::Nearest DualState::nearest(const Location3& x, SiteId without) const {
   double bound = std::numeric_limits<double>::infinity();
   if (grid.is_in_use() && without.valid())
-    for (const CircleId c : circles.of_site(without))
-      for (const SiteId s : circles[c].sites)
-        if (s.valid() && s != without) bound = std::min(bound, power(x, sites[s]));
+    for (const CircleId c : circles.of_site(without)) {
+      const EmptyCircle& circle = circles[c];
+      const SiteId s = circle.sites[circle.after(circle.index_of(without))];
+      if (s.valid()) bound = std::min(bound, power(x, sites[s]));
+    }
   const double distance = std::sqrt(std::max(0.0, bound + heaviest_)) * (1 + 1e-9);
   if (!(distance < std::numeric_limits<double>::infinity()) || !grid.is_short(distance))
     return tree.nearest(x, without);

@@ -65,7 +65,9 @@ void Strangers::keep_near(const Frame& frame, SiteId p, std::span<const SiteId> 
     const WeightedPoint3 seen = seen_from(origin.level, state_.sites[s]);
     const Vec3 d = Frame::offset(seen, origin);
     const double c = Frame::constant(seen, origin);
-    if (!frame.is_behind(d, c, ball.center, ball.radius, first)) kept_.push_back({s, d, c});
+    if (!frame.is_behind(d, c, ball.center, ball.radius, first) &&
+        !frame.is_behind_two(d, c, ball.center, ball.radius))
+      kept_.push_back({s, d, c});
   }
 }
 

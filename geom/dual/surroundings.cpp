@@ -3,12 +3,6 @@
 #include <algorithm>
 
 namespace geom {
-namespace {
-
-constexpr std::size_t walk_limit = 256;  // facets
-
-}  // namespace
-
 Surroundings::Surroundings(DualState& whole)
     : state(whole),
       frame(whole.mesh),
@@ -56,22 +50,24 @@ bool Surroundings::is_flood_level() const {
   return true;
 }
 
-double Surroundings::with_tolerance(double distance2) const {
-  const double off = 2 * state.clipper.most_tolerance();
-  return distance2 * (1 + 1e-6) + 1.1e6 * off * off;  // (a + b)^2 <= a^2 (1 + e) + b^2 (1 + 1 / e)
-}
-
+/// Across one edge of the surface tracing is cheaper than the chart's bound.
 double Surroundings::farthest2(const Edge& edge, double enough) const {
   const Vec3 d = frame.offset(edge.left);
   if (edge.from == edge.to) return std::max((edge.start - d).squaredNorm(), (edge.end - d).squaredNorm());
+  const auto by_tracing = [&] {
+    const Vec3& origin = frame.origin().position;
+    const WeightedPoint3& left = edge.left == self ? site() : site(edge.left);
+    return extent_of_edge(state.mesh, left, site(edge.right),
+                          {edge.from, edge.to, edge.start + origin, edge.end + origin})
+        .far2;
+  };
+  const auto is_across = [&](int e) { return state.mesh.across(edge.from, e) == edge.to; };
+  const bool is_short = is_across(0) || is_across(1) || is_across(2);
+  if (is_short)
+    if (const double traced = by_tracing(); traced < infinity) return traced;
   const int left = edge.left == self ? rim.size() : edge.left;
   const double bound = chart.farthest2(left, edge.right, edge.start - d, edge.end - d);
-  if (bound <= enough) return bound;
-  const Vec3& origin = frame.origin().position;
-  const WeightedPoint3& l = edge.left == self ? site() : site(edge.left);
-  return std::min(bound, extent_of_edge(state.mesh, l, site(edge.right),
-                                        {edge.from, edge.to, edge.start + origin, edge.end + origin})
-                             .far2);
+  return is_short || bound <= enough ? bound : std::min(bound, by_tracing());
 }
 
 bool Surroundings::is_simple_with_strangers(double radius) {
@@ -83,20 +79,9 @@ bool Surroundings::is_simple_with_strangers(double radius) {
   });
 }
 
-FacetId Surroundings::facet_on_axis(const std::array<int, 3>& sites, FacetId start) {
-  FacetId t = start;
-  for (std::size_t step = 0; step < walk_limit; ++step) {
-    const TriMesh::Facet& corners = state.mesh.facet(t);
-    const Frame::Slot s0 = frame.at(corners[0]), s1 = frame.at(corners[1]), s2 = frame.at(corners[2]);
-    int least = 0;
-    const Frame::Meets meets =
-        Frame::axis_meets({&frame.vertex(s0), &frame.vertex(s1), &frame.vertex(s2)}, sites, least);
-    if (meets == Frame::Meets::inside) return is_level(t) ? t : FacetId();
-    if (meets == Frame::Meets::unsure) return FacetId();
-    t = state.mesh.across(t, least == 2 ? 0 : least + 1);
-    if (!t.valid()) return FacetId();
-  }
-  return FacetId();
+AxisPlace Surroundings::meeting(const std::array<SiteId, 3>& sites, FacetId start) const {
+  const AxisPlace place = walk_to_axis(state.mesh, state.clipper, sites, start);
+  return place.facet.valid() && is_level(place.facet) ? place : AxisPlace{};
 }
 
 }  // namespace geom

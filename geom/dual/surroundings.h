@@ -2,6 +2,7 @@
 // What the fast way (fast_way.h) knows around a site that goes, comes or is looked at: the rim in a frame,
 // the sheet of the surface there with its chart, the strangers beyond the rim, the facets that were traced.
 
+#include "geom/dual/axis_walk.h"
 #include "geom/dual/chart.h"
 #include "geom/dual/edge_trace.h"
 #include "geom/dual/flood.h"
@@ -41,7 +42,10 @@ struct Surroundings {
   /// That of the rim.
   const WeightedPoint3& site(int j) const { return state.sites[rim[j]]; }
   /// A bound of the squared distance where circles may be off.
-  double with_tolerance(double distance2) const;
+  double with_tolerance(double distance2) const {
+    const double off = 2 * state.clipper.most_tolerance();
+    return distance2 * (1 + 1e-6) + 1.1e6 * off * off;  // (a + b)^2 <= a^2 (1 + e) + b^2 (1 + 1 / e)
+  }
 
   struct Edge {
     int left, right;   ///< sites of the frame
@@ -54,9 +58,8 @@ struct Surroundings {
   /// Is the chart with each of the strangers simple? All that is spoken of is that near to the frame's
   /// origin.
   bool is_simple_with_strangers(double radius);
-  /// Where the axis of three sites of the frame meets the surface, counterclockwise there: from facet to
-  /// facet across the edge that is farthest beyond. None: not certain, or too far.
-  FacetId facet_on_axis(const std::array<int, 3>& sites, FacetId start);
+  /// Where the axis of three sites meets the surface, in facets of the level of the frame's origin.
+  AxisPlace meeting(const std::array<SiteId, 3>& sites, FacetId start) const;
 
   DualState& state;
   SiteId p;

@@ -59,13 +59,20 @@ class CellCorners {
   RoundedPoint corner(FacetId facet, EdgeLabel label, SiteId owner, SiteId j, const Bisector& b) const;
 
   /// The corner of three cells, sites ascending, in a facet: the same bits.
-  RoundedPoint meeting(FacetId facet, const std::array<SiteId, 3>& sites) const;
+  RoundedPoint meeting(FacetId facet, const std::array<SiteId, 3>& sites) const {
+    return meeting(facet, sites,
+                   axis_minors(form_on(facet, bisector_of(sites[0], sites[1])),
+                               form_on(facet, bisector_of(sites[0], sites[2]))));
+  }
+  /// Given the minors of these forms.
+  RoundedPoint meeting(FacetId facet, const std::array<SiteId, 3>& sites, const AxisMinors& minors) const;
   /// No corner is farther than this from its rounded place.
   double most_tolerance() const { return 0x1p-32 * extent_; }
 
   /// The values of a bisector at the corners of a facet.
   LinearForm form_on(FacetId facet, const Bisector& b) const {
     const auto [v0, v1, v2] = mesh_.facet(facet);
+    if (b.rise == 0) return {{b(mesh_.position(v0)), b(mesh_.position(v1)), b(mesh_.position(v2))}, b.error};
     return linear_form(b, at(v0), at(v1), at(v2));
   }
   /// The corner of the owner's polygon between edges with these labels: what a clipper computes there.

@@ -13,10 +13,6 @@ constexpr double unknown = std::numeric_limits<double>::infinity();
 
 // Coordinates are bounded one by one; the factor 2 > sqrt(3) in the tolerances turns that into a distance.
 
-double largest(const LinearForm& form) {
-  return std::max({std::abs(form.f[0]), std::abs(form.f[1]), std::abs(form.f[2])}) + form.error;
-}
-
 }  // namespace
 
 // t = fa / (fa - fb). With errors |da|, |db| <= e and t in [0, 1], the rounded quotient differs from t by
@@ -30,22 +26,14 @@ RoundedPoint corner_on_edge(const Vec3& a, const Vec3& b, double fa, double fb, 
   return {a + t * ab, 2 * (dt * ab.lpNorm<Eigen::Infinity>() + 8 * unit_roundoff * extent)};
 }
 
-// lambda = F1 x F2, D = sum lambda, x = sum (lambda_i / D) q_i. With m the largest value of each form,
-//   |d lambda_i| <= e_lambda = 2 (m1 e2 + m2 e1) + 4u m1 m2,   |dD| <= e_D = 3 e_lambda + 6u max |lambda_i|,
-// and since each exact lambda_i / D is in [0, 1], each rounded one is off by at most (e_lambda + e_D) / |D| +
-// 4u.
-RoundedPoint corner_in_facet(const Vec3& q0, const Vec3& q1, const Vec3& q2, const LinearForm& first,
-                             const LinearForm& second, double extent) {
-  const double* f = first.f;
-  const double* g = second.f;
-  const double l0 = f[1] * g[2] - f[2] * g[1], l1 = f[2] * g[0] - f[0] * g[2], l2 = f[0] * g[1] - f[1] * g[0];
-  const double sum = l0 + l1 + l2;
-  const double m1 = largest(first), m2 = largest(second);
-  const double e_lambda = 2 * (m1 * second.error + m2 * first.error) + 4 * unit_roundoff * m1 * m2;
-  const double e_sum = 3 * e_lambda + 12 * unit_roundoff * m1 * m2;
+// With D the sum of the l_i, x = sum (l_i / D) q_i. Since each exact l_i / D is in [0, 1], each rounded one
+// is off by at most (error + sum_error) / |D| + 4u.
+RoundedPoint corner_in_facet(const Vec3& q0, const Vec3& q1, const Vec3& q2, const AxisMinors& minors,
+                             double extent) {
+  const auto& [l, sum, e_lambda, e_sum] = minors;
   if (!(std::abs(sum) > 4 * e_sum)) return {(q0 + q1 + q2) / 3, unknown};
   const double inverse = 1 / sum;
-  const double b1 = std::clamp(l1 * inverse, 0.0, 1.0), b2 = std::clamp(l2 * inverse, 0.0, 1.0);
+  const double b1 = std::clamp(l[1] * inverse, 0.0, 1.0), b2 = std::clamp(l[2] * inverse, 0.0, 1.0);
   const Vec3 u = q1 - q0, v = q2 - q0;
   const double db = 1.01 * (e_lambda + e_sum) * std::abs(inverse) + 8 * unit_roundoff;
   const double size = u.lpNorm<Eigen::Infinity>() + v.lpNorm<Eigen::Infinity>();

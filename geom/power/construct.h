@@ -3,6 +3,7 @@
 // proven bound on its error, so that clip.h can use them as a filter and turn to exact predicates only where
 // the bound cannot tell.
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -56,6 +57,27 @@ inline LinearForm linear_form(const Bisector& b, const Location3& q0, const Loca
   return {{b(q0), b(q1), b(q2)}, b.error};
 }
 
+/// l = F1 x F2 for two forms on a facet: up to scale, the barycentric coordinates of where both vanish.
+///
+/// With m the largest value of each form, |dl_i| <= error = 2 (m1 e2 + m2 e1) + 4u m1 m2, and the sum is off
+/// by at most sum_error = 3 error + 6u max |l_i|.
+struct AxisMinors {
+  double l[3], sum;
+  double error, sum_error;
+};
+
+inline AxisMinors axis_minors(const LinearForm& first, const LinearForm& second) {
+  const double* f = first.f;
+  const double* g = second.f;
+  const auto largest = [](const LinearForm& form) {
+    return std::max(std::max(std::abs(form.f[0]), std::abs(form.f[1])), std::abs(form.f[2])) + form.error;
+  };
+  const double l0 = f[1] * g[2] - f[2] * g[1], l1 = f[2] * g[0] - f[0] * g[2], l2 = f[0] * g[1] - f[1] * g[0];
+  const double m1 = largest(first), m2 = largest(second);
+  const double error = 2 * (m1 * second.error + m2 * first.error) + 4 * 0x1p-53 * m1 * m2;
+  return {{l0, l1, l2}, l0 + l1 + l2, error, 3 * error + 12 * 0x1p-53 * m1 * m2};
+}
+
 /// A rounded location: the exact one is at most `tolerance` away (infinity: unknown, but both lie in the
 /// facet).
 struct RoundedPoint {
@@ -68,11 +90,11 @@ struct RoundedPoint {
 /// an edge, pass the end of smaller mesh-vertex id first.
 RoundedPoint corner_on_edge(const Vec3& a, const Vec3& b, double fa, double fb, double error, double extent);
 
-/// The point of facet (q0, q1, q2) where two linear forms vanish: barycentric coordinates F1 x F2 up to
-/// scale. Requires that the exact point lies in the facet. A function of the arguments in this order: pass
-/// the site of smaller id first.
-RoundedPoint corner_in_facet(const Vec3& q0, const Vec3& q1, const Vec3& q2, const LinearForm& first,
-                             const LinearForm& second, double extent);
+/// The point of facet (q0, q1, q2) where two linear forms vanish, given their minors. Requires that the exact
+/// point lies in the facet. A function of the arguments in this order: make the forms with the site of
+/// smaller id first.
+RoundedPoint corner_in_facet(const Vec3& q0, const Vec3& q1, const Vec3& q2, const AxisMinors& minors,
+                             double extent);
 
 /// The same two points where the forms above are too uncertain: from exact values, rounded at the end. The
 /// error is a few units in the last place of the facet's coordinates. Slow.

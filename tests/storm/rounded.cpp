@@ -74,7 +74,8 @@ Answer ask_rounded_in_facet(const Kind& kind, const Range& range, bool, Rng& rng
       geom::linear_form(geom::bisector(s.p[0], s.p[1], extent), s.at(3), s.at(4), s.at(5));
   const geom::LinearForm second =
       geom::linear_form(geom::bisector(s.p[0], s.p[2], extent), s.at(3), s.at(4), s.at(5));
-  const auto rounded = geom::corner_in_facet(s.at(3), s.at(4), s.at(5), first, second, extent);
+  const auto rounded =
+      geom::corner_in_facet(s.at(3), s.at(4), s.at(5), geom::axis_minors(first, second), extent);
   const std::span<const WeightedPoint3> corners = std::span(s.p).template last<3>();
   s.expect(within(rounded, corners, lambda), "corner_in_facet");
   s.expect(

@@ -325,8 +325,11 @@ TEST_CASE("frame: who is behind others in a ball is nearest nowhere there, by ex
       const int first =
           rng.below(2) == 0 ? Frame::nobody : static_cast<int>(rng.below(static_cast<std::uint64_t>(n)));
       const bool with_origin = rng.below(2) == 0;
-      if (!frame.is_behind(Frame::offset(stranger, origin), Frame::constant(stranger, origin), Vec3(0, 0, 0),
-                           radius, with_origin ? none : first)) {
+      const Vec3 d = Frame::offset(stranger, origin);
+      const double c = Frame::constant(stranger, origin);
+      const bool behind_one = frame.is_behind(d, c, Vec3(0, 0, 0), radius, with_origin ? none : first);
+      const bool behind_two = frame.is_behind_two(d, c, Vec3(0, 0, 0), radius);
+      if (!behind_one && !behind_two) {
         ++not_behind;
         continue;
       }
@@ -335,7 +338,7 @@ TEST_CASE("frame: who is behind others in a ball is nearest nowhere there, by ex
         const Vec3 z =
             origin.position + 0.999 * radius * rng.uniform() * fixtures::random_vector(rng).normalized();
         const Exact exact(z, origin, sites);
-        Rational least = with_origin ? Rational(0.0) : exact(0);
+        Rational least = with_origin && !behind_two ? Rational(0.0) : exact(0);
         for (int i = 0; i < n; ++i)
           if ((exact(i) - least).sign() < 0) least = exact(i);
         CHECK((exact_power(z, stranger) - exact_power(z, origin) - least).sign() > 0);
@@ -343,5 +346,39 @@ TEST_CASE("frame: who is behind others in a ball is nearest nowhere there, by ex
     }
   }
   CHECK(behind > 100);
+  CHECK(not_behind > 100);
+}
+
+// As in a hole of six neighbours: beyond an edge of the rim, where neither end alone will do.
+TEST_CASE("frame: who is behind two sites, but behind neither alone, is nearest nowhere in the ball") {
+  Rng rng(9);
+  std::size_t behind = 0, not_behind = 0;
+  const TriMesh mesh = mesh_of({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)});
+  for (int draw = 0; draw < 4000; ++draw) {
+    const auto at = [&](double angle, double far) -> WeightedPoint3 {
+      const Vec3 d = far * Vec3(std::cos(angle), std::sin(angle), rng.uniform(-0.2, 0.2));
+      return {Vec3(0.3, 0.2, 0.1) + d, rng.uniform(0, 0.1)};
+    };
+    const double turned = rng.uniform(0, 6.3);
+    const std::vector<WeightedPoint3> sites{at(turned, 1), at(turned + rng.uniform(0.8, 1.3), 1)};
+    const WeightedPoint3 origin = at(0, 0), stranger = at(turned + 0.5, rng.uniform(1.2, 2));
+    Frame frame(mesh);
+    frame.begin(origin);
+    for (const WeightedPoint3& s : sites) frame.add(s);
+    const Vec3 d = Frame::offset(stranger, origin), center = 0.1 * fixtures::random_vector(rng);
+    const double c = Frame::constant(stranger, origin), radius = rng.uniform(0.4, 0.8);
+    if (frame.is_behind(d, c, center, radius, Frame::nobody)) continue;
+    if (!frame.is_behind_two(d, c, center, radius)) {
+      ++not_behind;
+      continue;
+    }
+    ++behind;
+    for (int sample = 0; sample < 20; ++sample) {
+      const Vec3 z = origin.position + center + 0.999 * radius * fixtures::random_vector(rng).normalized();
+      const Rational power = exact_power(z, stranger);
+      CHECK(((power - exact_power(z, sites[0])).sign() > 0 || (power - exact_power(z, sites[1])).sign() > 0));
+    }
+  }
+  CHECK(behind > 200);
   CHECK(not_behind > 100);
 }

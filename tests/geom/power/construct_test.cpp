@@ -189,8 +189,10 @@ TEST_CASE("construct: a corner in a facet is as near to the exact one as stated"
         const HomogeneousPoint exact =
             in_facet(FacetCorners{&s.q[0], &s.q[1], &s.q[2]}, s.exact[0], s.exact[1], s.exact[2]);
         const RoundedPoint rounded =
-            geom::corner_in_facet(s.q[0], s.q[1], s.q[2], linear_form(s.bisector(1), s.q[0], s.q[1], s.q[2]),
-                                  linear_form(s.bisector(2), s.q[0], s.q[1], s.q[2]), s.extent);
+            geom::corner_in_facet(s.q[0], s.q[1], s.q[2],
+                                  axis_minors(linear_form(s.bisector(1), s.q[0], s.q[1], s.q[2]),
+                                              linear_form(s.bisector(2), s.q[0], s.q[1], s.q[2])),
+                                  s.extent);
         CHECK(within(rounded, exact));
         CHECK(within(
             exact_corner_in_facet(s.q[0], s.q[1], s.q[2], s.ranked(0), s.ranked(1), s.ranked(2), s.extent),
