@@ -78,7 +78,7 @@ bool Hole::prove() {
   return false;
 }
 
-/// Sets reach_ from the edges of the cell, if it is not tight as it is known, and max_radius2_ and range_ from
+/// Sets reach_ from the edges of the cell, if it is not tight as it is known; max_radius2_ and range_ from
 /// the rim.
 bool Hole::bound_on_sheet() {
   const WeightedPoint3& site = around_.site();
