@@ -66,7 +66,7 @@ struct PaperResults {
 
 /// Runs everything, `threads` jobs at a time; a set that tables and figures share is made once. Deterministic
 /// but for times. Throws geom::InputError if no model of the paper is there, or one cannot be read or
-/// remeshed. Cost: about an hour of CPU for eight models; the dearest 74 of 329 jobs take 27 minutes.
+/// remeshed. Cost: 36 minutes of CPU for eight models.
 PaperResults run_paper(const PaperOptions& options);
 
 }  // namespace tools

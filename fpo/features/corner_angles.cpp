@@ -58,7 +58,7 @@ double smallest_corner_angle(const TriMesh& mesh, const Features& features) {
       for (int at = static_cast<int>(i); angle < least; at = corner_of(mesh, t, v)) {
         angle += angle_of_corner(mesh, t, at);
         if (is_edge(v, mesh.facet(t)[static_cast<std::size_t>((at + 2) % 3)])) {
-          least = std::min(least, angle);
+          if (angle > 0) least = std::min(least, angle);  // else the facets have no area
           break;
         }
         t = mesh.across(t, (at + 2) % 3);

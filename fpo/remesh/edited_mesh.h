@@ -22,7 +22,6 @@ class EditedMesh {
   /// Ascending.
   const std::vector<FacetId>& facets_at(VertexId v) const { return at_[v]; }
   geom::Vec3 normal(FacetId t) const;  ///< area-weighted
-  double area(FacetId t) const { return 0.5 * normal(t).norm(); }
 
   bool has_edge(VertexId a, VertexId b) const;
   /// The facet that runs from a to b. None if there is none, or more than one.

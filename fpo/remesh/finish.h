@@ -19,10 +19,11 @@ struct Finish {
   LastAngles last_angles;
 };
 
-/// Of a dual of the domain. If cells are kept the domain's samples are moved with the dual's; else it stays
-/// as it is. The type stays, and so does the mesh if it has all edges of curves and no small angles. If the
-/// mesh is no manifold only edges are made.
-Finish finish(SurfaceDomain& domain, const FeatureSamples& features, const FinishOptions& options,
-              Dual& dual);
+/// Of a dual of the domain, of a surface of this type. If cells are kept and vertices moved, the domain's
+/// samples become the dual's, and its cells theirs: O(samples moved) updates; else it stays as it is. Nothing
+/// happens to a mesh that has all edges of curves and no small angles. If the mesh is no manifold only edges
+/// are made.
+Finish finish(SurfaceDomain& domain, const FeatureSamples& features, const geom::SurfaceType& type,
+              const FinishOptions& options, Dual& dual);
 
 }  // namespace fpo

@@ -45,7 +45,8 @@ class AngleMender {
         mesh_(remesh),
         chains_(chain_edges(task.features)),
         good_(std::min(small_angle, task.angles.smallest) - rounding),
-        attempts_left_(least_attempts + samples.size() / share_of_attempts) {}
+        attempts_left_(std::min(least_attempts + samples.size() / share_of_attempts, most_attempts)),
+        is_hopeless_(remesh.num_facets(), 0) {}
 
   std::vector<FacetId> bad() const {
     std::vector<std::pair<double, FacetId>> found;
@@ -60,13 +61,13 @@ class AngleMender {
   /// Through all that are bad. How many changes were kept.
   std::size_t round() {
     std::size_t mended = 0;
-    for (const FacetId t : bad()) {
-      while (!stopped() && std::ranges::min(angles(t)) < good_) {
+    for (const FacetId t : bad())
+      for (int k = 0; k < most_at_once && !is_hopeless_[t] && least_angle(t) < good_; ++k) {
+        if (stopped()) return mended;
         --attempts_left_;
-        if (!mend(t)) break;
-        ++mended;
+        is_hopeless_[t] = !mend(t);
+        mended += !is_hopeless_[t];
       }
-    }
     return mended;
   }
   bool stopped() const { return attempts_left_ == 0 || interrupted(task_.angles.interrupted); }
@@ -74,7 +75,8 @@ class AngleMender {
 
  private:
   static constexpr double small_angle = 30, rounding = 1e-9;
-  static constexpr std::size_t least_attempts = 200, share_of_attempts = 4;
+  static constexpr std::size_t least_attempts = 200, share_of_attempts = 4, most_attempts = 1000;
+  static constexpr int most_at_once = 8;      // changes for a triangle, before others have their turn
   static constexpr double least_gain = 1e-3;  // of the penalty around
   static constexpr double flat = 0.8,
                           turned = 0.7;  // cosines between normals: of a flip, of a facet before and after
@@ -135,10 +137,12 @@ class AngleMender {
       for (const VertexId v : vertices_of(region_of({corners.begin(), corners.end()})))
         if (std::ranges::find(corners, v) == corners.end()) try_places(v, best);
     if (!best) return false;
+    const Region around = region_of(vertices_of(region_of({best->v})));
     if (best->w.valid())
       mesh_.flip(best->v, best->w);
     else
-      move(best->v, best->to), samples_[best->v.index()] = best->to;
+      move(best->v, best->to, around), samples_[best->v.index()] = best->to;
+    for (const FacetId near : region_of(vertices_of(around))) is_hopeless_[near] = 0;
     return true;
   }
 
@@ -189,7 +193,7 @@ class AngleMender {
     const AngleScore before = score(region);
     for (const SurfaceSample& place : places) {
       const std::size_t edits = mesh_.num_edits();
-      if (move(v, place)) keep_if_better({v, {}, place, 0}, before, score(region), best);
+      if (move(v, place, region)) keep_if_better({v, {}, place, 0}, before, score(region), best);
       mesh_.undo_to(edits);
     }
   }
@@ -202,8 +206,8 @@ class AngleMender {
     return least;
   }
 
-  /// With flips around it. False if an edge becomes too short, or a facet is turned.
-  bool move(VertexId v, const SurfaceSample& to) {
+  /// With flips around it, in the region. False if an edge becomes too short, or a facet is turned.
+  bool move(VertexId v, const SurfaceSample& to, const Region& region) {
     const double enough = std::min(shortest_edge(v), least_edge * task_.sizing.at(samples_[v.index()]));
     std::vector<Vec3> before;
     for (const FacetId t : mesh_.facets_at(v)) before.push_back(mesh_.normal(t).normalized());
@@ -212,19 +216,19 @@ class AngleMender {
     for (std::size_t i = 0; i < before.size(); ++i)
       if (!(mesh_.normal(mesh_.facets_at(v)[i]).normalized().dot(before[i]) > turned)) return false;
     for (int sweep = 0; sweep < flip_sweeps; ++sweep)
-      if (!flip_around(v)) break;
-    return true;
+      if (!flip_around(v, region)) break;
+    return shortest_edge(v) >= enough;
   }
 
   /// Edges of the facets at v, where that makes the smaller of two angles larger.
-  bool flip_around(VertexId v) {
+  bool flip_around(VertexId v, const Region& region) {
     bool flipped = false;
     for (const FacetId t : Region(mesh_.facets_at(v))) {
       const EditedMesh::Facet f = mesh_.facet(t);
       for (std::size_t i = 0; i < 3; ++i) {
         const VertexId a = f[i], b = f[(i + 1) % 3];
         const FacetId here = mesh_.beside(a, b), there = mesh_.beside(b, a);
-        if (here != t || !there.valid()) continue;
+        if (here != t || !std::ranges::binary_search(region, there)) continue;
         const double least = std::min(least_angle(here), least_angle(there));
         const std::size_t edits = mesh_.num_edits();
         if (least > task_.angles.smallest || !flip(a, b)) continue;
@@ -273,7 +277,8 @@ class AngleMender {
   std::vector<std::pair<VertexId, VertexId>> chains_;
   double good_;
   std::size_t attempts_left_;
-  std::optional<geom::AabbTree> tree_;  // made when first needed
+  geom::Table<FacetId, char> is_hopeless_;  // nothing helped, and nothing has changed around since
+  std::optional<geom::AabbTree> tree_;      // made when first needed
 };
 
 }  // namespace

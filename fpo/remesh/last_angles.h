@@ -29,10 +29,11 @@ struct LastAngles {
 /// Where triangles have angles below the smaller of 30 degrees and the smallest that is wanted: flips an
 /// edge, or moves a vertex on the surface, on its curve if it is on one, by at most a third of the wanted
 /// length, with flips around it; or one of the vertices around these. Kept if the sum of bad_angles() becomes
-/// smaller, no angle around smaller than it was or than that bound, and no edge shorter than it was or than
-/// .55 wanted lengths. Edges of curves are not flipped, nor edges that the surface is folded at; corners and
-/// points of the user stay. The mesh stays of its topological type; if nothing is that bad it stays as it is.
-/// The worst first, through all of them up to ten times, with at most 200 attempts and n / 4. Deterministic.
+/// smaller, no angle around smaller than it was or than that bound, and no edge of a vertex that is moved
+/// shorter than it was or than .55 wanted lengths. Edges of curves are not flipped, nor edges that the
+/// surface is folded at; corners and points of the user stay. The mesh stays of its topological type; if
+/// nothing is that bad it stays as it is. The worst first, through all of them up to ten times, with at most
+/// 200 + n / 4 attempts, and 1000; each looks for some hundred places on the surface. Deterministic.
 LastAngles mend_last_angles(const LastAnglesTask& task, geom::TriMesh& remesh,
                             std::vector<SurfaceSample>& samples);
 

@@ -194,7 +194,8 @@ SurfaceDomain optimized_samples(const geom::TriMesh& surface, const SharedSizing
   std::vector<SurfaceSample> samples = initial_samples(surface, shared, options.num_samples, options.seed);
   if (start) {
     take_inner(brought_to(surface, start->samples), start->feature_samples, diagram.num_fixed, samples);
-    optimization.max_iterations = std::max(optimization.max_iterations / start_saves, 1);
+    optimization.max_iterations =
+        std::min(optimization.max_iterations, std::max(optimization.max_iterations / start_saves, 1));
   }
   if (options.tile_samples == 0 || samples.size() <= options.tile_samples || surface.has_levels()) {
     SurfaceDomain domain(surface, shared.sizing, samples, diagram);
@@ -343,14 +344,14 @@ RemeshResult remesh_task(const Task& task, RemeshOptions options) {
   if (options.maximal) move_until_maximal(domain, shared, options, result);
   result.hidden = domain.num_hidden();
   Dual dual = mended_dual(domain, shared.features, type, options, result);
-  result.type = dual.type;
-  result.advice = type_advice(dual, surface, type, sizing);
-  result.localization = dual.localization;
   if (options.mend && options.method == Method::fpo && !interrupted(options))
-    result.finish = finish(domain, shared.features,
+    result.finish = finish(domain, shared.features, type,
                            {angle_options(options), options.optimize_angles && !options.maximal,
                             options.keep_cells, slides ? &*slides : nullptr},
                            dual);
+  result.type = dual.type;
+  result.advice = type_advice(dual, surface, type, sizing);
+  result.localization = dual.localization;
   result.mesh = std::move(dual.mesh);
   result.samples = std::move(dual.samples);
   result.cells = std::move(dual.cells);

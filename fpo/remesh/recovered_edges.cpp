@@ -15,6 +15,8 @@ using geom::VertexId;
 
 namespace {
 
+constexpr int passes_for_edges = 8;  // through the edges that are missing: one may make room for another
+
 using ChainEdge = std::pair<VertexId, VertexId>;
 
 class Recovery {
@@ -124,7 +126,8 @@ std::pair<TriMesh, std::size_t> recover_edges(const TriMesh& remesh, const Featu
   if (broken.empty()) return {remesh, 0};
   Recovery recovery(remesh, features);
   std::size_t made = 0;
-  for (std::size_t before = broken.size() + 1; before > broken.size();) {
+  std::size_t before = broken.size() + 1;
+  for (int pass = 0; pass < passes_for_edges && before > broken.size(); ++pass) {
     before = broken.size();
     std::erase_if(broken, [&](const auto& edge) {
       return recovery.make({VertexId(edge.first.value), VertexId(edge.second.value)});

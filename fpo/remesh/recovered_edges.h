@@ -14,8 +14,8 @@ namespace fpo {
 /// `remesh` with as many of the chains' edges as up to six flips make each, and the number made. An edge of
 /// a chain is flipped only if it is made again: where a sample has come to the wrong side of a curve. A flip
 /// is not done where triangles would be folded back onto each other or have angles below one degree, so the
-/// mesh stays of its topological type. The vertices stay. Deterministic. O(F log F), and O(1) an edge that is
-/// missing.
+/// mesh stays of its topological type. The vertices stay. Deterministic. O(F log F), and some
+/// hundred flips at most for an edge that is missing.
 std::pair<geom::TriMesh, std::size_t> recover_edges(const geom::TriMesh& remesh,
                                                     const FeatureSamples& features);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 namespace geom {
+
 Surroundings::Surroundings(DualState& whole)
     : state(whole),
       frame(whole.mesh),

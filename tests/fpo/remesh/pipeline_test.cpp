@@ -1,6 +1,7 @@
 #include "fpo/remesh/pipeline.h"
 
 #include "doctest.h"
+#include "fpo/remesh/remesh_defaults.h"
 #include "geom/check.h"
 #include "geom/shapes/shapes.h"
 #include "tests/fixtures/effort.h"
@@ -145,6 +146,15 @@ TEST_CASE("pipeline: where edges of curves are lost samples of close curves face
   const RemeshResult best = remesh(plate, options);
   CHECK(plain.broken_feature_edges > 20);
   CHECK(4 * best.broken_feature_edges < plain.broken_feature_edges);
+}
+
+TEST_CASE("pipeline: no iterations are none, in further attempts too") {
+  RemeshOptions options = default_options(200, SizingKind::uniform);
+  options.optimize.max_iterations = 0;
+  options.optimize_angles = options.improve_fidelity = false;
+  const RemeshResult result = remesh(geom::make_shape("plate"), options);
+  CHECK(result.measures.theta_min < 30);  // so that there are such
+  CHECK(result.optimization.moves == 0);
 }
 
 TEST_CASE("pipeline: tiles, with features, sizes and shortest edge removal, give the same with any threads") {
