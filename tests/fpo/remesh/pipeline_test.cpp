@@ -151,7 +151,7 @@ TEST_CASE("pipeline: where edges of curves are lost samples of close curves face
 TEST_CASE("pipeline: no iterations are none, in further attempts too") {
   RemeshOptions options = default_options(200, SizingKind::uniform);
   options.optimize.max_iterations = 0;
-  options.optimize_angles = options.improve_fidelity = false;
+  options.optimize_angles = options.improve_fidelity = options.mend = false;
   const RemeshResult result = remesh(geom::make_shape("plate"), options);
   CHECK(result.measures.theta_min < 30);  // so that there are such
   CHECK(result.optimization.moves == 0);
