@@ -7,6 +7,7 @@
 #include <span>
 
 #include "fpo/interruption.h"
+#include "fpo/measure/triangle_angles.h"
 
 namespace fpo {
 
@@ -16,15 +17,9 @@ using geom::Vec3;
 namespace {
 
 /// The angles of the triangle at a circle, in degrees, at its sites in their order.
-std::array<double, 3> angles_of(const SurfaceDomain& domain, const EmptyCircle& circle) {
-  std::array<double, 3> angles;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3& at = domain.sample(circle.sites[i]).position;
-    const Vec3 u = domain.sample(circle.sites[(i + 1) % 3]).position - at,
-               v = domain.sample(circle.sites[(i + 2) % 3]).position - at;
-    angles[i] = 180 / std::numbers::pi * std::atan2(u.cross(v).norm(), u.dot(v));
-  }
-  return angles;
+std::array<double, 3> angles_at(const SurfaceDomain& domain, const EmptyCircle& circle) {
+  const auto at = [&](std::size_t i) { return domain.sample(circle.sites[i]).position; };
+  return angles_of({at(0), at(1), at(2)});
 }
 
 /// Tries to better a triangle: by resampling alone, which often suffices, then the paper's way, with each
@@ -33,7 +28,7 @@ std::array<double, 3> angles_of(const SurfaceDomain& domain, const EmptyCircle& 
 bool mend(const SurfaceDomain& domain, LocalResampling& resampling, CircleId triangle,
           const AngleOptions& options) {
   const EmptyCircle circle = domain.dual().circle(triangle);
-  const std::array<double, 3> angles = angles_of(domain, circle);
+  const std::array<double, 3> angles = angles_at(domain, circle);
   const auto worst = static_cast<std::size_t>(std::ranges::min_element(angles) - angles.begin());
   const std::array<SiteId, 3> corners{circle.sites[worst], circle.sites[(worst + 1) % 3],
                                       circle.sites[(worst + 2) % 3]};
@@ -54,7 +49,7 @@ bool mend(const SurfaceDomain& domain, LocalResampling& resampling, CircleId tri
 
 FlawMeasure bad_angles(const SurfaceDomain& domain, const AngleOptions& options) {
   return [&domain, smallest = options.smallest, largest = options.largest](const EmptyCircle& circle) {
-    const auto [least, most] = std::ranges::minmax(angles_of(domain, circle));
+    const auto [least, most] = std::ranges::minmax(angles_at(domain, circle));
     const double beyond = std::max(smallest - least, 0.0) + std::max(most - largest, 0.0);
     return beyond * beyond;
   };

@@ -95,13 +95,4 @@ TriMesh EditedMesh::mesh() const {
   return TriMesh(positions_, std::move(facets));
 }
 
-std::array<double, 3> angles_of(const std::array<Vec3, 3>& corners) {
-  std::array<double, 3> angles;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3 u = corners[(i + 1) % 3] - corners[i], v = corners[(i + 2) % 3] - corners[i];
-    angles[i] = 180 / std::numbers::pi * std::atan2(u.cross(v).norm(), u.dot(v));
-  }
-  return angles;
-}
-
 }  // namespace fpo

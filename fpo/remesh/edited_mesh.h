@@ -61,7 +61,4 @@ class EditedMesh {
   std::vector<Edit> edits_;
 };
 
-/// The three angles of a triangle, in degrees.
-std::array<double, 3> angles_of(const std::array<geom::Vec3, 3>& corners);
-
 }  // namespace fpo

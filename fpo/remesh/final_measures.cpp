@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "fpo/measure/triangle_angles.h"
+
 namespace fpo {
 
 using geom::FacetId;
@@ -49,15 +51,9 @@ void measure_edges(const TriMesh& mesh, const VertexField& wanted, std::size_t n
 
 void measure_angles(const TriMesh& mesh, const AngleOptions& bounds, FinalMeasures& result) {
   for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
-    double least = 180, most = 0;
-    for (int i = 0; i < 3; ++i) {
-      const Vec3 u = mesh.corner(t, (i + 1) % 3) - mesh.corner(t, i),
-                 v = mesh.corner(t, (i + 2) % 3) - mesh.corner(t, i);
-      const double angle = 180 / std::numbers::pi * std::atan2(u.cross(v).norm(), u.dot(v));
-      least = std::min(least, angle);
-      most = std::max(most, angle);
-      result.angles_below_30 += angle < 30 - rounding;
-    }
+    const std::array<double, 3> angles = angles_of(mesh, t);
+    const auto [least, most] = std::ranges::minmax(angles);
+    for (const double angle : angles) result.angles_below_30 += angle < 30 - rounding;
     result.theta_min = std::min(result.theta_min, least);
     result.bad_triangles += least < bounds.smallest || most > bounds.largest;
   }

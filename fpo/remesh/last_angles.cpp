@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "fpo/interruption.h"
+#include "fpo/measure/triangle_angles.h"
 #include "fpo/remesh/edited_mesh.h"
 #include "fpo/remesh/recovered_edges.h"
 #include "geom/mesh/aabb_tree.h"

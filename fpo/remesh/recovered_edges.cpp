@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "fpo/measure/triangle_angles.h"
 #include "fpo/remesh/edited_mesh.h"
 
 namespace fpo {

@@ -157,6 +157,6 @@ TEST_CASE("vbs: the parts between creases begin with equal shares, so no row is 
   options.features = automatic_features();
   const RemeshResult result = remesh(geom::make_shape("cube", 4), options);
   CHECK(result.feature_samples > 100);
-  CHECK(result.reached.back().value < 0.01);     // from random samples .026
-  CHECK(quality(result.mesh, 1.0).q_avg > 0.8);  // .69
+  CHECK(result.reached.back().value < 0.01);     // from random samples .048
+  CHECK(quality(result.mesh, 1.0).q_avg > 0.8);  // .68
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "doctest.h"
+#include "fpo/measure/triangle_angles.h"
 #include "fpo/remesh/edited_mesh.h"
 #include "fpo/remesh/recovered_edges.h"
 #include "geom/mesh/aabb_tree.h"
