@@ -10,7 +10,9 @@ namespace fpo {
 
 SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const WeightedSamples& samples,
                              const SurfaceOptions& options, MoveGuard* guard)
-    : options_(options), state_(std::make_unique<SurfaceState>(mesh, samples, options, guard)) {}
+    : options_(options), state_(std::make_unique<SurfaceState>(mesh, samples, options, guard)) {
+  options_.known_cells = {};
+}
 
 SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,
                              std::span<const SurfaceSample> samples, const SurfaceOptions& options,

@@ -34,7 +34,7 @@ SurfaceState::SurfaceState(const geom::TriMesh& mesh, const WeightedSamples& all
     homes.push_back(samples[SiteId(i)].facet);
   }
   geom::Rng(options.seed).shuffle(std::span(order));
-  apply(dual.build(points, homes, order, options.threads));
+  apply(dual.build(points, homes, order, options.threads, options.known_cells));
 }
 
 geom::WeightedPoint3 SurfaceState::point_of(SiteId x) const {

@@ -115,7 +115,23 @@ void TileDomain::build() {
   options.threads = 1;  // as other tiles have theirs
   options.num_fixed = static_cast<std::size_t>(
       std::ranges::lower_bound(sites_, SiteId(whole_.options().num_fixed)) - sites_.begin());
+  const std::vector<geom::KnownCell> known = known_cells({sizing, samples, options});
+  options.known_cells = known;
   domain_.emplace(part_.mesh, sizing, samples, options, &guard_);
+}
+
+std::vector<geom::KnownCell> TileDomain::known_cells(const WeightedSamples& samples) const {
+  std::vector<geom::KnownCell> known;
+  if (!whole_.known()) return known;
+  known.reserve(sites_.size());
+  for (std::size_t i = 0; i < sites_.size(); ++i)
+    known.push_back(
+        whole_.known()->of(sites_[i], {samples[SiteId(i)].position, samples.weight(SiteId(i))}, guard_));
+  return known;
+}
+
+void TileDomain::tell(KnownCells& known) const {
+  for (const SiteId x : tile_.samples) known.set(x, domain_->dual(), here(x), guard_);
 }
 
 double TileDomain::largest_reach() const {

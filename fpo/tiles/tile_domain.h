@@ -13,6 +13,7 @@
 
 #include "fpo/rest.h"
 #include "fpo/surface/surface_domain.h"
+#include "fpo/tiles/known_cells.h"
 #include "fpo/tiles/tile_guard.h"
 #include "fpo/tiles/tiles.h"
 #include "geom/mesh/submesh.h"
@@ -25,12 +26,16 @@ class TiledSurface {
   /// Keeps references to all but the tiles. O(n).
   TiledSurface(const geom::TriMesh& mesh, const Sizing& sizing, std::span<const SurfaceSample> samples,
                const SurfaceOptions& options, std::vector<Tile> tiles);
+  /// Keeps a reference to what is known of the samples' cells.
+  void set_known(const KnownCells& known) { known_ = &known; }
 
   const geom::TriMesh& mesh() const { return mesh_; }
   const Sizing& sizing() const { return sizing_; }
   const SurfaceOptions& options() const { return options_; }
   const SurfaceSample& sample(SiteId x) const { return samples_[x.index()]; }
   std::span<const Tile> tiles() const { return tiles_; }
+  /// Null: nothing is known.
+  const KnownCells* known() const { return known_; }
   /// The largest wanted length at a sample of a tile.
   double largest_spacing(std::size_t tile) const { return spacings_[tile]; }
 
@@ -45,6 +50,7 @@ class TiledSurface {
   std::span<const SurfaceSample> samples_;
   const SurfaceOptions& options_;
   std::vector<Tile> tiles_;
+  const KnownCells* known_ = nullptr;
   std::vector<double> weights_;       ///< rounded up; empty: all 0
   std::vector<double> tile_weights_;  ///< the largest in each tile
   std::vector<double> spacings_;
@@ -65,6 +71,9 @@ class TileDomain {
   /// Domain::expect().
   void expect(SiteId x) { domain_->expect(here(x)); }
 
+  /// When all is done: what is known of the cells of the tile's samples, and a bound of the power anywhere.
+  void tell(KnownCells& known) const;
+  double largest_reach() const;
   SurfaceSample sample(SiteId x) const;  ///< by its id in the whole, with its facet there
   const SurfaceDomain& domain() const { return *domain_; }
   SiteId whole_id(SiteId here) const { return sites_[here.index()]; }
@@ -72,7 +81,7 @@ class TileDomain {
 
  private:
   void build();
-  double largest_reach() const;
+  std::vector<geom::KnownCell> known_cells(const WeightedSamples& samples) const;
   Sizing local_sizing(std::vector<SurfaceSample>& samples);
   SiteId here(SiteId of_whole) const;
 

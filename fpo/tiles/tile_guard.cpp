@@ -33,6 +33,12 @@ bool TileGuard::holds_ball(const Vec3& center, double radius) const {
   return (at.array() - r > tile_.box.min().array()).all() && (at.array() + r < tile_.box.max().array()).all();
 }
 
+double TileGuard::room_around(const Vec3& center) const {
+  const Vec3 at = in_frame(tile_.frame, center);
+  const double room = std::min((at - tile_.box.min()).minCoeff(), (tile_.box.max() - at).minCoeff());
+  return room * (1 - 1e-9) - margin_;
+}
+
 /// Is it a T-site and its cell made of T-locations, given a bound of the power there?
 bool TileGuard::holds_cell(const WeightedPoint3& site, double reach, double power) const {
   return holds_ball(site.position, std::max(radius(site, reach) + root(power), root(site.weight)));

@@ -35,6 +35,8 @@ class TileGuard final : public MoveGuard {
   void set_most_power(double power) { most_power_ = power; }
   double most_power() const { return most_power_; }
 
+  /// The radius of the largest ball about that center in the tile's box; negative outside.
+  double room_around(const geom::Vec3& center) const;
   /// False if x is so near to a cut that it can hardly be removed.
   bool is_clear_of_cuts(SurfaceDomain& domain, SiteId x) const;
   bool may_vacate(SurfaceRemoval& removal, Scope scope) override;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <mutex>
 #include <numeric>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "fpo/stopwatch.h"
 #include "fpo/surface/spacings.h"
 #include "fpo/surface/split_facets.h"
+#include "fpo/tiles/known_cells.h"
 #include "fpo/tiles/tile_domain.h"
 #include "geom/check.h"
 #include "geom/parallel.h"
@@ -81,8 +83,11 @@ class TiledRun {
  private:
   StopReason rounds();
   bool round();
-  void work_on(const TiledSurface& whole, std::size_t tile, std::uint64_t seed,
-               std::vector<SurfaceSample>& next);
+  struct RoundEnd {  ///< each tile writes what is its own
+    std::vector<SurfaceSample> samples;
+    KnownCells known;
+  };
+  void work_on(const TiledSurface& whole, std::size_t tile, std::uint64_t seed, RoundEnd& end);
   void catch_up(SurfaceDomain& domain);
   void report(IterationReport report);
 
@@ -101,8 +106,9 @@ class TiledRun {
   std::vector<int> owed_;  ///< moves that each sample is behind
   geom::Rng rng_;
   int iteration_ = 0, round_ = 0, sweeps_ = 0;
-  std::size_t moved_ = 0;  ///< in the round
-  std::mutex access_;      ///< to the callbacks, the result and moved_
+  std::size_t moved_ = 0;            ///< in the round
+  std::optional<KnownCells> known_;  ///< to the end of the last round
+  std::mutex access_;                ///< to the callbacks, the result and moved_
   Stopwatch watch_;
 };
 
@@ -122,12 +128,14 @@ void TiledRun::report(IterationReport report) {
 
 /// All that is owed to the samples of a tile, spread evenly over the sweeps. Those that turn out to be too
 /// near to a cut are tried again after 1, 2, 4, ... sweeps. Those that rest count as moved.
-void TiledRun::work_on(const TiledSurface& whole, std::size_t tile, std::uint64_t seed,
-                       std::vector<SurfaceSample>& next) {
+void TiledRun::work_on(const TiledSurface& whole, std::size_t tile, std::uint64_t seed, RoundEnd& end) {
   std::vector<SiteId> order;
   for (const SiteId x : whole.tiles()[tile].samples)
     if (!is_fixed(x)) order.push_back(x);
-  if (order.empty() || interrupted()) return;
+  if (order.empty() || interrupted()) {
+    const std::lock_guard lock(access_);
+    return end.known.raise_power(std::numeric_limits<double>::infinity());  // it is not looked at
+  }
   TileDomain domain(whole, tile);
   geom::Rng rng(seed + tile);
   std::vector<int> done(order.size(), 0), next_try(order.size(), 1), index(order.size());
@@ -164,10 +172,12 @@ void TiledRun::work_on(const TiledSurface& whole, std::size_t tile, std::uint64_
     }
   }
   for (std::size_t i = 0; i < order.size(); ++i) {
-    next[order[i].index()] = domain.sample(order[i]);
+    end.samples[order[i].index()] = domain.sample(order[i]);
     owed_[order[i].index()] -= done[i];
   }
+  domain.tell(end.known);
   const std::lock_guard lock(access_);
+  end.known.raise_power(domain.largest_reach());
   moved_ += moved;
 }
 
@@ -182,17 +192,18 @@ bool TiledRun::round() {
       make_tiles(samples_.mesh(), samples_.all(), {tile_options_.most_samples, rng_.bits(), costs});
   // Large ones first, so that threads end at about the same time.
   std::ranges::stable_sort(tiles, std::greater(), [](const Tile& tile) { return tile.samples.size(); });
-  const TiledSurface whole(samples_.mesh(), samples_.sizing(), samples_.all(), task_.surface,
-                           std::move(tiles));
-  std::vector<SurfaceSample> next = samples_.all();
+  TiledSurface whole(samples_.mesh(), samples_.sizing(), samples_.all(), task_.surface, std::move(tiles));
+  if (known_) whole.set_known(*known_);
+  RoundEnd end{samples_.all(), KnownCells(samples_.size())};
   const std::uint64_t seed = rng_.bits();
   try {
     geom::parallel_ranges(whole.tiles().size(), 1, tile_options_.threads,
-                          [&](std::size_t tile, std::size_t) { work_on(whole, tile, seed, next); });
+                          [&](std::size_t tile, std::size_t) { work_on(whole, tile, seed, end); });
   } catch (const geom::Bug& bug) {
     throw geom::Bug("after iteration " + std::to_string(iteration_) + ", " + bug.what());
   }
-  samples_.all() = std::move(next);
+  samples_.all() = std::move(end.samples);
+  known_ = std::move(end.known);
   iteration_ += sweeps_;
   return !interrupted();
 }

@@ -222,4 +222,15 @@ void FastWay::certify(SiteId p) {
   state_.set_shape(p, is_regular ? CellShape::regular : CellShape::irregular);
 }
 
+void FastWay::certify(SiteId p, const KnownCell& known) {
+  around_.sheets.keep(p, known.sheet);
+  if (known.shape == CellShape::unknown || state_.corners.types() == CornerTypes::all) return certify(p);
+  state_.set_shape(p, known.shape);
+}
+
+KnownCell FastWay::known(SiteId p) const {
+  const Sheet* sheet = around_.sheets.known(p, state_.sites[p].level);
+  return {state_.shapes[p], sheet ? *sheet : Sheet()};
+}
+
 }  // namespace geom

@@ -42,6 +42,7 @@
 
 #include "geom/dual/cell_proof.h"
 #include "geom/dual/hole.h"
+#include "geom/dual/known_cell.h"
 #include "geom/dual/surroundings.h"
 
 namespace geom {
@@ -72,6 +73,9 @@ class FastWay {
 
   /// Finds out whether p is regular, and what the power in its cell is at most.
   void certify(SiteId p);
+  /// The same, of a cell that is known from elsewhere; what is known of one.
+  void certify(SiteId p, const KnownCell& known);
+  KnownCell known(SiteId p) const;
 
  private:
   bool prove_in_place(FacetId home, const WeightedPoint3& old);

@@ -22,7 +22,8 @@ void RestrictedDual::begin() {
 
 const RestrictedDual::Change& RestrictedDual::build(std::span<const WeightedPoint3> points,
                                                     std::span<const FacetId> homes,
-                                                    std::span<const SiteId> order, int threads) {
+                                                    std::span<const SiteId> order, int threads,
+                                                    std::span<const KnownCell> known) {
   ensure(state_.num_sites == 0 && !points.empty(), "restricted dual: built once, of some sites");
   begin();
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -35,7 +36,11 @@ const RestrictedDual::Change& RestrictedDual::build(std::span<const WeightedPoin
   }
   state_.choose_search();
   redivision_.build(threads, change_);
-  for (std::size_t i = 0; i < points.size(); ++i) fast_.certify(SiteId(i));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (known.empty())
+      fast_.certify(SiteId(i));
+    else
+      fast_.certify(SiteId(i), known[i]);
   return change_;
 }
 

@@ -26,8 +26,9 @@ class RestrictedDual {
   /// Sites 0, 1, ... at once, there being none. `order`: in which they enter the search; it and the number of
   /// threads do not matter to the result. Cost: the facets and the fragments, times the logarithm of the
   /// number of sites. `homes`: for each site a facet that it was rounded from.
+  /// `known`: of each site's cell here, or empty.
   const Change& build(std::span<const WeightedPoint3> points, std::span<const FacetId> homes,
-                      std::span<const SiteId> order, int threads);
+                      std::span<const SiteId> order, int threads, std::span<const KnownCell> known = {});
   /// `home`: a facet that the point was rounded from, or none (then the general way is taken). `at`: a circle
   /// that p beats, or none: then it is looked for.
   const Change& insert(SiteId p, const WeightedPoint3& point, FacetId home, CircleId at = CircleId());
@@ -70,6 +71,8 @@ class RestrictedDual {
   /// Does p own anything?
   bool has_cell(SiteId p) const { return state_.reach[p] > -std::numeric_limits<double>::infinity(); }
 
+  /// For another diagram in which the cell of p is the same, and so is the surface around it.
+  KnownCell known_cell(SiteId p) const { return fast_.known(p); }
   /// An upper bound of the power of the locations in p's cell; -infinity if that is empty.
   double reach_bound(SiteId p) const { return state_.reach[p]; }
   /// The least such bound, which then is reach_bound() too. Cost: the facets around p.

@@ -64,6 +64,11 @@ const Sheet* Sheets::around(SiteId site, const Location3& at, double distance) {
   return nullptr;
 }
 
+void Sheets::keep(SiteId site, const Sheet& sheet) {
+  if (site.index() >= of_site_.size()) of_site_.resize(site.index() + 1);
+  of_site_[site].sheet = sheet;
+}
+
 bool Sheets::has_one_component(const Sheet& sheet, double radius, std::span<const Neighbour> link) {
   const double factor = 4 * ample * sheet.slope * radius;
   return std::ranges::all_of(link, [&](const Neighbour& q) {

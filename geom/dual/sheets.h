@@ -37,6 +37,7 @@
 // (needles, whose normals are not, make no sheet); the code asks for a millionth more than the bounds say.
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <vector>
@@ -62,6 +63,8 @@ struct Sheet {
   bool covers(const Vec3& p, double distance) const {
     return width > 0 && (distance + (p - center).norm()) * (1 + 1e-6) < width;
   }
+  /// A bound of R, if this is a sheet.
+  double radius() const { return std::sqrt(width * width + height * height) * (1 + 4e-6); }
   /// The largest such D, nearly.
   double distance_from(const Vec3& p) const { return width / (1 + 2e-6) - (p - center).norm(); }
 };
@@ -82,6 +85,8 @@ class Sheets {
     const Sheet& sheet = of_site_[site].sheet;
     return sheet.width > 0 && sheet.level == level ? &sheet : nullptr;
   }
+  /// Keeps one that was made elsewhere: the surface must be the same there.
+  void keep(SiteId site, const Sheet& sheet);
   /// Is there surely no second component of the cell of p within the distance that the sheet covers, given
   /// its link: the differences q - p and the numbers c? `radius`: r_K.
   struct Neighbour {

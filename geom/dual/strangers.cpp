@@ -13,12 +13,15 @@ constexpr double ampler = 2.5;       // in radii of the vacancy: what is found w
 }  // namespace
 
 void Strangers::find_heirs(const Vacancy& vacancy, double range) {
+  within_ = infinity;
   if (state_.paper) {
     found_.clear();
     state_.paper->heirs(vacancy, found_);
     return;
   }
   const double distance = std::min(vacancy.radius + state_.distance_at(vacancy.max_radius2), range);
+  around_ = vacancy.center;
+  within_ = distance * beyond;
   if (knows(vacancy.center, distance)) return;
   forget();
   const double ample = std::max(distance, ampler * vacancy.radius);
@@ -33,6 +36,7 @@ void Strangers::find_heirs(const Vacancy& vacancy, double range) {
 void Strangers::find_rivals(SiteId p, const Vec3& center, double radius) {
   if (!state_.paper)
     return find_heirs({p, center, radius, radius * radius * beyond - state_.sites[p].weight}, 1e300);
+  within_ = infinity;
   found_.clear();
   state_.paper->rivals(p, found_);
 }
@@ -60,8 +64,11 @@ void Strangers::keep_near(const Frame& frame, SiteId p, std::span<const SiteId> 
                           int first) {
   kept_.clear();
   const WeightedPoint3& origin = frame.origin();
+  const double within2 = within_ * within_ * beyond;
   for (const SiteId s : found_) {
-    if (s == p || std::ranges::find(rim, s) != rim.end()) continue;
+    if (!((state_.sites[s].position - around_).squaredNorm() <= within2) || s == p ||
+        std::ranges::find(rim, s) != rim.end())
+      continue;
     const WeightedPoint3 seen = seen_from(origin.level, state_.sites[s]);
     const Vec3 d = Frame::offset(seen, origin);
     const double c = Frame::constant(seen, origin);

@@ -52,6 +52,8 @@ class Strangers {
   std::vector<SiteId> found_;
   Vec3 center_{0, 0, 0};  ///< all sites this near are found
   double radius_ = -1;
+  Vec3 around_{0, 0, 0};  ///< what was last asked for is that near to this
+  double within_ = infinity;
   std::vector<Stranger> kept_;
 };
 
