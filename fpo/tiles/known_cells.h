@@ -2,10 +2,10 @@
 // What a round of tiles finds out about the cells of its samples, for the tiles of the next round.
 //
 // Let P bound the power everywhere on the surface after a round: it is the largest reach in any tile's
-// diagram, as each location is in a tile's box T, and nobody else changes who owns it (tile_guard.h). All that
-// a site owns is within sqrt(P + w) of it. If T holds that ball, the tile's diagram has all of the cell: what
-// it says of the cell holds on the whole surface, and in each diagram of a part that has all of the ball, too.
-// A sheet is one of the surface alone: it is known to all that have the ball for which it was made.
+// diagram, as each location is in a tile's box T, and nobody else changes who owns it (tile_guard.h). All
+// that a site owns is within sqrt(P + w) of it. If T holds that ball, the tile's diagram has all of the cell:
+// what it says of the cell holds on the whole surface, and in each diagram of a part that has all of the
+// ball, too. A sheet is one of the surface alone: all know it that have the ball for which it was made.
 
 #include <algorithm>
 #include <limits>
@@ -22,13 +22,13 @@ class KnownCells {
   /// Nothing is known yet.
   explicit KnownCells(std::size_t num_samples) : cells_(num_samples) {}
 
-  /// After a round: of a sample of the guard's tile, by the tile's diagram. Each sample once, from any thread.
+  /// After a round: of a sample of the guard's tile, by the tile's diagram. Each sample once, any thread.
   void set(SiteId x, const geom::RestrictedDual& dual, SiteId here, const TileGuard& guard);
   /// The same: a bound of the power in a tile. One thread at a time.
   void raise_power(double power) { power_ = std::max(power_, power); }
 
-  /// The round is over: what the guard's tile may use in the next one. Samples in other tiles are not worth
-  /// anything.
+  /// The round is over: what the guard's tile may use in the next one. Cells of samples in other tiles are
+  /// not looked at: those are not moved.
   geom::KnownCell of(SiteId x, const geom::WeightedPoint3& site, const TileGuard& guard) const;
 
  private:

@@ -54,18 +54,15 @@ bool Chart::is_simple_with(int last, double radius) const {
       return false;
   }
   const double enough = 2 * Z * (slope_u_ * Y + slope_v_ * X) + least2;
-  for (std::size_t i = 1; i < k; ++i) {
-    double least_z = std::numeric_limits<double>::infinity();
-    for (std::size_t j = 0; j < i; ++j) least_z = std::min(least_z, std::abs(ex[j] * ey[i] - ey[j] * ex[i]));
-    if (least_z > enough) continue;
+  for (std::size_t i = 1; i < k; ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const double nz = std::abs(ex[j] * ey[i] - ey[j] * ex[i]);
+      if (nz > enough) continue;
       const double nx = ey[j] * ez[i] - ez[j] * ey[i], ny = ez[j] * ex[i] - ex[j] * ez[i];
       if (!(nz > slope_u_ * std::abs(nx) + slope_v_ * std::abs(ny) + least2) &&
           !is_far(static_cast<int>(i), static_cast<int>(j), last, radius))
         return false;
     }
-  }
   return true;
 }
 

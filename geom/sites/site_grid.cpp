@@ -8,7 +8,7 @@
 
 namespace geom {
 
-SiteGrid::SiteGrid(double cell_size, std::size_t num_sites) : cell_size_(cell_size), inverse_(1 / cell_size) {
+SiteGrid::SiteGrid(double cell_size, std::size_t num_sites) : inverse_(1 / cell_size) {
   std::size_t size = 64;
   while (size < num_sites) size *= 2;
   resize_table(size);
@@ -31,13 +31,6 @@ std::int64_t SiteGrid::coordinate(double x) const {
   const double scaled = x * inverse_;
   const auto truncated = static_cast<std::int64_t>(scaled);
   return truncated - (scaled < static_cast<double>(truncated));
-}
-
-/// Of x to the cells of that coordinate, along the axis; the slack has room for what is rounded.
-double SiteGrid::squared_gap(std::int64_t coordinate, double x) const {
-  const double low = static_cast<double>(coordinate) * cell_size_;
-  const double gap = std::max({low - x, x - (low + cell_size_), 0.0});
-  return gap * gap;
 }
 
 std::uint32_t SiteGrid::find(std::uint64_t key) const {
@@ -110,22 +103,18 @@ void SiteGrid::move(SiteId s, const Vec3& from, const Vec3& to) {
   insert(s, to);
 }
 
-// In single precision; the slack has room for all that is rounded. Cells beyond the ball are left out.
+// In single precision; the slack has room for all that is rounded.
 void SiteGrid::near(const Vec3& center, double distance, std::vector<SiteId>& out) const {
-  const double far = distance + slack_, far2 = far * far * (1 + 1e-5);
-  const auto limit2 = static_cast<float>(far2);
+  const double far = distance + slack_;
+  const auto limit2 = static_cast<float>(far * far * (1 + 1e-5));
   const auto x = static_cast<float>(center.x()), y = static_cast<float>(center.y()),
              z = static_cast<float>(center.z());
   const std::int64_t x0 = coordinate(center.x() - far), x1 = coordinate(center.x() + far),
                      y0 = coordinate(center.y() - far), y1 = coordinate(center.y() + far),
                      z0 = coordinate(center.z() - far), z1 = coordinate(center.z() + far);
-  for (std::int64_t i = x0; i <= x1; ++i) {
-    const double gap_x2 = squared_gap(i, center.x());
-    for (std::int64_t j = y0; j <= y1; ++j) {
-      const double gap_xy2 = gap_x2 + squared_gap(j, center.y());
-      if (gap_xy2 > far2) continue;
-      for (std::int64_t k = z0; k <= z1; ++k) {
-        if (gap_xy2 + squared_gap(k, center.z()) > far2) continue;
+  for (std::int64_t i = x0; i <= x1; ++i)
+    for (std::int64_t j = y0; j <= y1; ++j)
+      for (std::int64_t k = z0; k <= z1; ++k)
         for (std::uint32_t place = find(key_of(i, j, k)); place != 0; place = buckets_[place].overflow) {
           const Bucket& bucket = buckets_[place];
           std::array<float, in_cell> distance2;
@@ -136,9 +125,6 @@ void SiteGrid::near(const Vec3& center, double distance, std::vector<SiteId>& ou
           for (std::uint32_t e = 0; e < bucket.size; ++e)
             if (distance2[e] <= limit2) out.push_back(bucket.sites[e]);
         }
-      }
-    }
-  }
 }
 
 }  // namespace geom

@@ -39,7 +39,6 @@ class SiteGrid {
   };
 
   std::int64_t coordinate(double x) const;
-  double squared_gap(std::int64_t coordinate, double x) const;
   static std::uint64_t key_of(std::int64_t i, std::int64_t j, std::int64_t k) {
     constexpr std::int64_t bias = 1 << 20;
     return static_cast<std::uint64_t>(i + bias) << 42 | static_cast<std::uint64_t>(j + bias) << 21 |
@@ -56,11 +55,11 @@ class SiteGrid {
     return static_cast<std::size_t>((key * 0x9e3779b97f4a7c15u) >> shift_);
   }
 
-  double cell_size_ = 0, inverse_ = 0;  ///< and 1 / cell_size_; 0: not in use
-  double slack_ = 0;                    ///< more than a rounded position is off
-  int shift_ = 0;                       ///< 64 - log2 of the size of the table
-  std::vector<std::uint32_t> table_;    ///< open addressing: places of buckets, 0: none
-  std::vector<Bucket> buckets_;         ///< the first one is not used; cells are never given up
+  double inverse_ = 0;                ///< of the cell size
+  double slack_ = 0;                  ///< more than a rounded position is off
+  int shift_ = 0;                     ///< 64 - log2 of the size of the table
+  std::vector<std::uint32_t> table_;  ///< open addressing: places of buckets, 0: none
+  std::vector<Bucket> buckets_;       ///< the first one is not used; cells are never given up
 };
 
 }  // namespace geom
