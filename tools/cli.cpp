@@ -30,13 +30,13 @@ std::string quoted(const std::string& word) {
 /// Goes through the arguments, sets what options set, and gathers the operands.
 class ArgumentReader {
  public:
-  ArgumentReader(OptionTable& options, const std::vector<std::string>& arguments)
+  ArgumentReader(CommandLine& options, const std::vector<std::string>& arguments)
       : options_(options), arguments_(arguments) {}
 
   std::vector<std::string> read(std::size_t least, std::size_t most);
 
  private:
-  using Entry = OptionTable::Entry;
+  using Entry = OptionEntry;
   Entry& find(const std::string& written) const;
   static void apply(Entry& entry, const std::string& written, const std::string& value);
   void read_long();
@@ -44,7 +44,7 @@ class ArgumentReader {
   void read_value(Entry& entry, const std::string& written);
   void check_complete(std::size_t least, std::size_t most) const;
 
-  OptionTable& options_;
+  CommandLine& options_;
   const std::vector<std::string>& arguments_;
   std::size_t at_ = 0;  ///< the argument in hand
   std::vector<std::string> operands_;
@@ -142,7 +142,7 @@ void ArgumentReader::check_complete(std::size_t least, std::size_t most) const {
 }  // namespace
 
 CommandLine::CommandLine(std::string program, std::vector<std::string> arguments)
-    : OptionTable(std::move(program)),
+    : Usage(std::move(program)),
       arguments_(std::move(arguments)),
       threads_(static_cast<int>(std::max(1u, std::thread::hardware_concurrency()))) {}
 
@@ -159,7 +159,7 @@ void CommandLine::declare_common() {
           1024);
   flag({.name = "quiet", .help = "no progress line"}, quiet_);
   request({.name = "help", .letter = 'h', .help = "this text"}, [this] {
-    std::cout << help();
+    std::cout << help(entries());
     throw Finished{};
   });
   request({.name = "version", .help = "name and version"}, [this] {

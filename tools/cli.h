@@ -17,6 +17,7 @@
 
 #include "geom/check.h"
 #include "tools/option_table.h"
+#include "tools/usage.h"
 
 namespace tools {
 
@@ -35,7 +36,7 @@ struct Finished {};
 /// The arguments of one run and the options that explain them: first declare every option, then parse().
 /// Written --name value, --name=value, -n value, -nvalue, in any order; "--" ends the options; of repeated
 /// ones the last counts. Names are never abbreviated.
-class CommandLine : public OptionTable {
+class CommandLine : public OptionTable, public Usage {
  public:
   CommandLine(std::string program, std::vector<std::string> arguments);
 

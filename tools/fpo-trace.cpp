@@ -146,7 +146,7 @@ class Narrator final : public fpo::MoveGuard, public fpo::Follower<geom::DualCha
 };
 
 /// How often which way was taken in between.
-void print_way(const geom::RestrictedDual::Ways& before, const geom::RestrictedDual::Ways& after) {
+void print_way(const geom::DualWays& before, const geom::DualWays& after) {
   std::printf("the way:");
   const auto print = [](const char* name, std::size_t times) {
     if (times > 0) std::printf(" %s", name);
@@ -208,7 +208,7 @@ int trace(tools::CommandLine& cli) {
   here.draw(*diagram, x, nullptr, title + "before: its old place").save(a.folder / "before");
   without(domain, x, here, title + "the sample is out: its old place").save(a.folder / "removed");
 
-  const geom::RestrictedDual::Ways ways = domain.dual().ways();
+  const geom::DualWays ways = domain.dual().ways();
   narrator.listen(domain, domain.separation(x));
   domain.move(x, fpo::Scope::global);
   print_way(ways, domain.dual().ways());

@@ -1,8 +1,7 @@
 #pragma once
-// The options of a tool: how each is written, explained and read, and the help that shows them.
+// The options of a tool, bound to the variables that they set.
 
 #include <concepts>
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -11,41 +10,15 @@
 #include <vector>
 
 #include "tools/numbers.h"
+#include "tools/option.h"
 
 namespace tools {
 
-/// How an option is written and explained.
-struct Option {
-  std::string name = {};      ///< long form, without the dashes; empty: none
-  char letter = 0;            ///< short form; 0: none
-  std::string value = {};     ///< what the help calls its value: "COUNT"
-  std::string help = {};      ///< a phrase; the default is appended to it
-  std::string standard = {};  ///< the default as the help shows it; empty: the variable's initial value
-  bool required = false;
-};
-
-/// What an option takes.
-enum class Takes { value, maybe_value, nothing, yes_or_no };
-
-/// Options bound to variables, which they set when they are read, and what else the help says.
+/// Variables are set when options are read.
 class OptionTable {
  public:
-  /// Reads one value into its variable; throws geom::InputError on text that it cannot read.
-  using Assign = std::function<void(const std::string& text)>;
-  struct Entry {
-    Option option;
-    Takes takes;
-    Assign assign;  ///< gets "yes" or "no" if it takes no value
-    std::string group;
-    bool given = false;
-  };
+  using Assign = OptionEntry::Assign;
 
-  explicit OptionTable(std::string program) : program_(std::move(program)) {}
-
-  /// The operands as the usage line shows them, and what the tool does.
-  void describe(std::string operands, std::string summary);
-  /// A command to begin with, without the program's name, and what it does: the help starts with these.
-  void example(std::string arguments, std::string what);
   /// Starts a block of the help, or goes on with one of that title. Blocks are shown in the order in which
   /// they begin, those whose title begins with "Expert" after all others.
   /// The following options belong to it.
@@ -78,18 +51,14 @@ class OptionTable {
   /// --name asks for something else, which `answer` gives.
   void request(Option option, std::function<void()> answer);
 
-  std::string help() const;
-  const std::string& program() const { return program_; }
-  const std::string& operands() const { return operands_; }
-  std::vector<Entry>& entries() { return entries_; }
+  std::vector<OptionEntry>& entries() { return entries_; }
 
  private:
   void declare(Option option, Takes takes, Assign assign);
   void declare_choice(Option option, std::vector<std::string> words, std::function<void(std::size_t)> assign);
 
-  std::string program_, operands_, summary_, group_ = "Options";
-  std::vector<Entry> entries_;
-  std::vector<std::pair<std::string, std::string>> examples_;
+  std::string group_ = "Options";
+  std::vector<OptionEntry> entries_;
 };
 
 template <std::integral T>

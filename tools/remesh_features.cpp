@@ -5,6 +5,7 @@
 #include <map>
 
 #include "fpo/features/feature_samples.h"
+#include "geom/mesh/edges.h"
 #include "io/attributes.h"
 #include "io/input_file.h"
 #include "io/text_cursor.h"
@@ -23,13 +24,10 @@ using Edge = std::array<VertexId, 2>;
 class Places {
  public:
   Places(const geom::TriMesh& mesh, const geom::Table<VertexId, Vec3>& file)
-      : first_(own_vertices(file, file)), here_(file.size()) {
+      : first_(own_vertices(file, file)), here_(file.size()), edges_(geom::edges_of(mesh)) {
     const auto own = own_vertices(mesh.vertices(), file);
     for (VertexId v(0); v.index() < own.size(); v = VertexId(v.value + 1))
       if (own[v].valid()) here_[own[v]].push_back(v);
-    for (const geom::TriMesh::Facet& f : mesh.facets())
-      for (std::size_t e = 0; e < 3; ++e) edges_.push_back(ascending({f[e], f[(e + 1) % 3]}));
-    std::ranges::sort(edges_);
   }
 
   /// The same vertex for all at its place.
@@ -40,19 +38,18 @@ class Places {
     bool found = false;
     for (const VertexId i : here_[first_[a]])
       for (const VertexId j : here_[first_[b]]) {
-        if (!std::ranges::binary_search(edges_, ascending({i, j}))) continue;
-        out.push_back(ascending({i, j}));
+        const geom::MeshEdge edge = geom::mesh_edge(i, j);
+        if (!std::ranges::binary_search(edges_, edge)) continue;
+        out.push_back({edge.first, edge.second});
         found = true;
       }
     return found;
   }
 
-  static Edge ascending(Edge e) { return {std::min(e[0], e[1]), std::max(e[0], e[1])}; }
-
  private:
   geom::Table<VertexId, VertexId> first_;
   geom::Table<VertexId, std::vector<VertexId>> here_;
-  std::vector<Edge> edges_;
+  std::vector<geom::MeshEdge> edges_;
 };
 
 /// What the triangle on one side of an edge has there, beside its ends.

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "fpo/measure/triangle_angles.h"
 
 namespace tools {
 namespace {
 
 using geom::TriMesh;
-using geom::Vec3;
 using geom::VertexId;
 
 constexpr const char* first_colour = "#1d4f91";
@@ -37,13 +37,8 @@ void count(std::vector<double>& counts, double value, double width) {
 io::Chart angle_histogram(const TriMesh& mesh) {
   constexpr double width = 2;
   std::vector<double> counts(90);
-  for (const TriMesh::Facet& f : mesh.facets()) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 u = mesh.position(f[(k + 1) % 3]) - mesh.position(f[k]),
-                 v = mesh.position(f[(k + 2) % 3]) - mesh.position(f[k]);
-      count(counts, 180 / std::numbers::pi * std::atan2(u.cross(v).norm(), u.dot(v)), width);
-    }
-  }
+  for (geom::FacetId t(0); t.index() < mesh.num_facets(); t = geom::FacetId(t.value + 1))
+    for (const double angle : fpo::angles_of(mesh, t)) count(counts, angle, width);
   io::Chart chart{"Angles", {"degrees", 0, 180}, {"% of angles"}, {}, {}};
   chart.series.push_back(bars(counts, width));
   return chart;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "fpo/measure/deviation.h"
+#include "fpo/measure/triangle_angles.h"
 #include "geom/check.h"
 #include "geom/ids.h"
 #include "tools/worded.h"
@@ -14,7 +14,6 @@ namespace {
 
 using geom::FacetId;
 using geom::TriMesh;
-using geom::Vec3;
 using io::Colour;
 using io::Scene;
 using io::SceneTriangle;
@@ -47,13 +46,7 @@ std::uint8_t step_of(double share) {
 
 /// The smallest angle, degrees.
 double smallest_angle(const TriMesh& mesh, FacetId t) {
-  double smallest = 180;
-  for (int k = 0; k < 3; ++k) {
-    const Vec3 u = mesh.corner(t, (k + 1) % 3) - mesh.corner(t, k),
-               v = mesh.corner(t, (k + 2) % 3) - mesh.corner(t, k);
-    smallest = std::min(smallest, 180 / std::numbers::pi * std::atan2(u.cross(v).norm(), u.dot(v)));
-  }
-  return smallest;
+  return std::min(180.0, std::ranges::min(fpo::angles_of(mesh, t)));
 }
 
 /// The facets that a picture shows.

@@ -1,28 +1,22 @@
 #include "fpo/features/corner_angles.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numbers>
 #include <utility>
 #include <vector>
 
+#include "geom/mesh/angles.h"
+
 namespace fpo {
 
 using geom::FacetId;
 using geom::TriMesh;
-using geom::Vec3;
 using geom::VertexId;
 
 namespace {
 
 using CurveEdge = std::pair<VertexId, VertexId>;
-
-double angle_of_corner(const TriMesh& mesh, FacetId t, int i) {
-  const Vec3 u = mesh.corner(t, (i + 1) % 3) - mesh.corner(t, i),
-             v = mesh.corner(t, (i + 2) % 3) - mesh.corner(t, i);
-  return std::atan2(u.cross(v).norm(), u.dot(v));
-}
 
 std::vector<CurveEdge> curve_edges(const Features& features) {
   std::vector<CurveEdge> edges;
@@ -56,7 +50,7 @@ double smallest_corner_angle(const TriMesh& mesh, const Features& features) {
       double angle = 0;
       FacetId t = first;
       for (int at = static_cast<int>(i); angle < least; at = corner_of(mesh, t, v)) {
-        angle += angle_of_corner(mesh, t, at);
+        angle += geom::corner_angle(mesh, t, at);
         if (is_edge(v, mesh.facet(t)[static_cast<std::size_t>((at + 2) % 3)])) {
           if (angle > 0) least = std::min(least, angle);  // else the facets have no area
           break;

@@ -6,7 +6,6 @@
 #include <map>
 #include <numbers>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -16,6 +15,8 @@
 #include "fpo/optimize.h"
 #include "geom/check.h"
 #include "geom/mesh/aabb_tree.h"
+#include "geom/mesh/angles.h"
+#include "geom/mesh/edges.h"
 #include "geom/rng.h"
 
 namespace fpo {
@@ -136,12 +137,10 @@ class Layout {
 
   void measure_vertices() {
     for (FacetId t(0); t.index() < mesh_.num_facets(); t = FacetId(t.value + 1))
-      for (std::size_t i = 0; i < 3; ++i) {
-        const TriMesh::Facet& f = mesh_.facet(t);
-        const Vec3 u = mesh_.position(f[(i + 1) % 3]) - mesh_.position(f[i]),
-                   v = mesh_.position(f[(i + 2) % 3]) - mesh_.position(f[i]);
-        shares_[f[i]] += std::atan2(u.cross(v).norm(), u.dot(v)) / (2 * std::numbers::pi);
-        if (!facet_[f[i]].valid()) facet_[f[i]] = t;
+      for (int i = 0; i < 3; ++i) {
+        const VertexId v = mesh_.facet(t)[static_cast<std::size_t>(i)];
+        shares_[v] += geom::corner_angle(mesh_, t, i) / (2 * std::numbers::pi);
+        if (!facet_[v].valid()) facet_[v] = t;
       }
   }
 
@@ -221,8 +220,7 @@ class Layout {
       for (std::size_t i = 0; i < leaving.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
           if (leaving[i].stretch == leaving[j].stretch) continue;  // a loop with one corner
-          const Vec3 &u = leaving[i].direction, &v = leaving[j].direction;
-          const double angle = std::atan2(u.cross(v).norm(), u.dot(v));
+          const double angle = geom::angle_between(leaving[i].direction, leaving[j].direction);
           if (!(angle < std::numbers::pi / 3)) continue;
           for (const Leaving& l : {leaving[i], leaving[j]}) {
             double& stretch = stretches_[l.stretch].stretch_at_end[l.end];
@@ -482,12 +480,11 @@ std::size_t num_edges(const FeatureSamples& features) {
 }
 
 std::vector<std::pair<SiteId, SiteId>> broken_edges(const TriMesh& remesh, const FeatureSamples& features) {
-  std::set<std::pair<std::int32_t, std::int32_t>> edges;
-  for (const TriMesh::Facet& f : remesh.facets())
-    for (std::size_t e = 0; e < 3; ++e) edges.insert(std::minmax(f[e].value, f[(e + 1) % 3].value));
+  const std::vector<geom::MeshEdge> edges = geom::edges_of(remesh);
   std::vector<std::pair<SiteId, SiteId>> broken;
   for_each_edge(features, [&](SiteId a, SiteId b) {
-    if (!edges.contains(std::minmax(a.value, b.value))) broken.emplace_back(a, b);
+    const geom::MeshEdge edge = geom::mesh_edge(VertexId(a.value), VertexId(b.value));
+    if (!std::ranges::binary_search(edges, edge)) broken.emplace_back(a, b);
   });
   return broken;
 }

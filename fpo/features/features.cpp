@@ -8,6 +8,8 @@
 #include <numeric>
 #include <utility>
 
+#include "geom/mesh/angles.h"
+
 namespace fpo {
 
 using geom::FacetId;
@@ -321,7 +323,7 @@ class Turns {
       });
     }
     const Vec3 in = point(i) - far[0], out = far[1] - point(i);
-    return degrees * std::atan2(in.cross(out).norm(), in.dot(out));
+    return degrees * geom::angle_between(in, out);
   }
 
   bool is_peak(std::size_t i) const {
@@ -345,11 +347,9 @@ class Turns {
 std::vector<VertexId> apexes(const TriMesh& mesh, const Skeleton& skeleton, double angle) {
   geom::Table<VertexId, double> sum(mesh.num_vertices(), 0.0);
   for (const TriMesh::Facet& f : mesh.facets())
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec3 u = mesh.position(f[(i + 1) % 3]) - mesh.position(f[i]),
-                 v = mesh.position(f[(i + 2) % 3]) - mesh.position(f[i]);
-      sum[f[i]] += degrees * std::atan2(u.cross(v).norm(), u.dot(v));
-    }
+    for (std::size_t i = 0; i < 3; ++i)
+      sum[f[i]] += degrees * geom::angle_at(mesh.position(f[i]), mesh.position(f[(i + 1) % 3]),
+                                            mesh.position(f[(i + 2) % 3]));
   std::vector<VertexId> result;
   for (VertexId v(0); v.index() < sum.size(); v = VertexId(v.value + 1))
     if (sum[v] > 0 && sum[v] < angle && skeleton.degree(v) == 0) result.push_back(v);

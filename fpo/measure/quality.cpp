@@ -8,18 +8,18 @@
 #include <utility>
 #include <vector>
 
+#include "fpo/measure/triangle_angles.h"
 #include "geom/check.h"
+#include "geom/mesh/edges.h"
 
 namespace fpo {
 
 using geom::FacetId;
 using geom::TriMesh;
-using geom::Vec3;
 using geom::VertexId;
 
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;
 constexpr double rounding = 1e-9;  // an angle of 30 degrees is not below 30, however it is rounded
 
 struct FacetQuality {
@@ -27,16 +27,13 @@ struct FacetQuality {
   std::array<double, 3> angles;
 };
 
-/// Angles by the arc tangent of sine and cosine times lengths: accurate near 0 and 180 degrees too.
 FacetQuality facet_quality(const TriMesh& mesh, FacetId t) {
-  FacetQuality result{0, {0, 0, 0}};
+  FacetQuality result{0, angles_of(mesh, t)};
   double perimeter = 0, longest = 0;
   for (int i = 0; i < 3; ++i) {
-    const Vec3 u = mesh.corner(t, (i + 1) % 3) - mesh.corner(t, i),
-               v = mesh.corner(t, (i + 2) % 3) - mesh.corner(t, i);
-    result.angles[static_cast<std::size_t>(i)] = degrees * std::atan2(u.cross(v).norm(), u.dot(v));
-    perimeter += u.norm();
-    longest = std::max(longest, u.norm());
+    const double length = (mesh.corner(t, (i + 1) % 3) - mesh.corner(t, i)).norm();
+    perimeter += length;
+    longest = std::max(longest, length);
   }
   if (longest > 0) result.q = 6 / std::numbers::sqrt3 * mesh.area(t) / (perimeter / 2 * longest);
   return result;
@@ -50,25 +47,18 @@ struct VertexStar {
 };
 
 std::vector<VertexStar> vertex_stars(const TriMesh& mesh, double& mean_edge) {
-  std::vector<std::pair<VertexId, VertexId>> sides;  // ends ascending, once for each facet there
-  sides.reserve(3 * mesh.num_facets());
-  for (const TriMesh::Facet& f : mesh.facets())
-    for (std::size_t e = 0; e < 3; ++e) sides.push_back(std::minmax(f[e], f[(e + 1) % 3]));
-  std::ranges::sort(sides);
   std::vector<VertexStar> stars(mesh.num_vertices());
   double sum = 0, edges = 0;
-  for (auto first = sides.begin(); first != sides.end();) {
-    const auto last = std::find_if(first, sides.end(), [&](const auto& side) { return side != *first; });
-    const double length = (mesh.position(first->first) - mesh.position(first->second)).norm();
-    for (const VertexId v : {first->first, first->second}) {
+  geom::for_each_edge(geom::sorted_half_edges(mesh.facets()), [&](auto first, auto last) {
+    const double length = (mesh.position(first->low) - mesh.position(first->high)).norm();
+    for (const VertexId v : {first->low, first->high}) {
       VertexStar& star = stars[v.index()];
       ++star.edges;
       star.on_boundary |= last - first == 1;
       star.shortest = std::min(star.shortest, length);
     }
     sum += length, ++edges;
-    first = last;
-  }
+  });
   mean_edge = sum / edges;
   return stars;
 }
@@ -117,11 +107,7 @@ Quality quality(const TriMesh& mesh, double area) {
 }
 
 SizingFit sizing_fit(const TriMesh& mesh, const geom::Table<VertexId, double>& h) {
-  std::vector<std::pair<VertexId, VertexId>> edges;
-  for (const TriMesh::Facet& f : mesh.facets())
-    for (std::size_t e = 0; e < 3; ++e) edges.push_back(std::minmax(f[e], f[(e + 1) % 3]));
-  std::ranges::sort(edges);
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  const std::vector<geom::MeshEdge> edges = geom::edges_of(mesh);
 
   // Sums over edges of x = log h, y = log length, r = length / h and their products.
   double sx = 0, sy = 0, sxx = 0, sxy = 0, sr = 0, srr = 0;

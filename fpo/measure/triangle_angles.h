@@ -2,20 +2,18 @@
 // The angles of a triangle.
 
 #include <array>
-#include <cmath>
 #include <numbers>
 
-#include "geom/mesh/trimesh.h"
+#include "geom/mesh/angles.h"
 
 namespace fpo {
 
-/// In degrees, by the arc tangent of sine and cosine times lengths: accurate near 0 and 180 degrees too.
+/// In degrees (geom/mesh/angles.h).
 inline std::array<double, 3> angles_of(const std::array<geom::Vec3, 3>& corners) {
   std::array<double, 3> angles;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const geom::Vec3 u = corners[(i + 1) % 3] - corners[i], v = corners[(i + 2) % 3] - corners[i];
-    angles[i] = 180 / std::numbers::pi * std::atan2(u.cross(v).norm(), u.dot(v));
-  }
+  for (std::size_t i = 0; i < 3; ++i)
+    angles[i] =
+        180 / std::numbers::pi * geom::angle_at(corners[i], corners[(i + 1) % 3], corners[(i + 2) % 3]);
   return angles;
 }
 

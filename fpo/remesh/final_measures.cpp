@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fpo/measure/triangle_angles.h"
+#include "geom/mesh/edges.h"
 
 namespace fpo {
 
@@ -23,11 +24,7 @@ constexpr double least_factor = 1.5, most_factor = 100;  // of the number of sam
 
 void measure_edges(const TriMesh& mesh, const VertexField& wanted, std::size_t num_fixed,
                    FinalMeasures& result) {
-  std::vector<std::pair<VertexId, VertexId>> edges;
-  for (const TriMesh::Facet& f : mesh.facets())
-    for (std::size_t e = 0; e < 3; ++e) edges.push_back(std::minmax(f[e], f[(e + 1) % 3]));
-  std::ranges::sort(edges);
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  const std::vector<geom::MeshEdge> edges = geom::edges_of(mesh);
   std::vector<double> shortest(mesh.num_vertices(), std::numeric_limits<double>::infinity());
   double sum = 0;
   for (const auto& [a, b] : edges) {

@@ -1,28 +1,35 @@
 #include "fpo/remesh/last_angles.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 #include "fpo/interruption.h"
-#include "fpo/measure/triangle_angles.h"
 #include "fpo/remesh/edited_mesh.h"
+#include "fpo/remesh/facet_region.h"
 #include "fpo/remesh/recovered_edges.h"
-#include "geom/mesh/aabb_tree.h"
-#include "geom/mesh/scaling.h"
+#include "fpo/remesh/trial_places.h"
 
 namespace fpo {
 
 using geom::FacetId;
-using geom::SiteId;
 using geom::TriMesh;
 using geom::Vec3;
 using geom::VertexId;
 
 namespace {
+
+namespace mending {
+constexpr int rounds = 10;
+constexpr double small_angle = 30, rounding = 1e-9;
+constexpr std::size_t least_attempts = 200, share_of_attempts = 4, most_attempts = 1000;
+constexpr int most_at_once = 8;             // changes for a triangle, before others have their turn
+constexpr double least_gain = 1e-3;         // of the penalty around
+constexpr double flat = 0.8, turned = 0.7;  // cosines between normals: of a flip, of a facet before and after
+constexpr double least_edge = 0.55;         // in wanted lengths
+constexpr int flip_sweeps = 3;
+}  // namespace mending
 
 /// Of the facets around a place.
 struct AngleScore {
@@ -38,21 +45,21 @@ struct MeshChange {
 
 class AngleMender {
  public:
-  static constexpr int rounds = 10;
-
   AngleMender(const LastAnglesTask& task, const TriMesh& remesh, std::vector<SurfaceSample>& samples)
       : task_(task),
         samples_(samples),
         mesh_(remesh),
+        places_(task),
         chains_(chain_edges(task.features)),
-        good_(std::min(small_angle, task.angles.smallest) - rounding),
-        attempts_left_(std::min(least_attempts + samples.size() / share_of_attempts, most_attempts)),
+        good_(std::min(mending::small_angle, task.angles.smallest) - mending::rounding),
+        attempts_left_(std::min(mending::least_attempts + samples.size() / mending::share_of_attempts,
+                                mending::most_attempts)),
         is_hopeless_(remesh.num_facets(), 0) {}
 
   std::vector<FacetId> bad() const {
     std::vector<std::pair<double, FacetId>> found;
     for (FacetId t(0); t.index() < mesh_.num_facets(); t = FacetId(t.value + 1))
-      if (const double least = std::ranges::min(angles(t)); least < good_) found.emplace_back(least, t);
+      if (const double least = least_angle(mesh_, t); least < good_) found.emplace_back(least, t);
     std::ranges::sort(found);
     std::vector<FacetId> result;
     for (const auto& [least, t] : found) result.push_back(t);
@@ -63,7 +70,7 @@ class AngleMender {
   std::size_t round() {
     std::size_t mended = 0;
     for (const FacetId t : bad())
-      for (int k = 0; k < most_at_once && !is_hopeless_[t] && least_angle(t) < good_; ++k) {
+      for (int k = 0; k < mending::most_at_once && !is_hopeless_[t] && least_angle(mesh_, t) < good_; ++k) {
         if (stopped()) return mended;
         --attempts_left_;
         is_hopeless_[t] = !mend(t);
@@ -75,49 +82,10 @@ class AngleMender {
   TriMesh mesh() const { return mesh_.mesh(); }
 
  private:
-  static constexpr double small_angle = 30, rounding = 1e-9;
-  static constexpr std::size_t least_attempts = 200, share_of_attempts = 4, most_attempts = 1000;
-  static constexpr int most_at_once = 8;      // changes for a triangle, before others have their turn
-  static constexpr double least_gain = 1e-3;  // of the penalty around
-  static constexpr double flat = 0.8,
-                          turned = 0.7;  // cosines between normals: of a flip, of a facet before and after
-  static constexpr double same_sheet = 0.5;   // and of the surface below a vertex
-  static constexpr double least_edge = 0.55;  // in wanted lengths
-  static constexpr std::array<double, 5> steps = {0.02, 0.05, 0.1, 0.2, 0.3};  // in wanted lengths
-  static constexpr int directions = 8;
-  static constexpr int flip_sweeps = 3;
-
-  using Region = std::vector<FacetId>;  // ascending
-
-  std::array<double, 3> angles(FacetId t) const {
-    const EditedMesh::Facet& f = mesh_.facet(t);
-    return angles_of({mesh_.position(f[0]), mesh_.position(f[1]), mesh_.position(f[2])});
-  }
-  double least_angle(FacetId t) const { return std::ranges::min(angles(t)); }
-
-  /// The facets at these vertices.
-  Region region_of(const std::vector<VertexId>& vertices) const {
-    Region region;
-    for (const VertexId v : vertices)
-      region.insert(region.end(), mesh_.facets_at(v).begin(), mesh_.facets_at(v).end());
-    std::ranges::sort(region);
-    region.erase(std::unique(region.begin(), region.end()), region.end());
-    return region;
-  }
-  /// The vertices of the facets, ascending.
-  std::vector<VertexId> vertices_of(const Region& region) const {
-    std::vector<VertexId> vertices;
-    for (const FacetId t : region)
-      vertices.insert(vertices.end(), mesh_.facet(t).begin(), mesh_.facet(t).end());
-    std::ranges::sort(vertices);
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    return vertices;
-  }
-
-  AngleScore score(const Region& region) const {
+  AngleScore score(const FacetRegion& region) const {
     AngleScore sum;
     for (const FacetId t : region) {
-      const auto [least, most] = std::ranges::minmax(angles(t));
+      const auto [least, most] = std::ranges::minmax(angles_of(mesh_, t));
       const double beyond =
           std::max(task_.angles.smallest - least, 0.0) + std::max(most - task_.angles.largest, 0.0);
       sum.penalty += beyond * beyond;
@@ -126,7 +94,7 @@ class AngleMender {
     return sum;
   }
   bool is_better(const AngleScore& a, const AngleScore& b) const {
-    return a.penalty < (1 - least_gain) * b.penalty && a.least >= std::min(good_, b.least);
+    return a.penalty < (1 - mending::least_gain) * b.penalty && a.least >= std::min(good_, b.least);
   }
 
   bool mend(FacetId t) {
@@ -135,15 +103,15 @@ class AngleMender {
     for (std::size_t i = 0; i < 3; ++i) try_flip(corners[i], corners[(i + 1) % 3], best);
     for (const VertexId v : corners) try_places(v, best);
     if (!best)
-      for (const VertexId v : vertices_of(region_of({corners.begin(), corners.end()})))
+      for (const VertexId v : vertices_of(mesh_, region_of(mesh_, {corners.begin(), corners.end()})))
         if (std::ranges::find(corners, v) == corners.end()) try_places(v, best);
     if (!best) return false;
-    const Region around = region_of(vertices_of(region_of({best->v})));
+    const FacetRegion around = region_of(mesh_, vertices_of(mesh_, region_of(mesh_, {best->v})));
     if (best->w.valid())
       mesh_.flip(best->v, best->w);
     else
       move(best->v, best->to, around), samples_[best->v.index()] = best->to;
-    for (const FacetId near : region_of(vertices_of(around))) is_hopeless_[near] = 0;
+    for (const FacetId near : region_of(mesh_, vertices_of(mesh_, around))) is_hopeless_[near] = 0;
     return true;
   }
 
@@ -151,7 +119,7 @@ class AngleMender {
     if (std::ranges::binary_search(chains_, std::pair<VertexId, VertexId>(std::minmax(a, b)))) return false;
     if (!mesh_.can_flip(a, b)) return false;
     return mesh_.normal(mesh_.beside(a, b)).normalized().dot(mesh_.normal(mesh_.beside(b, a)).normalized()) >
-           flat;
+           mending::flat;
   }
 
   /// False, and all as before, if the quadrilateral is not convex.
@@ -162,7 +130,7 @@ class AngleMender {
     const std::size_t edits = mesh_.num_edits();
     mesh_.flip(a, b);
     for (const FacetId f : {t, u})
-      if (!(mesh_.normal(f).dot(before) > flat * mesh_.normal(f).norm() * before.norm())) {
+      if (!(mesh_.normal(f).dot(before) > mending::flat * mesh_.normal(f).norm() * before.norm())) {
         mesh_.undo_to(edits);
         return false;
       }
@@ -172,7 +140,7 @@ class AngleMender {
   void try_flip(VertexId a, VertexId b, std::optional<MeshChange>& best) {
     const FacetId t = mesh_.beside(a, b), u = mesh_.beside(b, a);
     if (!t.valid() || !u.valid()) return;
-    const Region region{std::min(t, u), std::max(t, u)};
+    const FacetRegion region{std::min(t, u), std::max(t, u)};
     const AngleScore before = score(region);
     const std::size_t edits = mesh_.num_edits();
     if (!flip(a, b)) return;
@@ -188,9 +156,9 @@ class AngleMender {
   }
 
   void try_places(VertexId v, std::optional<MeshChange>& best) {
-    const std::vector<SurfaceSample> places = places_around(v);
+    const std::vector<SurfaceSample> places = places_.around(v, samples_[v.index()], mesh_);
     if (places.empty()) return;
-    const Region region = region_of(vertices_of(region_of({v})));
+    const FacetRegion region = region_of(mesh_, vertices_of(mesh_, region_of(mesh_, {v})));
     const AngleScore before = score(region);
     for (const SurfaceSample& place : places) {
       const std::size_t edits = mesh_.num_edits();
@@ -208,32 +176,33 @@ class AngleMender {
   }
 
   /// With flips around it, in the region. False if an edge becomes too short, or a facet is turned.
-  bool move(VertexId v, const SurfaceSample& to, const Region& region) {
-    const double enough = std::min(shortest_edge(v), least_edge * task_.sizing.at(samples_[v.index()]));
+  bool move(VertexId v, const SurfaceSample& to, const FacetRegion& region) {
+    const double enough =
+        std::min(shortest_edge(v), mending::least_edge * task_.sizing.at(samples_[v.index()]));
     std::vector<Vec3> before;
     for (const FacetId t : mesh_.facets_at(v)) before.push_back(mesh_.normal(t).normalized());
     mesh_.move(v, to.position);
     if (shortest_edge(v) < enough) return false;
     for (std::size_t i = 0; i < before.size(); ++i)
-      if (!(mesh_.normal(mesh_.facets_at(v)[i]).normalized().dot(before[i]) > turned)) return false;
-    for (int sweep = 0; sweep < flip_sweeps; ++sweep)
+      if (!(mesh_.normal(mesh_.facets_at(v)[i]).normalized().dot(before[i]) > mending::turned)) return false;
+    for (int sweep = 0; sweep < mending::flip_sweeps; ++sweep)
       if (!flip_around(v, region)) break;
     return shortest_edge(v) >= enough;
   }
 
   /// Edges of the facets at v, where that makes the smaller of two angles larger.
-  bool flip_around(VertexId v, const Region& region) {
+  bool flip_around(VertexId v, const FacetRegion& region) {
     bool flipped = false;
-    for (const FacetId t : Region(mesh_.facets_at(v))) {
+    for (const FacetId t : FacetRegion(mesh_.facets_at(v))) {
       const EditedMesh::Facet f = mesh_.facet(t);
       for (std::size_t i = 0; i < 3; ++i) {
         const VertexId a = f[i], b = f[(i + 1) % 3];
         const FacetId here = mesh_.beside(a, b), there = mesh_.beside(b, a);
         if (here != t || !std::ranges::binary_search(region, there)) continue;
-        const double least = std::min(least_angle(here), least_angle(there));
+        const double least = std::min(least_angle(mesh_, here), least_angle(mesh_, there));
         const std::size_t edits = mesh_.num_edits();
         if (least > task_.angles.smallest || !flip(a, b)) continue;
-        if (std::min(least_angle(here), least_angle(there)) > least) {
+        if (std::min(least_angle(mesh_, here), least_angle(mesh_, there)) > least) {
           flipped = true;
           break;
         }
@@ -243,43 +212,14 @@ class AngleMender {
     return flipped;
   }
 
-  std::vector<SurfaceSample> places_around(VertexId v) {
-    const SiteId x(v.value);
-    const SurfaceSample& now = samples_[v.index()];
-    std::vector<SurfaceSample> places;
-    if (!tree_) tree_.emplace(task_.surface);
-    if (v.index() < task_.features.samples.size()) {
-      if (!task_.slides || !task_.slides->can_slide(x)) return {};
-      const auto [before, after] = task_.slides->neighbours(x);
-      places = task_.slides->places(
-          x, now, {mesh_.position(VertexId(before.value)), mesh_.position(VertexId(after.value))});
-      for (SurfaceSample& place : places) place.facet = tree_->closest(place.position, now.facet).facet;
-      return places;
-    }
-    if (mesh_.is_on_border(v)) return {};
-    const Vec3 normal = task_.surface.normal(now.facet).normalized();
-    if (normal.isZero()) return {};
-    const Vec3 along = normal.unitOrthogonal(), aside = normal.cross(along);
-    const double h = task_.sizing.at(now);
-    for (const double step : steps)
-      for (int k = 0; k < directions; ++k) {
-        const double angle = 2 * std::numbers::pi * k / directions;
-        const Vec3 away = now.position + step * h * (std::cos(angle) * along + std::sin(angle) * aside);
-        const geom::AabbTree::Closest closest = tree_->closest(away, now.facet);
-        if (task_.surface.normal(closest.facet).normalized().dot(normal) > same_sheet)
-          places.push_back({geom::snapped(closest.point), closest.facet});
-      }
-    return places;
-  }
-
   const LastAnglesTask& task_;
   std::vector<SurfaceSample>& samples_;
   EditedMesh mesh_;
+  TrialPlaces places_;
   std::vector<std::pair<VertexId, VertexId>> chains_;
   double good_;
   std::size_t attempts_left_;
   geom::Table<FacetId, char> is_hopeless_;  // nothing helped, and nothing has changed around since
-  std::optional<geom::AabbTree> tree_;      // made when first needed
 };
 
 }  // namespace
@@ -289,7 +229,7 @@ LastAngles mend_last_angles(const LastAnglesTask& task, TriMesh& remesh,
   LastAngles result;
   AngleMender mender(task, remesh, samples);
   result.bad_before = result.bad_after = mender.bad().size();
-  for (int round = 0; round < AngleMender::rounds && result.bad_after > 0 && !mender.stopped(); ++round) {
+  for (int round = 0; round < mending::rounds && result.bad_after > 0 && !mender.stopped(); ++round) {
     const std::size_t mended = mender.round();
     result.mended += mended;
     result.bad_after = mender.bad().size();

@@ -10,6 +10,7 @@
 #include "fpo/surface/curvature.h"
 #include "geom/check.h"
 #include "geom/disjoint_sets.h"
+#include "geom/mesh/angles.h"
 #include "geom/mesh/centring.h"
 #include "geom/mesh/scaling.h"
 
@@ -165,8 +166,7 @@ void heed_folds(const TriMesh& mesh, double error, VertexField& h) {
       if (!other.valid() || other < t) continue;
       int back = 0;
       while (back < 2 && mesh.across(other, back) != t) ++back;
-      const geom::Vec3 u = mesh.normal(t), v = mesh.normal(other);
-      const double fold = std::atan2(u.cross(v).norm(), u.dot(v));
+      const double fold = geom::angle_between(mesh.normal(t), mesh.normal(other));
       const double width = (height(mesh, t, e) + height(mesh, other, back)) / 2;
       if (!(fold > 0) || !(width > 0)) continue;
       const double length = std::max(std::sqrt(h2_by_error_and_radius * error * width / fold), error);

@@ -6,6 +6,7 @@
 
 #include "geom/check.h"
 #include "geom/disjoint_sets.h"
+#include "geom/mesh/angles.h"
 
 namespace fpo {
 
@@ -46,19 +47,13 @@ DisjointSets smooth_corners(const TriMesh& mesh) {
   return groups;
 }
 
-double angle_at(const TriMesh& mesh, FacetId t, int i) {
-  const Vec3 a = mesh.corner(t, (i + 1) % 3) - mesh.corner(t, i);
-  const Vec3 b = mesh.corner(t, (i + 2) % 3) - mesh.corner(t, i);
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 geom::Table<FacetId, std::array<Vec3, 3>> corner_normals(const TriMesh& mesh) {
   DisjointSets groups = smooth_corners(mesh);
   std::vector<Vec3> sum(3 * mesh.num_facets(), Vec3::Zero());
   for (std::size_t f = 0; f < mesh.num_facets(); ++f)
     for (int i = 0; i < 3; ++i)
       sum[groups.find(corner_index(FacetId(f), i))] +=
-          angle_at(mesh, FacetId(f), i) * mesh.normal(FacetId(f)).normalized();
+          geom::corner_angle(mesh, FacetId(f), i) * mesh.normal(FacetId(f)).normalized();
   geom::Table<FacetId, std::array<Vec3, 3>> normals(mesh.num_facets());
   for (std::size_t f = 0; f < mesh.num_facets(); ++f)
     for (int i = 0; i < 3; ++i)

@@ -20,11 +20,11 @@ void SurfaceRemoval::carry_out() {
 }
 
 std::span<const SiteId> SurfaceRemoval::heirs() const {
-  return plan_ ? plan_->heirs : domain_.last_change().cells;
+  return plan_ ? plan_->heirs() : domain_.last_change().cells;
 }
 
 SurfaceRemoval::Vacancy SurfaceRemoval::vacancy() {
-  if (plan_) return {plan_->heirs, plan_->reach, plan_->max_radius2};
+  if (plan_) return {plan_->heirs(), plan_->reach(), plan_->max_radius2()};
   around_.assign(heirs().begin(), heirs().end());
   if (around_.empty()) around_.push_back(state_.nearest_to(x_).site);
   double power = 0;
@@ -34,7 +34,7 @@ SurfaceRemoval::Vacancy SurfaceRemoval::vacancy() {
 
 bool SurfaceRemoval::sharpen() {
   if (!plan_ || is_sharp_) return false;
-  plan_ = state_.dual.plan_exactly(x_);
+  plan_->sharpen();
   return is_sharp_ = true;
 }
 
@@ -53,16 +53,16 @@ bool SurfaceRemoval::find_largest(Scope scope) {
 void SurfaceRemoval::find_planned(Scope scope) {
   const RestrictedDual& dual = state_.dual;
   const CircleHeap& heap = state_.circles;
-  const auto consider = [&](const EmptyCircle& circle, const RestrictedDual::Target& target) {
+  const auto consider = [&](const EmptyCircle& circle, const geom::PlannedRemoval::Target& target) {
     if (largest_ && !heap.priority().goes_before(circle, *largest_)) return;
     largest_ = &circle;
     target_ = target;
   };
-  for (std::size_t i = 0; i < plan_->circles.size(); ++i)
-    if (scope == Scope::two_ring || heap.is_offered(plan_->circles[i]))
-      consider(plan_->circles[i], {i, CircleId()});
+  for (std::size_t i = 0; i < plan_->circles().size(); ++i)
+    if (scope == Scope::two_ring || heap.is_offered(plan_->circles()[i]))
+      consider(plan_->circles()[i], {i, CircleId()});
   if (scope == Scope::two_ring) {
-    for (const SiteId y : plan_->heirs)
+    for (const SiteId y : plan_->heirs())
       for (const CircleId c : dual.circles_of(y))
         if (!dual.circle(c).touches(x_)) consider(dual.circle(c), {0, c});
   } else if (const CircleId top = heap.top(); top.valid()) {
@@ -74,12 +74,12 @@ void SurfaceRemoval::find_planned(Scope scope) {
 void SurfaceRemoval::insert() {
   if (!plan_) return domain_.insert_at(x_, {largest_->radius2, id_});
   state_.samples.put(x_, {largest_->center, largest_->facet});
-  state_.apply(state_.dual.move(x_, state_.point_of(x_), state_.samples[x_].facet, target_));
+  state_.apply(plan_->move(state_.point_of(x_), state_.samples[x_].facet, target_));
 }
 
 void SurfaceRemoval::cancel() {
   if (!plan_) return domain_.put_back(x_);
-  state_.apply(state_.dual.stay(x_));
+  state_.apply(plan_->cancel());
 }
 
 }  // namespace fpo

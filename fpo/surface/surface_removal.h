@@ -3,7 +3,7 @@
 //
 // But for the first iterations nearly all samples come back into the holes that they leave. So a removal is
 // only planned if it can be: the circles that the hole would have are known, but nothing is changed. Where
-// the sample keeps its neighbours, its circles are then moved where they are (RestrictedDual::move).
+// the sample keeps its neighbours, its circles are then moved where they are (PlannedRemoval::move).
 
 #include <optional>
 #include <span>
@@ -25,7 +25,7 @@ class SurfaceRemoval {
   /// Else it is carried out.
   bool is_planned() const { return plan_.has_value(); }
   /// Of a plan: the circles that the hole would have.
-  std::span<const geom::EmptyCircle> planned_circles() const { return plan_->circles; }
+  std::span<const geom::EmptyCircle> planned_circles() const { return plan_->circles(); }
   /// Who wins something of the cell.
   std::span<const SiteId> heirs() const;
 
@@ -58,12 +58,12 @@ class SurfaceRemoval {
   SurfaceDomain& domain_;
   SurfaceState& state_;
   SiteId x_;
-  std::optional<geom::RestrictedDual::Plan> plan_;
+  std::optional<geom::PlannedRemoval> plan_;
   bool is_sharp_ = false;
   double reach_ = 0;            ///< of the cell, if carried out
   std::vector<SiteId> around_;  ///< Vacancy::around, if carried out
   const geom::EmptyCircle* largest_ = nullptr;
-  geom::RestrictedDual::Target target_;  ///< the circle found, to the plan
+  geom::PlannedRemoval::Target target_;  ///< the circle found, to the plan
   CircleId id_;                          ///< and to the domain, if carried out
 };
 

@@ -57,7 +57,7 @@ double CellClipper::find_others(SiteId p, double power) {
   const Vec3& center = state_.sites[p].position;
   const double radius = state_.distance_at(power, p);
   candidates_.clear();
-  state_.near({p, center, radius, power}, candidates_);
+  state_.search.near({p, center, radius, power}, candidates_);
   others_.clear();
   std::erase_if(candidates_, [&](SiteId s) { return stamp_of_[s] == stamp_; });
   if (candidates_.size() > many) {

@@ -27,7 +27,7 @@ bool CellProof::prove_inserted(const Place& place) {
   reach_ = power_bound_at_corners();
   const double own = state.distance_at(reach_, around_.p);
   if (!has_no_stranger(ampler * own)) return false;
-  const double all = state.distance_at(std::max(reach_, state.largest_reach()), around_.p);
+  const double all = state.distance_at(std::max(reach_, state.reach.largest()), around_.p);
   const bool is_all_near = around_.on_sheet && around_.sheet.covers(position, all);
   far_rivals_.clear();
   if (!is_all_near) find_far_rivals(own);
@@ -171,7 +171,7 @@ bool CellProof::trace(FacetId home) {
   around_.see_rim();
   facets_.clear();
   for (const Corner& corner : corners_) facets_.push_back(corner.facet);
-  if (!flood.trace(facets_, false) || !flood.meets(home) || !around_.is_flood_level()) return false;
+  if (!flood.trace(facets_, false) || !flood.facets().has(home) || !around_.is_flood_level()) return false;
   for (int j = 0; j < rim.size(); ++j) {
     const FacetId t = facets_[static_cast<std::size_t>(j)];
     if (!flood.add_end(t, j, Frame::none) || !flood.add_end(t, rim.next(j), Frame::none)) return false;

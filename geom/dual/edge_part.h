@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "geom/dual/frame.h"
+#include "geom/dual/frame_vertices.h"
 
 namespace geom {
 
@@ -17,11 +17,11 @@ struct EdgePart {
 enum class Meets { no, yes, unsure };
 
 /// Has the origin a part of the edge, and which?
-Meets find_part(const Frame::Vertex& u, const Frame::Vertex& v, EdgePart& out);
+Meets find_part(const FrameVertices::Vertex& u, const FrameVertices::Vertex& v, EdgePart& out);
 
 /// The owners along that part without the origin, from u to v. False if something is not certain. Mostly
 /// there is one.
-bool find_owners(const Frame& frame, const Frame::Vertex& u, const Frame::Vertex& v, const EdgePart& part,
-                 std::vector<int>& owners);
+bool find_owners(const FrameVertices& vertices, const FrameVertices::Vertex& u,
+                 const FrameVertices::Vertex& v, const EdgePart& part, std::vector<int>& owners);
 
 }  // namespace geom

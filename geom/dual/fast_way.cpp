@@ -24,8 +24,8 @@ void FastWay::remove(DualChange& change) {
   erase_inside(change);
   fill_hole(change);
   hole_.raise_reaches();
-  state_.leave(around_.p);
-  state_.reach[around_.p] = -infinity;
+  state_.search.leave(around_.p);
+  state_.reach.forget(around_.p);
   name_rim(change);
 }
 
@@ -66,7 +66,8 @@ bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, Dua
   if (point.level != old.level) return false;
   Frame& frame = around_.frame;
   const Rim& rim = around_.rim;
-  frame.add_late(point);
+  frame.add(point);
+  around_.vertices.follow();
   around_.self = rim.size();
   const Vec3 d = frame.offset(around_.self);
   const double c = frame.constant(around_.self);
@@ -89,7 +90,7 @@ bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, Dua
     state_.circles.move(rim.inner(j), moved.center, moved.radius2, moved.facet);
     change.circles_moved.push_back(rim.inner(j));
   }
-  state_.set_reach(p, cell_.reach());
+  state_.reach.set(p, cell_.reach());
   name_rim(change);
   return true;
 }
@@ -116,7 +117,7 @@ void FastWay::raise_reaches(const WeightedPoint3& old) {
   const Rim& rim = around_.rim;
   for (int j = 0; hole_.is_on_sheet() && j < rim.size(); ++j) {
     const SiteId left = rim[j], right = rim[rim.next(j)];
-    state_.raise_reach(left, around_.on_sheet ? cell_.arcs()[static_cast<std::size_t>(j)] : cell_.reach());
+    state_.reach.raise(left, around_.on_sheet ? cell_.arcs()[static_cast<std::size_t>(j)] : cell_.reach());
     const EmptyCircle& was = state_.circles[rim.inner(j)];
     if (geom::power(was.center, site) <= was.radius2) continue;  // else the edge goes on inwards
     const CellProof::Corner& is = cell_.corners()[static_cast<std::size_t>(j)];
@@ -124,8 +125,8 @@ void FastWay::raise_reaches(const WeightedPoint3& old) {
                                        {was.facet, is.facet, was.center, is.point.position})
                             .far2;
     const double power = std::min(around_.with_tolerance(far2) - state_.sites[left].weight, max_radius2());
-    state_.raise_reach(left, power);
-    state_.raise_reach(right, power);
+    state_.reach.raise(left, power);
+    state_.reach.raise(right, power);
   }
   if (hole_.is_on_sheet()) return;
   double power = std::max(reach(), cell_.reach());
@@ -135,7 +136,7 @@ void FastWay::raise_reaches(const WeightedPoint3& old) {
       const double far = std::sqrt(std::max(0.0, without_p - weight)) + off;
       power = std::max(power, far * far * more + weight);
     }
-  for (const SiteId r : rim.sites()) state_.raise_reach(r, power);
+  for (const SiteId r : rim.sites()) state_.reach.raise(r, power);
 }
 
 // --- insertion -----------------------------------------------------------------------------------
@@ -154,9 +155,9 @@ bool FastWay::insert(SiteId p, const WeightedPoint3& point, FacetId home, Circle
   if (!cell_.prove_new({home, point, std::sqrt(around_.with_tolerance(far2))})) return false;
   erase_inside(change);
   make_star(change);
-  state_.enter(p);
+  state_.search.enter(p);
   state_.home[p] = home;
-  state_.set_reach(p, cell_.reach());
+  state_.reach.set(p, cell_.reach());
   state_.set_shape(p, CellShape::regular);
   for (const SiteId r : rim()) lower_reach(r);
   name_rim(change);
@@ -208,7 +209,7 @@ void FastWay::lower_reach(SiteId r) {
   if (!(far2 - site.weight < state_.reach[r]) || !sheet->covers(site.position, std::sqrt(far2)) ||
       !(twice_area.dot(sheet->axis) > 1e-6 * far2))
     return;
-  state_.set_reach(r, far2 - site.weight);
+  state_.reach.set(r, far2 - site.weight);
 }
 
 // --- regular sites -------------------------------------------------------------------------------
@@ -218,7 +219,7 @@ void FastWay::certify(SiteId p) {
   around_.forget();
   const bool is_regular = state_.corners.types() != CornerTypes::all && state_.home[p].valid() &&
                           around_.rim.open_star(state_, p) && cell_.prove_present();
-  if (is_regular) state_.set_reach(p, std::min(state_.reach[p], cell_.reach()));
+  if (is_regular) state_.reach.set(p, std::min(state_.reach[p], cell_.reach()));
   state_.set_shape(p, is_regular ? CellShape::regular : CellShape::irregular);
 }
 

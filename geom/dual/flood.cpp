@@ -16,33 +16,19 @@ bool Flood::trace(std::span<const FacetId> from, bool division) {
   radius2_ = 0;
   division_ = division;
   ++trace_;
-  for (const FacetId t : from) meet(t);
-  for (std::uint32_t slot = 0; slot < facets_.size(); ++slot)
+  for (const FacetId t : from) facets_.meet(t, vertices_);
+  for (MetFacets::Slot slot = 0; slot < facets_.size(); ++slot)
     for (std::size_t e = 0; e < 3; ++e)
       if (!facets_[slot].done[e] && !trace_edge(slot, e)) return false;
   return true;
 }
 
-std::uint32_t Flood::meet(FacetId t) {
-  const std::uint32_t known = slot_of_[t];
-  if (known < facets_.size() && facets_[known].id == t) return known;
-  const auto slot = static_cast<std::uint32_t>(facets_.size());
-  slot_of_[t] = slot;
-  const TriMesh::Facet& corners = mesh_.facet(t);
-  Facet& facet = facets_.add();
-  facet.id = t;
-  for (std::size_t i = 0; i < 3; ++i) facet.corners[i] = frame_.with_signs(corners[i]);
-  facet.done = {false, false, false};
-  facet.ends = SegmentEnds::empty;
-  return slot;
-}
-
 /// Looks at an edge of a facet that is met. False if something is not certain.
-bool Flood::trace_edge(std::uint32_t slot, std::size_t e) {
-  const Frame::Slot from = facets_[slot].corners[e], to = facets_[slot].corners[e == 2 ? 0 : e + 1];
+bool Flood::trace_edge(MetFacets::Slot slot, std::size_t e) {
+  const FrameVertices::Slot from = facets_[slot].corners[e], to = facets_[slot].corners[e == 2 ? 0 : e + 1];
   EdgePart part;
   {
-    const Frame::Vertex &u = frame_.vertex(from), &v = frame_.vertex(to);
+    const FrameVertices::Vertex &u = vertices_[from], &v = vertices_[to];
     if (!u.sure || !v.sure) return false;
     if ((u.beaten_by & v.beaten_by) != 0) return true;  // one and the same site is nearer all along
     const Meets has_part = find_part(u, v, part);
@@ -50,12 +36,9 @@ bool Flood::trace_edge(std::uint32_t slot, std::size_t e) {
   }
   const FacetId across = mesh_.across(facets_[slot].id, static_cast<int>(e));
   if (!across.valid()) return false;
-  const std::uint32_t other = meet(across);
-  const Frame::Vertex &u = frame_.vertex(from), &v = frame_.vertex(to);  // meet() may have moved them
-  std::size_t back = 0;
-  while (back < 3 &&
-         !(facets_[other].corners[back] == to && facets_[other].corners[back == 2 ? 0 : back + 1] == from))
-    ++back;
+  const MetFacets::Slot other = facets_.meet(across, vertices_);
+  const FrameVertices::Vertex &u = vertices_[from], &v = vertices_[to];  // meet() may have moved them
+  const std::size_t back = facets_[other].edge(to, from);
   if (back == 3) return false;  // the other facet runs the other way round
   facets_[other].done[back] = true;
   on_edge_.clear();
@@ -71,8 +54,8 @@ bool Flood::trace_edge(std::uint32_t slot, std::size_t e) {
   return true;
 }
 
-bool Flood::divide(const Frame::Vertex& u, const Frame::Vertex& v, const EdgePart& part) {
-  if (!find_owners(frame_, u, v, part, owners_)) return false;
+bool Flood::divide(const FrameVertices::Vertex& u, const FrameVertices::Vertex& v, const EdgePart& part) {
+  if (!find_owners(vertices_, u, v, part, owners_)) return false;
   for (std::size_t k = 0; k + 1 < owners_.size(); ++k)
     if (!add_point(u, v, owners_[k], owners_[k + 1])) return false;
   return true;
@@ -81,7 +64,7 @@ bool Flood::divide(const Frame::Vertex& u, const Frame::Vertex& v, const EdgePar
 /// The point of the edge where sites i and j (none: the origin) are equally near. In parameter t = f(u) /
 /// (f(u) - f(v)) it is off by (1.01 E + E') / |f(u) - f(v)| and roundings at most, E and E' the errors of f.
 /// Points of the cell's border are ends of the cell's own edges, but not of those of the division.
-bool Flood::add_point(const Frame::Vertex& u, const Frame::Vertex& v, int i, int j) {
+bool Flood::add_point(const FrameVertices::Vertex& u, const FrameVertices::Vertex& v, int i, int j) {
   const double fu = u.g[i] - u.g[j], fv = v.g[i] - v.g[j];
   const double difference = std::abs(fu - fv), error = 4 * (u.error + v.error);
   if (!(difference > 4 * error)) return false;
@@ -96,12 +79,12 @@ bool Flood::add_point(const Frame::Vertex& u, const Frame::Vertex& v, int i, int
   return true;
 }
 
-bool Flood::add_vertex(Frame::Slot s) {
+bool Flood::add_vertex(FrameVertices::Slot s) {
   if (s >= vertex_seen_.size()) vertex_seen_.resize(s + 64, 0);
   if (vertex_seen_[s] == trace_) return true;
   vertex_seen_[s] = trace_;
-  const Frame::Vertex& v = frame_.vertex(s);
-  const int nearest = division_ ? frame_.nearest(v) : Frame::none;
+  const FrameVertices::Vertex& v = vertices_[s];
+  const int nearest = division_ ? vertices_.nearest(v) : Frame::none;
   if (nearest < 0) return false;
   radius2_ = std::max(radius2_, v.y.squaredNorm());
   corners_.add({v.y, 0, nearest});
@@ -109,16 +92,16 @@ bool Flood::add_vertex(Frame::Slot s) {
 }
 
 bool Flood::add_end(FacetId t, int i, int j) {
-  if (!meets(t)) return false;
-  ends_.add(facets_[slot_of_[t]].ends, i, j, ends_.add_corner());
+  if (!facets_.has(t)) return false;
+  ends_.add(facets_[facets_.slot(t)].ends, i, j, ends_.add_corner());
   return true;
 }
 
 bool Flood::is_complete() {
-  for (const Facet& facet : facets_.items()) {
+  for (const MetFacets::Facet& facet : facets_.items()) {
     const bool is_joined =
         facet.ends == SegmentEnds::empty && !division_
-            ? std::ranges::all_of(facet.corners, [&](Frame::Slot s) { return frame_.vertex(s).owned(); })
+            ? std::ranges::all_of(facet.corners, [&](FrameVertices::Slot s) { return vertices_[s].owned(); })
             : ends_.join(facet.ends);
     if (!is_joined) return false;
   }

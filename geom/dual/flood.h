@@ -29,12 +29,11 @@
 // All decisions are by Sure values; where one is not certain, or the surface has a border or an edge of three
 // facets there, there is no certificate, and the general way is taken (redivision.h).
 
-#include <array>
 #include <span>
 #include <vector>
 
 #include "geom/dual/edge_part.h"
-#include "geom/dual/frame.h"
+#include "geom/dual/met_facets.h"
 #include "geom/dual/segment_ends.h"
 #include "geom/reused.h"
 
@@ -42,7 +41,8 @@ namespace geom {
 
 class Flood {
  public:
-  Flood(const TriMesh& mesh, Frame& frame) : mesh_(mesh), frame_(frame), slot_of_(mesh.num_facets(), 0) {}
+  /// Keeps references. `vertices`: those of the frame.
+  Flood(const TriMesh& mesh, FrameVertices& vertices) : mesh_(mesh), vertices_(vertices), facets_(mesh) {}
 
   /// Forgets what was traced.
   void clear();
@@ -67,39 +67,27 @@ class Flood {
   std::span<const Corner> corners() const { return corners_.items(); }
   /// The farthest corner of the cell, B or A, squared; a bound, with room for rounding.
   double radius2() const { return radius2_; }
-  bool meets(FacetId t) const {
-    const std::uint32_t slot = slot_of_[t];
-    return slot < facets_.size() && facets_[slot].id == t;
-  }
-  std::size_t num_facets() const { return facets_.size(); }
-  FacetId facet(std::size_t i) const { return facets_[i].id; }  ///< that was met
+  /// Those that were met.
+  const MetFacets& facets() const { return facets_; }
 
  private:
-  struct Facet {
-    FacetId id;
-    std::array<Frame::Slot, 3> corners;
-    std::array<bool, 3> done;  ///< edges
-    SegmentEnds::List ends;
-  };
   /// On the edge being traced, where sites i and j (none: the origin) are equally near.
   struct Point {
     int i, j;
     SegmentEnds::Node node;
   };
 
-  std::uint32_t meet(FacetId t);
-  bool trace_edge(std::uint32_t slot, std::size_t e);
-  bool divide(const Frame::Vertex& u, const Frame::Vertex& v, const EdgePart& part);
-  bool add_point(const Frame::Vertex& u, const Frame::Vertex& v, int i, int j);
-  bool add_vertex(Frame::Slot s);
+  bool trace_edge(MetFacets::Slot slot, std::size_t e);
+  bool divide(const FrameVertices::Vertex& u, const FrameVertices::Vertex& v, const EdgePart& part);
+  bool add_point(const FrameVertices::Vertex& u, const FrameVertices::Vertex& v, int i, int j);
+  bool add_vertex(FrameVertices::Slot s);
 
   const TriMesh& mesh_;
-  Frame& frame_;
+  FrameVertices& vertices_;
   bool division_ = false;
-  Reused<Facet> facets_;
-  Table<FacetId, std::uint32_t> slot_of_;  ///< if that slot says so, too
+  MetFacets facets_;
   Reused<Corner> corners_;
-  std::vector<std::uint32_t> vertex_seen_;  ///< by slots of the frame: of which trace()
+  std::vector<std::uint32_t> vertex_seen_;  ///< by their slots: of which trace()
   double radius2_ = 0;
   Reused<Point> on_edge_;
   std::vector<int> owners_;

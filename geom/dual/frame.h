@@ -31,30 +31,25 @@
 // two lengths do not underflow.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 
 #include "geom/dual/lead.h"
-#include "geom/mesh/trimesh.h"
-#include "geom/reused.h"
 
 namespace geom {
 
 class Frame {
  public:
   static constexpr int most = 16;  ///< sites, the origin left out
-  using Slot = std::uint32_t;
-
-  explicit Frame(const TriMesh& mesh) : mesh_(mesh), slot_of_(mesh.num_vertices(), 0) {}
 
   /// Starts anew, with no other site.
   void begin(const WeightedPoint3& origin);
-  /// All before the first location. They are numbered 0, 1, ...
+  /// They are numbered 0, 1, ... Values that are known already lack it.
   void add(const WeightedPoint3& site);
-  /// One more, after locations.
-  void add_late(const WeightedPoint3& site);
   int size() const { return size_; }
+  /// d_i and c_i; beyond size(): no site, at infinity.
+  struct Coefficients {
+    alignas(64) double dx[most], dy[most], dz[most], c[most];
+  };
 
   /// The values g_i at a location y, and their error e.
   struct Values {
@@ -78,36 +73,9 @@ class Frame {
   /// Of a site given by its d and c.
   Sure difference(const Values& at, const Vec3& d, double c, int j) const;
 
-  struct Vertex : Values {
-    VertexId id;
-    bool has_signs;                                ///< these are known:
-    bool sure;                                     ///< of the signs of all g_i
-    std::uint32_t beaten_by;                       ///< bit i: g_i < 0
-    bool owned() const { return beaten_by == 0; }  ///< the origin is nearest
-  };
-  /// The values at a vertex of the surface; valid until begin(). A reference is, until the next call.
-  Slot at(VertexId v) {
-    const Slot slot = slot_of_[v];
-    if (slot < vertices_.size() && vertices_[slot].id == v) return slot;
-    return evaluate(v);
-  }
-  const Vertex& vertex(Slot s) const { return vertices_[s]; }
-  /// The same with all signs.
-  Slot with_signs(VertexId v) {
-    const Slot slot = at(v);
-    if (!vertices_[slot].has_signs) find_signs(vertices_[slot]);
-    return slot;
-  }
-  /// The site of least g_i, if that is certain; else -1.
-  int nearest(const Vertex& v) const;
-  std::size_t num_vertices() const { return vertices_.size(); }
-
-  /// M = a(u) b(v) - a(v) b(u) for a = g_i - g_k, b = g_j - g_k.
-  static Sure determinant(const Values& u, const Values& v, int i, int j, int k);
-
   /// d_i, c_i, and the power of the location y to site i.
-  Vec3 offset(int i) const { return i == none ? Vec3(0, 0, 0) : Vec3(dx_[i], dy_[i], dz_[i]); }
-  double constant(int i) const { return i == none ? 0 : c_[i]; }
+  Vec3 offset(int i) const { return i == none ? Vec3(0, 0, 0) : Vec3(of_.dx[i], of_.dy[i], of_.dz[i]); }
+  double constant(int i) const { return i == none ? 0 : of_.c[i]; }
   static Vec3 offset(const WeightedPoint3& site, const WeightedPoint3& origin) {
     return site.position - origin.position;
   }
@@ -120,25 +88,17 @@ class Frame {
   const WeightedPoint3& origin() const { return origin_; }
 
  private:
-  Slot evaluate(VertexId v);
-  void find_signs(Vertex& v) const;
   double error_at(const Vec3& twice_y) const;
-  template <int count>
-  bool is_behind_one_of(const Vec3& d, double base, const Vec3& twice_center, double limit2) const;
-  template <int count>
-  void fill(double x2, double y2, double z2, double* out) const;
 
-  const TriMesh& mesh_;
   WeightedPoint3 origin_{{0, 0, 0}, 0};
   int size_ = 0;
-  double largest2_ = 0, largest_ = 0, heaviest_ = 0;             ///< |d|^2, |d|, |dw|
-  alignas(64) double dx_[most], dy_[most], dz_[most], c_[most];  ///< beyond size_: no site, at infinity
-  Reused<Vertex> vertices_;
-  Table<VertexId, Slot> slot_of_;  ///< if that slot says so, too
+  double largest2_ = 0, largest_ = 0, heaviest_ = 0;  ///< |d|^2, |d|, |dw|
+  Coefficients of_;
 };
 
-inline Sure Frame::determinant(const Values& u, const Values& v, int i, int j, int k) {
-  const std::size_t si = Values::at(i), sj = Values::at(j), sk = Values::at(k);
+/// M = a(u) b(v) - a(v) b(u) for a = g_i - g_k, b = g_j - g_k.
+inline Sure determinant(const Frame::Values& u, const Frame::Values& v, int i, int j, int k) {
+  const std::size_t si = Frame::Values::at(i), sj = Frame::Values::at(j), sk = Frame::Values::at(k);
   const double a = u.g[si] - u.g[sk], b = u.g[sj] - u.g[sk];
   const double a2 = v.g[si] - v.g[sk], b2 = v.g[sj] - v.g[sk];
   const double e = 3 * u.error, e2 = 3 * v.error;

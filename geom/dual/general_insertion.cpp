@@ -16,24 +16,25 @@ void GeneralInsertion::insert(SiteId p, const WeightedPoint3& point, DualChange&
   const std::span<const CircleId> created = create_all(found_, state_.circles, change);
   edges_.connect(created);
   cut_.connect(p, found_, created);
-  state_.set_reach(p, reach);
+  state_.reach.set(p, reach);
   find_hidden();
 }
 
 void GeneralInsertion::enter(SiteId p, const WeightedPoint3& point) {
-  const SiteId hint =
-      state_.paper && state_.num_sites > 0 ? state_.tree.nearest(point.position, SiteId()).site : SiteId();
+  const SiteId hint = state_.paper && state_.search.size() > 0
+                          ? state_.search.tree().nearest(point.position, SiteId()).site
+                          : SiteId();
   state_.admit(p, point);
   if (state_.paper) state_.paper->insert(p, point, hint);
-  state_.enter(p);
+  state_.search.enter(p);
 }
 
 /// Whoever loses something to p is among the rivals. So no location of the new cell has more power than the
 /// farthest of their cells: than what is returned.
 double GeneralInsertion::find_rivals(SiteId p) {
   rivals_.clear();
-  if (state_.num_sites == 1) return infinity;
-  state_.tree.rivals(p, rivals_);
+  if (state_.search.size() == 1) return infinity;
+  state_.search.tree().rivals(p, rivals_);
   double power = -infinity;
   for (const SiteId j : rivals_) power = std::max(power, state_.reach[j]);
   return power;
@@ -77,7 +78,7 @@ void GeneralInsertion::find_circles(SiteId p) {
 void GeneralInsertion::find_hidden() {
   for (const SiteId j : rivals_)
     if (state_.circles.of_site(j).empty() && state_.reach[j] > -infinity)
-      state_.set_reach(j, clipper_.clip(j, spare_));
+      state_.reach.set(j, clipper_.clip(j, spare_));
 }
 
 }  // namespace geom

@@ -16,7 +16,7 @@ void GeneralRemoval::plan(SiteId p) {
   star_.assign(star.begin(), star.end());
   power_ = reach_;
   edges_.begin(p, star_, {});
-  if (state_.num_sites == 1) return division_.clear();
+  if (state_.search.size() == 1) return division_.clear();
   division_.divide(p, cell_, reach_);
   power_ = division_.power();
   find_circles();
@@ -42,17 +42,17 @@ void GeneralRemoval::find_circles() {
 
 void GeneralRemoval::commit(DualChange& change) {
   if (state_.paper) state_.paper->remove(p_);
-  state_.leave(p_);
+  state_.search.leave(p_);
   for (const CircleId c : star_) {
     state_.circles.erase(c);
     change.circles_erased.push_back(c);
   }
   edges_.connect(create_all(found_, state_.circles, change));
   for (const CellPieces::Piece& piece : division_.shares().pieces)
-    state_.raise_reach(piece.owner, state_.clipper.bound_power(piece.facet, piece.owner,
+    state_.reach.raise(piece.owner, state_.clipper.bound_power(piece.facet, piece.owner,
                                                                division_.shares().corners_of(piece)));
   change.cells.insert(change.cells.end(), heirs_.begin(), heirs_.end());
-  state_.reach[p_] = -std::numeric_limits<double>::infinity();
+  state_.reach.forget(p_);
 }
 
 }  // namespace geom

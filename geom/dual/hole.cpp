@@ -100,7 +100,7 @@ bool Hole::bound_on_sheet() {
   if (!around_.sheet.covers(site.position, own)) return false;
   for (const Triangle& triangle : triangles())
     if (!(triangle.values.y.squaredNorm() <= own * own)) return false;
-  const Chart::Gain most = around_.chart.most_gain(rim.size(), own, site.weight, state.heaviest());
+  const Chart::Gain most = around_.chart.most_gain(rim.size(), own, site.weight, state.search.heaviest());
   max_radius2_ = std::max(reach_, most.power);
   range_ = most.range;
   return range_ < infinity;
@@ -167,7 +167,7 @@ void Hole::raise_reaches() const {
   DualState& state = around_.state;
   const Rim& rim = around_.rim;
   if (!is_on_sheet_) {
-    for (const SiteId r : rim.sites()) state.raise_reach(r, max_radius2_);
+    for (const SiteId r : rim.sites()) state.reach.raise(r, max_radius2_);
     return;
   }
   for (std::size_t i = 0; i < triangles().size(); ++i)
@@ -189,8 +189,8 @@ void Hole::raise_reaches() const {
       const WeightedPoint3& left = state.sites[b];
       const double far2 = extent_of_edge(state.mesh, left, state.sites[a], edge).far2;
       const double power = std::min(around_.with_tolerance(far2) - left.weight, max_radius2_);
-      state.raise_reach(a, power);
-      state.raise_reach(b, power);
+      state.reach.raise(a, power);
+      state.reach.raise(b, power);
     }
 }
 

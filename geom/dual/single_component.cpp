@@ -24,7 +24,7 @@ bool SingleComponent::is_all(double cell_reach, double distance) {
   facets_.clear();
   state.facets.near_but(p, distance, is_lost, facets_);
   return std::ranges::all_of(facets_, [&](FacetId t) {
-    return around_.flood.meets(t) || !state.clipper.comes_near(t, p, distance) ||
+    return around_.flood.facets().has(t) || !state.clipper.comes_near(t, p, distance) ||
            state.clipper.levels().gap(t, level) > distance ||
            is_lost(state.clipper.middle(t), state.clipper.radius(t)) || owns_nothing_of(t, distance);
   });
@@ -35,11 +35,12 @@ bool SingleComponent::is_all(double cell_reach, double distance) {
 /// too large.
 bool SingleComponent::owns_nothing_of(FacetId t, double distance) {
   const DualState& state = around_.state;
-  Frame& frame = around_.frame;
+  const Frame& frame = around_.frame;
+  FrameVertices& vertices = around_.vertices;
   const TriMesh::Facet& corners = state.mesh.facet(t);
-  const Frame::Slot s0 = frame.with_signs(corners[0]), s1 = frame.with_signs(corners[1]),
-                    s2 = frame.with_signs(corners[2]);
-  const Frame::Vertex &v0 = frame.vertex(s0), &v1 = frame.vertex(s1), &v2 = frame.vertex(s2);
+  const FrameVertices::Slot s0 = vertices.with_signs(corners[0]), s1 = vertices.with_signs(corners[1]),
+                            s2 = vertices.with_signs(corners[2]);
+  const FrameVertices::Vertex &v0 = vertices[s0], &v1 = vertices[s1], &v2 = vertices[s2];
   if (v0.sure && v1.sure && v2.sure && (v0.beaten_by & v1.beaten_by & v2.beaten_by) != 0) return true;
   part_ = {v0.y, v1.y, v2.y};
   const double most = std::max({v0.y.norm(), v1.y.norm(), v2.y.norm()});
@@ -48,7 +49,7 @@ bool SingleComponent::owns_nothing_of(FacetId t, double distance) {
   if (others_.empty()) {                                               // another sheet: who else is there?
     const double power = distance * distance - around_.site().weight;  // of a second component, at most
     const double radius = state.distance_at(power, around_.p);
-    state.near({around_.p, around_.site().position, radius, power}, others_);
+    state.search.near({around_.p, around_.site().position, radius, power}, others_);
   }
   return std::ranges::any_of(others_, [&](SiteId s) {
     const WeightedPoint3 &site = state.sites[s], &origin = frame.origin();

@@ -25,11 +25,11 @@ void Strangers::find_heirs(const Vacancy& vacancy, double range) {
   if (knows(vacancy.center, distance)) return;
   forget();
   const double ample = std::max(distance, ampler * vacancy.radius);
-  if (state_.find_near(vacancy.center, ample, found_)) {
+  if (state_.search.find_near(vacancy.center, ample, found_)) {
     center_ = vacancy.center;
     radius_ = ample;
   } else {
-    state_.near(vacancy, found_);
+    state_.search.near(vacancy, found_);
   }
 }
 
@@ -53,9 +53,9 @@ void Strangers::find_rivals_beyond(double power, SiteId p, std::vector<SiteId>& 
       out.push_back(s);
   }
   const double half = 0.5 * (radius_ - (point.position - center_).norm()) / beyond;
-  if (half > 0) power = std::max(power, half * half / beyond - state_.heaviest());
+  if (half > 0) power = std::max(power, half * half / beyond - state_.search.heaviest());
   const std::size_t known = out.size();
-  state_.tree.rivals_beyond(power, point, out);
+  state_.search.tree().rivals_beyond(power, point, out);
   const auto is_known = [&](SiteId s) { return s == p || std::ranges::find(found_, s) != found_.end(); };
   out.erase(std::remove_if(out.begin() + static_cast<std::ptrdiff_t>(known), out.end(), is_known), out.end());
 }

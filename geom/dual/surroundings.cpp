@@ -6,10 +6,10 @@ namespace geom {
 
 Surroundings::Surroundings(DualState& whole)
     : state(whole),
-      frame(whole.mesh),
+      vertices(whole.mesh, frame),
       sheets(whole.mesh, whole.facets, whole.clipper.levels()),
       strangers(whole),
-      flood(whole.mesh, frame) {}
+      flood(whole.mesh, vertices) {}
 
 void Surroundings::forget() {
   on_sheet = false;
@@ -19,6 +19,7 @@ void Surroundings::forget() {
 
 void Surroundings::see_rim() {
   frame.begin(site());
+  vertices.clear();
   self = Frame::none;
   for (const SiteId r : rim.sites()) frame.add(state.sites[r]);
 }
@@ -46,8 +47,8 @@ bool Surroundings::is_level(FacetId t) const {
 }
 
 bool Surroundings::is_flood_level() const {
-  for (std::size_t i = 0; state.has_levels && i < flood.num_facets(); ++i)
-    if (!is_level(flood.facet(i))) return false;
+  for (std::size_t i = 0; state.has_levels && i < flood.facets().size(); ++i)
+    if (!is_level(flood.facets()[i].id)) return false;
   return true;
 }
 

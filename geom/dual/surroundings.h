@@ -6,6 +6,7 @@
 #include "geom/dual/chart.h"
 #include "geom/dual/edge_trace.h"
 #include "geom/dual/flood.h"
+#include "geom/dual/frame_vertices.h"
 #include "geom/dual/rim.h"
 #include "geom/dual/sheets.h"
 #include "geom/dual/state.h"
@@ -65,6 +66,7 @@ struct Surroundings {
   SiteId p;
   Rim rim;
   Frame frame;
+  FrameVertices vertices;  ///< seen in it
   int self = Frame::none;  ///< the number of p in the frame; in the chart it comes after the rim
   Sheets sheets;
   Sheet sheet;  ///< of the chart

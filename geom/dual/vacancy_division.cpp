@@ -36,7 +36,7 @@ bool VacancyDivision::add_missing_heirs(double reach) {
   const SiteId p = heirs_.p();
   new_corners_.group();
   candidates_.clear();
-  state_.near({p, state_.sites[p].position, state_.distance_at(reach, p), power_}, candidates_);
+  state_.search.near({p, state_.sites[p].position, state_.distance_at(reach, p), power_}, candidates_);
   for (const SiteId j : candidates_)
     if (j != p && heirs_.index_of(j) >= known && new_corners_.any_beaten_by(j)) heirs_.add(j);
   return heirs_.size() > known;

@@ -10,7 +10,7 @@ void VacancyHeirs::begin(SiteId p, const CellPieces& cell) {
       if (corner.edge.is_site() && std::ranges::find(sites_, corner.edge.site()) == sites_.end())
         sites_.push_back(corner.edge.site());
   const WeightedPoint3& site = state_.sites[p];
-  if (sites_.empty()) sites_.push_back(state_.nearest({site.position, site.level}, p).site);
+  if (sites_.empty()) sites_.push_back(state_.search.nearest({site.position, site.level}, p).site);
   before_p_.clear();
   for (const SiteId k : sites_) before_p_.push_back(state_.clipper.bisector_of(p, k));
 }

@@ -7,39 +7,18 @@
 namespace geom {
 
 void CellDivision::begin(SiteId p, std::span<const FragmentId> vacated, std::span<const SiteId> excluded) {
-  p_ = p;
   vacated_.assign(vacated.begin(), vacated.end());
-  heirs_.clear();
-  ++stamp_;
-  know(p);
-  for (const SiteId s : excluded) know(s);
+  heirs_.begin(p, excluded);
   for (const FragmentId f : vacated_)
     for (const PolygonCorner& corner : store_.corners(f))
-      if (corner.edge.is_site() && is_stranger(corner.edge.site())) add_heir(corner.edge.site());
-}
-
-void CellDivision::know(SiteId s) {
-  if (s.index() >= known_stamp_.size()) known_stamp_.resize(s.index() + 1, 0);
-  known_stamp_[s] = stamp_;
-}
-
-void CellDivision::add_heir(SiteId k) {
-  know(k);
-  heirs_.push_back(k);
+      if (corner.edge.is_site() && heirs_.is_stranger(corner.edge.site())) heirs_.add(corner.edge.site());
 }
 
 void CellDivision::prepare() {
   num_shares_ = 0;
   misfit_ = false;
   corners_.clear();
-  const std::size_t n = heirs_.size();
-  bisectors_.resize(n * n);
-  for (Heir k = 0; k < n; ++k)
-    for (Heir h = 0; h < k; ++h) {
-      const Bisector b = clipper_.bisector_of(heirs_[k], heirs_[h]);
-      bisectors_[k * n + h] = b;
-      bisectors_[h * n + k] = {-b.normal, -b.offset, b.length, b.error, -b.rise};  // to the bit
-    }
+  heirs_.pair_up();
 }
 
 CellDivision::Share& CellDivision::add_share() {
@@ -96,14 +75,14 @@ void CellDivision::clip_shares(FragmentId vacated) {
     share.joins = old;
     FacetPolygon& polygon = share.polygon;
     clipper_.start(polygon, t, k);
-    const Bisector beyond = clipper_.bisector_of(k, p_);
-    if (borders) clipper_.clip_beyond(polygon, p_, beyond);
+    const Bisector beyond = clipper_.bisector_of(k, heirs_.p());
+    if (borders) clipper_.clip_beyond(polygon, heirs_.p(), beyond);
     for (const Heir h : order_) {
       if (polygon.corners.empty()) break;
-      if (h != i) clipper_.clip(polygon, heirs_[h], bisector(i, h));
+      if (h != i) clipper_.clip(polygon, heirs_[h], heirs_.bisector(i, h));
     }
     misfit_ |= borders && polygon.corners.empty();
-    if (polygon.corners.empty() || (!borders && !clipper_.beats_at(polygon, 0, p_, beyond)))
+    if (polygon.corners.empty() || (!borders && !clipper_.beats_at(polygon, 0, heirs_.p(), beyond)))
       --num_shares_;
     else
       for (std::size_t c = 0; c < polygon.corners.size(); ++c)
@@ -127,7 +106,7 @@ void CellDivision::order_heirs(FragmentId vacated) {
   const Location3 middle(clipper_.middle(t), clipper_.levels().middle(t));
   Heir best = 0;
   for (Heir i = 1; i < heirs_.size(); ++i)
-    if (bisector(best, i)(middle) < 0) best = i;
+    if (heirs_.bisector(best, i)(middle) < 0) best = i;
   std::swap(order_[0], order_[best]);
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "geom/power/cell_heirs.h"
 #include "geom/power/fragment_store.h"
 
 namespace geom {
@@ -20,15 +21,14 @@ class CellDivision {
   };
 
   /// Keeps references.
-  CellDivision(Clipper& clipper, const FragmentStore& store) : clipper_(clipper), store_(store) {}
+  CellDivision(Clipper& clipper, const FragmentStore& store)
+      : clipper_(clipper), store_(store), heirs_(clipper) {}
 
   /// Starts anew: these fragments of p are to be divided. Heirs are the sites that their edges are labelled
   /// with, `excluded` left out.
   void begin(SiteId p, std::span<const FragmentId> vacated, std::span<const SiteId> excluded = {});
-  std::span<const SiteId> heirs() const { return heirs_; }
-  /// Neither an heir nor p nor excluded?
-  bool is_stranger(SiteId j) const { return j.index() >= known_stamp_.size() || known_stamp_[j] != stamp_; }
-  void add_heir(SiteId k);
+  /// Others may be added.
+  CellHeirs& heirs() { return heirs_; }
 
   /// Divides among the present heirs (at least one). The share of heir k on facet t is clipped from
   /// { x in t : p beats k at x, and k beats every other heir at x }. misfit(): a share that should lie along
@@ -45,24 +45,17 @@ class CellDivision {
   double max_radius2() const;
 
  private:
-  using Heir = std::size_t;  // index into heirs_
+  using Heir = CellHeirs::Heir;
 
-  void know(SiteId s);
   void clip_shares(FragmentId vacated);
   void order_heirs(FragmentId vacated);
   void prepare();
   Share& add_share();
-  const Bisector& bisector(Heir k, Heir h) const { return bisectors_[k * heirs_.size() + h]; }
 
   Clipper& clipper_;
   const FragmentStore& store_;
-
-  SiteId p_;
+  CellHeirs heirs_;
   std::vector<FragmentId> vacated_;
-  std::vector<SiteId> heirs_;
-  std::vector<Bisector> bisectors_;  ///< row k, column h: of owner heirs_[k] and heirs_[h]
-  Table<SiteId, std::uint32_t> known_stamp_;
-  std::uint32_t stamp_ = 0;
   std::vector<Share> shares_;
   std::size_t num_shares_ = 0;
   std::vector<CellCorner> corners_;  ///< of the division; maybe more than once, with different owners

@@ -59,7 +59,7 @@ bool RestrictedPower::abandon(SiteId p, std::span<const FragmentId> fragments,
                               std::span<const SiteId> excluded, const NeighbourOracle& search) {
   const std::vector<FragmentId> vacated(fragments.begin(), fragments.end());
   division_.begin(p, vacated, excluded);
-  if (division_.heirs().empty()) return false;
+  if (division_.heirs().size() == 0) return false;
   do division_.divide();
   while (add_missing_heirs(p, search));
   const bool fits = !division_.misfit() && std::ranges::all_of(division_.shares(), [&](const auto& share) {
@@ -83,9 +83,9 @@ bool RestrictedPower::add_missing_heirs(SiteId p, const NeighbourOracle& source)
                candidates_);
   std::ranges::sort(candidates_);
   const std::size_t known = division_.heirs().size();
-  std::erase_if(candidates_, [&](SiteId j) { return !division_.is_stranger(j); });
+  std::erase_if(candidates_, [&](SiteId j) { return !division_.heirs().is_stranger(j); });
   for (const SiteId j : candidates_)
-    if (division_.is_missing(j)) division_.add_heir(j);
+    if (division_.is_missing(j)) division_.heirs().add(j);
   return division_.heirs().size() > known;
 }
 

@@ -1,10 +1,10 @@
 #include "geom/repair/dents.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numbers>
 
+#include "geom/mesh/angles.h"
 #include "geom/mesh/half_edges.h"
 #include "geom/repair/border_loops.h"
 #include "geom/repair/fill_polygon.h"
@@ -17,8 +17,6 @@ using Facets = Table<FacetId, TriMesh::Facet>;
 constexpr double deep = 0.75;  ///< of the way along the border is the width, at most
 constexpr double straight = 40 * std::numbers::pi / 180;
 constexpr double most_share = 0.02;  ///< of the area, all dents
-
-double angle(const Vec3& u, const Vec3& v) { return std::atan2(u.cross(v).norm(), u.dot(v)); }
 
 /// The borders of a mesh and what lies at them.
 class Dents {
@@ -33,8 +31,7 @@ class Dents {
       area_ += normal(f).norm() / 2;
       for (std::size_t i = 0; i < 3; ++i)
         if (const auto known = angle_.find(f[i]); known != angle_.end())
-          known->second +=
-              angle(vertices[f[(i + 1) % 3]] - vertices[f[i]], vertices[f[(i + 2) % 3]] - vertices[f[i]]);
+          known->second += angle_at(vertices[f[i]], vertices[f[(i + 1) % 3]], vertices[f[(i + 2) % 3]]);
     }
   }
 
@@ -79,8 +76,8 @@ class Dents {
       if (i > first) bent += angle_.at(loop[i % m]) - std::numbers::pi;
     }
     return across.norm() <= deep * way && bent > straight &&
-           angle(place(loop, first) - place(loop, first + m - 1), across) < straight &&
-           angle(across, place(loop, last + 1) - place(loop, last)) < straight;
+           angle_between(place(loop, first) - place(loop, first + m - 1), across) < straight &&
+           angle_between(across, place(loop, last + 1) - place(loop, last)) < straight;
   }
 
   /// If it is small enough and can be filled.

@@ -3,10 +3,10 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 
+#include "geom/mesh/angles.h"
 #include "geom/mesh/half_edges.h"
 
 namespace geom {
@@ -83,8 +83,7 @@ class Patch {
   }
 
   double angle(VertexId at, VertexId a, VertexId b) const {
-    const Vec3 u = vertices_[a] - vertices_[at], v = vertices_[b] - vertices_[at];
-    return std::atan2(u.cross(v).norm(), u.dot(v));
+    return angle_at(vertices_[at], vertices_[a], vertices_[b]);
   }
 
   /// Flips inner edges of the patch whose opposite angles sum to more than a half turn; each facet once.

@@ -88,20 +88,21 @@ bool SurfaceStage::insert(SiteId s, const geom::WeightedPoint3& point) {
 /// The same by a move at once, if the site stays or comes to a circle's center.
 void SurfaceStage::put_back_and_move(SiteId s, const geom::WeightedPoint3& point) {
   apply_change(dual_->insert(s, removed_point_, home_of(s, removed_point_)));
-  if (const auto plan = dual_->plan_removal(s)) {
+  if (auto plan = dual_->plan_removal(s)) {
     if (point.position == removed_point_.position && point.weight == removed_point_.weight)
-      return apply_change(dual_->stay(s));
-    geom::RestrictedDual::Target target;
-    const auto at = std::ranges::find(plan->circles, point.position, &EmptyCircle::center);
-    if (at != plan->circles.end())
-      target.planned = static_cast<std::size_t>(at - plan->circles.begin());
+      return apply_change(plan->cancel());
+    geom::PlannedRemoval::Target target;
+    const auto circles = plan->circles();
+    const auto at = std::ranges::find(circles, point.position, &EmptyCircle::center);
+    if (at != circles.end())
+      target.planned = static_cast<std::size_t>(at - circles.begin());
     else
       target.circle = circle_at(point.position, s);
-    if (target.circle.valid() || at != plan->circles.end()) {
+    if (target.circle.valid() || at != circles.end()) {
       const FacetId facet = target.circle.valid() ? dual_->circle(target.circle).facet : at->facet;
-      return apply_change(dual_->move(s, point, s.value % 8 == 0 ? FacetId() : facet, target));
+      return apply_change(plan->move(point, s.value % 8 == 0 ? FacetId() : facet, target));
     }
-    apply_change(dual_->stay(s));
+    apply_change(plan->cancel());
   }
   apply_change(dual_->remove(s));
   apply_change(dual_->insert(s, point, home_of(s, point)));

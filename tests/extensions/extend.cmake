@@ -34,10 +34,8 @@ endfunction()
 foreach(what method sizing rule)
   extend(${CMAKE_CURRENT_LIST_DIR}/${what}.diff)
 endforeach()
-file(GLOB remesh_sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tools/remesh_*.cpp)
-add_executable(extended-remesh EXCLUDE_FROM_ALL ${extended_sources} ${PROJECT_SOURCE_DIR}/tools/fpo-remesh.cpp
-  ${remesh_sources})
-fpo_compile_together(extended-remesh 12)
+# All else is as compiled for fpo-remesh.
+add_executable(extended-remesh EXCLUDE_FROM_ALL ${extended_sources} $<TARGET_OBJECTS:fpo-remesh>)
 target_link_libraries(extended-remesh PRIVATE tools)
 target_precompile_headers(extended-remesh REUSE_FROM fpo_geom)
 add_dependencies(fpo-tests extended-remesh)

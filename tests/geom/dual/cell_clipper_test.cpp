@@ -38,9 +38,9 @@ TEST_CASE("cell clipper: a cell has the polygons of the divided facets, whoever 
       const std::vector<fixtures::Placed> samples = fixtures::placed_samples(mesh, n, n, weights, 4);
       for (std::size_t i = 0; i < n; ++i) {
         state.admit(SiteId(i), samples[i].point);
-        state.enter(SiteId(i));
+        state.search.enter(SiteId(i));
       }
-      FacetCells facets(mesh, state.sites, state.clipper, state.tree);
+      FacetCells facets(mesh, state.sites, state.clipper, state.search.tree());
       std::vector<std::vector<FacetPolygon>> expected(n);
       for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
         for (const FacetPolygon& polygon : facets.divide(t))

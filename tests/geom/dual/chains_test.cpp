@@ -25,10 +25,10 @@ struct Joined {
       : state(mesh, types, nullptr), chains(state) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
       state.admit(SiteId(i), samples[i].point);
-      state.tree.insert(SiteId(i), samples[i].point);
+      state.search.enter(SiteId(i));
       present.emplace_back(i);
     }
-    const DividedSurface surface{mesh, state.sites, state.clipper, state.tree};
+    const DividedSurface surface{mesh, state.sites, state.clipper, state.search.tree()};
     surface.for_each(order, 1, [&](FacetId t, std::span<const FacetPiece> pieces) {
       EmptyCircle circle;
       for (const auto& [owner, corners] : pieces)

@@ -32,10 +32,9 @@ struct Parts {
     for (std::size_t i = 0; i < samples.size(); ++i) {
       state.admit(SiteId(i), samples[i].point);
       state.home[SiteId(i)] = samples[i].home;
-      state.enter(SiteId(i));
+      state.search.enter(SiteId(i));
       present.insert(SiteId(i));
     }
-    state.num_sites = samples.size();
     DualChange change;
     redivision.build(1, change);
     look_again();
@@ -228,7 +227,7 @@ TEST_CASE("fast way: a plan changes nothing, and tells what the hole will have")
     if (!parts.fast.plan(p)) continue;
     ++plans;
     CHECK(parts.state.circles.size() == before);
-    CHECK(parts.state.tree.contains(p));
+    CHECK(parts.state.search.tree().contains(p));
     const std::size_t m = parts.fast.rim().size();
     CHECK(parts.fast.circles().size() == m - 2);
     CHECK(parts.state.circles.of_site(p).size() == m);
@@ -341,13 +340,13 @@ TEST_CASE(
   REQUIRE(parts.state.circles.of_site(hidden).empty());
   // It has a cell somewhere, maybe, that no circle leads to.
   parts.set_regular(hidden, false);
-  parts.state.set_reach(hidden, 0.5);
+  parts.state.reach.set(hidden, 0.5);
   DualChange change;
   CHECK(!parts.fast.insert(p, {circle.center, 0}, circle.facet, at, change));
   CHECK(change.circles_created.empty());
   CHECK(change.circles_erased.empty());
-  CHECK(!parts.state.tree.contains(p));
-  parts.state.set_reach(hidden, -std::numeric_limits<double>::infinity());
+  CHECK(!parts.state.search.tree().contains(p));
+  parts.state.reach.set(hidden, -std::numeric_limits<double>::infinity());
   for (const SiteId loser : circle.sites)
     parts.set_regular(loser, false);  // all of their circles are looked at
   CHECK(parts.fast.insert(p, {circle.center, 0}, circle.facet, at, change));
@@ -368,10 +367,10 @@ TEST_CASE("fast way: without a home, at a circle that is not beaten, or with all
   CHECK(!parts.fast.insert(p, {circle.center, -2 * std::abs(circle.radius2)}, circle.facet, at, change));
   CHECK(!parts.fast.insert(p, {circle.center, 0}, FacetId(0), at, change));  // far from its home
   CHECK(change.circles_created.empty());
-  CHECK(parts.state.num_sites == samples.size());
+  CHECK(parts.state.search.size() == samples.size());
   for (const SiteId s : parts.present) parts.set_regular(s, true);
   CHECK(parts.fast.insert(p, {circle.center, 0}, circle.facet, at, change));  // else it is the rule
-  CHECK(parts.state.num_sites == samples.size() + 1);
+  CHECK(parts.state.search.size() == samples.size() + 1);
   CHECK(change.circles_created.size() == change.circles_erased.size() + 2);
   DualState all(flat, CornerTypes::all, nullptr);
   FastWay fast(all);

@@ -116,9 +116,10 @@ std::optional<Task> task_of(const TriMesh& mesh, const Clipper::Sites& sites, st
 }
 
 struct Tracer {
-  explicit Tracer(const TriMesh& mesh) : frame(mesh), flood(mesh, frame) {}
+  explicit Tracer(const TriMesh& mesh) : vertices(mesh, frame), flood(mesh, vertices) {}
   void begin(const Task& task, const Clipper::Sites& sites) {
     frame.begin(sites[task.p]);
+    vertices.clear();
     for (const SiteId s : task.rim) frame.add(sites[s]);
   }
   bool accepts(std::span<const End> ends) {
@@ -126,6 +127,7 @@ struct Tracer {
            flood.is_complete();
   }
   Frame frame;
+  FrameVertices vertices;
   Flood flood;
 };
 
@@ -146,7 +148,7 @@ void check_task(const TriMesh& mesh, const Clipper::Sites& sites, const Task& ta
       // The part of the cell that is not reached from these circles may be elsewhere.
       bool meets_gap = false;
       for (const FacetId t : task.facets)
-        for (int e = 0; e < 3 && traced && flood.meets(t); ++e)
+        for (int e = 0; e < 3 && traced && flood.facets().has(t); ++e)
           if (is_gap(mesh, t, e)) {
             const oracle::BruteDiagram part(
                 mesh, sites,
@@ -171,8 +173,8 @@ void check_task(const TriMesh& mesh, const Clipper::Sites& sites, const Task& ta
     if (accepted) {
       (division ? count.holes : count.cells) += 1;
       std::size_t met = 0;
-      for (const FacetId t : task.facets) met += flood.meets(t);
-      CHECK(flood.num_facets() == met);  // no other facet
+      for (const FacetId t : task.facets) met += flood.facets().has(t);
+      CHECK(flood.facets().size() == met);  // no other facet
       double farthest2 = 0;
       for (const Flood::Corner& corner : flood.corners()) {
         const Vec3 z = sites[task.p].position + corner.y;

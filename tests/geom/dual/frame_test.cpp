@@ -9,7 +9,9 @@
 
 #include "doctest.h"
 #include "geom/check.h"
+#include "geom/dual/frame_vertices.h"
 #include "geom/rng.h"
+#include "tests/fixtures/loose_vertices.h"
 #include "tests/fixtures/weighted_points.h"
 #include "tests/oracle/rational.h"
 
@@ -51,15 +53,6 @@ bool agrees(const Sure& found, const Rational& exact) {
          found.certain() == (found.negative() || found.positive());
 }
 
-/// A mesh that has these points as vertices, and whatever facets.
-TriMesh mesh_of(const std::vector<Vec3>& points) {
-  Table<VertexId, Vec3> vertices(points.begin(), points.end());
-  Table<FacetId, TriMesh::Facet> facets;
-  for (std::size_t i = 0; i + 2 < points.size(); i += 3)
-    facets.push_back({VertexId(i), VertexId(i + 1), VertexId(i + 2)});
-  return TriMesh(std::move(vertices), std::move(facets));
-}
-
 struct FrameCount {
   std::size_t values = 0, unsure = 0, unsure_nearest = 0, determinants = 0,
               unsure_determinants = 0;  // determinants: but those that vanish
@@ -68,22 +61,23 @@ struct FrameCount {
 /// Everything a frame tells of these sites, the first the origin, at these vertices.
 void check_frame(const std::vector<WeightedPoint3>& points, const std::vector<Vec3>& places, Rng& rng,
                  FrameCount& count) {
-  const TriMesh mesh = mesh_of(places);
-  Frame frame(mesh);
+  const TriMesh mesh = fixtures::with_vertices(places);
+  Frame frame;
+  FrameVertices vertices(mesh, frame);
   const std::vector<WeightedPoint3> sites(points.begin() + 1, points.end());
   frame.begin(points[0]);
   for (const WeightedPoint3& s : sites) frame.add(s);
   const int n = frame.size();
   REQUIRE(n == static_cast<int>(sites.size()));
   std::vector<Exact> exact;
-  std::vector<Frame::Slot> slots;
+  std::vector<FrameVertices::Slot> slots;
   for (std::size_t v = 0; v < places.size(); ++v) {
-    slots.push_back(frame.with_signs(VertexId(v)));
+    slots.push_back(vertices.with_signs(VertexId(v)));
     exact.emplace_back(places[v], points[0], sites);
   }
   for (std::size_t v = 0; v < places.size(); ++v) {
-    CHECK(frame.with_signs(VertexId(v)) == slots[v]);
-    const Frame::Vertex& at = frame.vertex(slots[v]);
+    CHECK(vertices.with_signs(VertexId(v)) == slots[v]);
+    const FrameVertices::Vertex& at = vertices[slots[v]];
     CHECK(at.id == VertexId(v));
     std::uint32_t beaten_by = 0;
     for (int i = 0; i < n; ++i) {
@@ -101,12 +95,12 @@ void check_frame(const std::vector<WeightedPoint3>& points, const std::vector<Ve
     if (at.sure) CHECK(at.beaten_by == beaten_by);
     if (at.sure) CHECK(at.owned() == (beaten_by == 0));
     CHECK(at.owned() == (at.beaten_by == 0));
-    if (const int least = frame.nearest(at); least >= 0)
+    if (const int least = vertices.nearest(at); least >= 0)
       for (int i = 0; i < n; ++i) CHECK((i == least || (exact[v](i) - exact[v](least)).sign() > 0));
     else
       ++count.unsure_nearest;
     const auto u = static_cast<std::size_t>(rng.below(places.size()));
-    const Frame::Vertex& other = frame.vertex(slots[u]);
+    const FrameVertices::Vertex& other = vertices[slots[u]];
     for (int trial = 0; trial < 12; ++trial) {
       const auto any = [&] {
         const int k = static_cast<int>(rng.below(static_cast<std::uint64_t>(n) + 1));
@@ -115,7 +109,7 @@ void check_frame(const std::vector<WeightedPoint3>& points, const std::vector<Ve
       const int i = any(), j = any(), k = any();
       const Rational m = (exact[u](i) - exact[u](k)) * (exact[v](j) - exact[v](k)) -
                          (exact[v](i) - exact[v](k)) * (exact[u](j) - exact[u](k));
-      const Sure found = Frame::determinant(other, at, i, j, k);
+      const Sure found = determinant(other, at, i, j, k);
       CHECK(within(found, m));
       CHECK(agrees(found, m));
       count.determinants += m.sign() != 0;
@@ -126,8 +120,7 @@ void check_frame(const std::vector<WeightedPoint3>& points, const std::vector<Ve
 
 /// A location, and another one that is not more than that away. Not all sites are at one place.
 void check_lead(const std::vector<WeightedPoint3>& points, const Vec3& z, Rng& rng) {
-  const TriMesh mesh = mesh_of({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)});
-  Frame frame(mesh);
+  Frame frame;
   const std::vector<WeightedPoint3> sites(points.begin() + 1, points.end() - 1);
   const WeightedPoint3& stranger = points.back();
   frame.begin(points[0]);
@@ -228,8 +221,7 @@ TEST_CASE("frame: the lead at a location known within a tolerance, of sites in t
 
 TEST_CASE("frame: the power of a location is that to the site, up to rounding") {
   Rng rng(2);
-  const TriMesh mesh = mesh_of({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)});
-  Frame frame(mesh);
+  Frame frame;
   for (int draw = 0; draw < 100; ++draw) {
     const std::vector<WeightedPoint3> points = fixtures::draw(fixtures::Hardship::none, 9, false, rng);
     frame.begin(points[0]);
@@ -245,66 +237,13 @@ TEST_CASE("frame: the power of a location is that to the site, up to rounding") 
   }
 }
 
-TEST_CASE("frame: begun anew it knows nothing of before; too many sites are a bug") {
+TEST_CASE("frame: too many sites are a bug") {
   Rng rng(3);
-  const std::vector<WeightedPoint3> points = fixtures::draw(fixtures::Hardship::none, 40, false, rng);
-  std::vector<Vec3> places;
-  for (int i = 0; i < 6; ++i) places.push_back(fixtures::random_vector(rng));
-  const TriMesh mesh = mesh_of(places);
-  Frame frame(mesh);
-  for (int round = 0; round < 20; ++round) {
-    const std::size_t first = rng.below(20);
-    const int n = 1 + static_cast<int>(rng.below(Frame::most));
-    Frame fresh(mesh);
-    frame.begin(points[first]);
-    fresh.begin(points[first]);
-    for (int i = 0; i < n; ++i) {
-      frame.add(points[first + 1 + static_cast<std::size_t>(i)]);
-      fresh.add(points[first + 1 + static_cast<std::size_t>(i)]);
-    }
-    for (std::size_t v = places.size(); v-- > 0;) {
-      const Frame::Vertex &a = frame.vertex(frame.with_signs(VertexId(v))),
-                          &b = fresh.vertex(fresh.with_signs(VertexId(v)));
-      CHECK(a.error == b.error);
-      CHECK(a.beaten_by == b.beaten_by);
-      CHECK(frame.nearest(a) == fresh.nearest(b));
-      for (int i = 0; i < n; ++i) CHECK(a.g[i] == b.g[i]);
-    }
-    CHECK(frame.num_vertices() == places.size());
-  }
+  const std::vector<WeightedPoint3> points = fixtures::draw(fixtures::Hardship::none, 2, false, rng);
+  Frame frame;
   frame.begin(points[0]);
   for (int i = 0; i < Frame::most; ++i) frame.add(points[1]);
   CHECK_THROWS_AS(frame.add(points[1]), Bug);
-}
-
-// Who comes late is as if it had been there from the start.
-TEST_CASE("frame: a site that comes after locations has the values there that it would have had") {
-  Rng rng(6);
-  for (int draw = 0; draw < 60; ++draw) {
-    const int n = 2 + static_cast<int>(rng.below(Frame::most - 1));
-    const std::vector<WeightedPoint3> points =
-        fixtures::draw(fixtures::Hardship::none, n + 7, rng.below(2) == 0, rng);
-    std::vector<Vec3> places;
-    for (std::size_t i = static_cast<std::size_t>(n) + 1; i < points.size(); ++i)
-      places.push_back(points[i].position);
-    const TriMesh mesh = mesh_of(places);
-    Frame frame(mesh), fresh(mesh);
-    frame.begin(points[0]);
-    fresh.begin(points[0]);
-    for (int i = 1; i <= n; ++i) fresh.add(points[static_cast<std::size_t>(i)]);
-    for (int i = 1; i < n; ++i) frame.add(points[static_cast<std::size_t>(i)]);
-    for (std::size_t v = 0; v < places.size(); ++v) frame.with_signs(VertexId(v));
-    frame.add_late(points[static_cast<std::size_t>(n)]);
-    REQUIRE(frame.size() == n);
-    for (std::size_t v = 0; v < places.size(); ++v) {
-      const Frame::Vertex &a = frame.vertex(frame.with_signs(VertexId(v))),
-                          &b = fresh.vertex(fresh.with_signs(VertexId(v)));
-      CHECK(a.error == b.error);
-      CHECK(a.beaten_by == b.beaten_by);
-      CHECK(a.sure == b.sure);
-      for (int i = 0; i < n; ++i) CHECK(a.g[i] == b.g[i]);
-    }
-  }
 }
 
 TEST_CASE("frame: who is behind others in a ball is nearest nowhere there, by exact numbers") {
@@ -317,8 +256,7 @@ TEST_CASE("frame: who is behind others in a ball is nearest nowhere there, by ex
       const std::vector<WeightedPoint3> points = fixtures::draw(hardship, n + 2, rng.below(3) == 0, rng);
       const std::vector<WeightedPoint3> sites(points.begin() + 1, points.begin() + n + 1);
       const WeightedPoint3 &origin = points.front(), &stranger = points.back();
-      const TriMesh mesh = mesh_of({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)});
-      Frame frame(mesh);
+      Frame frame;
       frame.begin(origin);
       for (const WeightedPoint3& s : sites) frame.add(s);
       const double radius = (stranger.position - origin.position).norm() * rng.uniform(0, 0.6);
@@ -353,7 +291,6 @@ TEST_CASE("frame: who is behind others in a ball is nearest nowhere there, by ex
 TEST_CASE("frame: who is behind two sites, but behind neither alone, is nearest nowhere in the ball") {
   Rng rng(9);
   std::size_t behind = 0, not_behind = 0;
-  const TriMesh mesh = mesh_of({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)});
   for (int draw = 0; draw < 4000; ++draw) {
     const auto at = [&](double angle, double far) -> WeightedPoint3 {
       const Vec3 d = far * Vec3(std::cos(angle), std::sin(angle), rng.uniform(-0.2, 0.2));
@@ -362,7 +299,7 @@ TEST_CASE("frame: who is behind two sites, but behind neither alone, is nearest 
     const double turned = rng.uniform(0, 6.3);
     const std::vector<WeightedPoint3> sites{at(turned, 1), at(turned + rng.uniform(0.8, 1.3), 1)};
     const WeightedPoint3 origin = at(0, 0), stranger = at(turned + 0.5, rng.uniform(1.2, 2));
-    Frame frame(mesh);
+    Frame frame;
     frame.begin(origin);
     for (const WeightedPoint3& s : sites) frame.add(s);
     const Vec3 d = Frame::offset(stranger, origin), center = 0.1 * fixtures::random_vector(rng);

@@ -65,7 +65,7 @@ TEST_CASE("levels: after each of many moves the dual is that of a rebuild, on bo
         }
       }
       check_by_brute_force(walk.d);
-      const RestrictedDual::Ways& ways = walk.d.dual().ways();
+      const DualWays& ways = walk.d.dual().ways();
       fast += ways.fast_removals + ways.fast_insertions;
       in_place += ways.in_place;
       general += ways.general_insertions;

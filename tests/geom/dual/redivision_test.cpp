@@ -23,10 +23,9 @@ struct General {
       : state(mesh, types, nullptr), redivision(state) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
       state.admit(SiteId(i), samples[i].point);
-      state.tree.insert(SiteId(i), samples[i].point);
+      state.search.enter(SiteId(i));
       present.insert(SiteId(i));
     }
-    state.num_sites = samples.size();
     redivision.build(1, change);
   }
   void begin() {

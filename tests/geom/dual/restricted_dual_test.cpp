@@ -1,18 +1,16 @@
 #include "geom/dual/restricted_dual.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
-#include <tuple>
 
 #include "doctest.h"
 #include "geom/check.h"
 #include "geom/mesh/aabb_tree.h"
 #include "geom/shapes/shapes.h"
-#include "geom/sites/site_tree.h"
 #include "tests/fixtures/effort.h"
 #include "tests/fixtures/hard_surfaces.h"
 #include "tests/fixtures/mirrored_dual.h"
+#include "tests/fixtures/whole_diagram.h"
 #include "tests/oracle/restricted_power_oracle.h"
 
 using namespace geom;
@@ -196,8 +194,9 @@ TEST_CASE("restricted dual: remove and put back is the identity") {
           d.remove(SiteId(i));
           d.insert(SiteId(i), samples[i]);
           REQUIRE(d.known_circles() == before);
-          if (!d.dual().plan_removal(SiteId(i))) continue;
-          d.stay(SiteId(i));
+          std::optional<PlannedRemoval> plan = d.dual().plan_removal(SiteId(i));
+          if (!plan) continue;
+          d.stay(*plan);
           d.dual().check();
           REQUIRE(d.known_circles() == before);
         }
@@ -250,7 +249,7 @@ TEST_CASE(
           walk.step();
           check_by_rebuild(walk.d);
         }
-        const RestrictedDual::Ways& ways = walk.d.dual().ways();
+        const DualWays& ways = walk.d.dual().ways();
         fast += ways.fast_removals + ways.fast_insertions;
         in_place += ways.in_place;
         general += ways.general_insertions;
@@ -261,176 +260,6 @@ TEST_CASE(
 }
 
 // Small steps keep most edges, large ones few.
-TEST_CASE("restricted dual: a move at once is a removal and an insertion") {
-  std::size_t at_once = 0, in_place = 0;
-  for (const fixtures::NamedSurface& surface : fixtures::surfaces())
-    for (const Weights weights : fixtures::all_weights)
-      for (const bool search : {true, false}) {
-        CAPTURE(surface.name);
-        CAPTURE(static_cast<int>(weights));
-        CAPTURE(search);
-        const std::size_t n = search ? 60 : 6;
-        const std::vector<Placed> samples = fixtures::placed_samples(surface.mesh, n, n, weights, 31);
-        MirroredDual once(surface.mesh, search, CornerTypes::c_only),
-            steps(surface.mesh, search, CornerTypes::c_only);
-        once.build(samples);
-        steps.build(samples);
-        Rng rng(3);
-        for (int move = 0; move < 120; ++move) {
-          CAPTURE(move);
-          const SiteId p(static_cast<std::size_t>(rng.below(n)));
-          const std::optional<RestrictedDual::Plan> plan = once.dual().plan_removal(p);
-          if (!plan || plan->circles.empty()) {
-            if (plan) once.stay(p);
-            continue;
-          }
-          ++at_once;
-          RestrictedDual::Target target{rng.below(plan->circles.size()), CircleId()};
-          EmptyCircle circle = plan->circles[target.planned];
-          if (rng.below(3) == 0)  // somewhere else
-            for (const CircleId c : once.circles())
-              if (!once.dual().circle(c).touches(p) && rng.below(20) == 0)
-                target.circle = c, circle = once.dual().circle(c);
-          Placed x{{circle.center, once.placed(p).point.weight}, circle.facet};
-          if (rng.below(4) == 0) x.point.weight *= 0.5;
-          once.move(p, x, target);
-          steps.remove(p);
-          steps.insert(p, x);
-          once.dual().check();
-          REQUIRE(once.known_circles() == steps.known_circles());
-          for (std::size_t i = 0; i < n; ++i)
-            REQUIRE(once.dual().has_cell(SiteId(i)) == steps.dual().has_cell(SiteId(i)));
-        }
-        in_place += once.dual().ways().in_place;
-        check_by_brute_force(once);
-      }
-  CHECK(at_once > 1000);
-  CHECK(in_place > 20);
-}
-
-namespace {
-
-/// The diagram as a whole of the present sites, which may have gaps.
-struct Whole {
-  explicit Whole(const MirroredDual& d) : ids(d.present()) {
-    std::vector<WeightedPoint3> points;
-    for (const SiteId p : ids) {
-      tree.insert(SiteId(points.size()), d.sites()[p]);
-      points.push_back(d.sites()[p]);
-    }
-    if (!ids.empty()) power = std::make_unique<RestrictedPower>(d.dual().mesh(), points, tree);
-  }
-  /// The labels of each cell, in the dual's ids.
-  std::map<SiteId, std::vector<RestrictedPower::Canonical>> cells() const {
-    std::map<SiteId, std::vector<RestrictedPower::Canonical>> result;
-    for (RestrictedPower::Canonical fragment : power->canonical()) {
-      fragment.site = ids[fragment.site.index()];
-      for (EdgeLabel& label : fragment.labels)
-        if (label.is_site()) label = EdgeLabel::bisector(ids[label.site().index()]);
-      result[fragment.site].push_back(std::move(fragment));
-    }
-    return result;
-  }
-  std::vector<SiteId> ids;
-  SiteTree tree;
-  std::unique_ptr<RestrictedPower> power;
-};
-
-using Told = std::tuple<FacetId, std::array<SiteId, 3>, bool, double, double, double, double>;
-Told told(const EmptyCircle& c) {
-  return {c.facet, c.sites, c.clockwise, c.center.x(), c.center.y(), c.center.z(), c.radius2};
-}
-std::vector<Told> told(std::span<const EmptyCircle> circles) {
-  std::vector<Told> result;
-  for (const EmptyCircle& c : circles) result.push_back(told(c));
-  std::ranges::sort(result);
-  return result;
-}
-/// Those of a site that do not touch another one.
-std::vector<Told> circles_of(const RestrictedDual& dual, SiteId p, SiteId without) {
-  std::vector<Told> result;
-  for (const CircleId c : dual.circles_of(p))
-    if (!dual.circle(c).touches(without)) result.push_back(told(dual.circle(c)));
-  std::ranges::sort(result);
-  return result;
-}
-
-}  // namespace
-
-TEST_CASE(
-    "restricted dual: a plan tells the circles and the heirs of the removal, and bounds of both cells") {
-  std::size_t plans = 0, fast = 0;
-  for (const fixtures::NamedSurface& surface : fixtures::surfaces())
-    for (const Weights weights : fixtures::all_weights)
-      for (const bool search : {true, false}) {
-        CAPTURE(surface.name);
-        CAPTURE(static_cast<int>(weights));
-        CAPTURE(search);
-        const std::size_t n = weights == Weights::hiding ? 9 : 60;
-        const std::vector<Placed> samples = fixtures::placed_samples(surface.mesh, n, n, weights, 37);
-        MirroredDual planned(surface.mesh, search, CornerTypes::c_only),
-            removed(surface.mesh, search, CornerTypes::c_only);
-        planned.build(samples);
-        removed.build(samples);
-        for (std::size_t i = 0; i < n; ++i) {
-          CAPTURE(i);
-          const SiteId p(i);
-          const WeightedPoint3& site = samples[i].point;
-          const std::vector<KnownCircle> before = planned.known_circles();
-          const auto cells_before = Whole(planned).cells();
-          const double reach = removed.dual().reach(p);
-          const std::size_t general = planned.dual().ways().general_removals;
-          const std::optional<RestrictedDual::Plan> plan = planned.dual().plan_removal(p);
-          const std::vector<SiteId> winners = removed.remove(p);
-          const Whole after(removed);
-          std::vector<SiteId> changed;
-          for (const auto& [s, cell] : after.cells())
-            if (!cells_before.contains(s) || cells_before.at(s) != cell) changed.push_back(s);
-          CHECK(winners == changed);
-          if (plan) {
-            ++plans;
-            fast += planned.dual().ways().general_removals == general;
-            std::vector<SiteId> heirs(plan->heirs.begin(), plan->heirs.end());
-            std::ranges::sort(heirs);
-            CHECK(heirs == winners);
-            std::vector<Told> created;
-            for (const SiteId heir : heirs) {
-              const std::vector<Told> all = circles_of(removed.dual(), heir, p);
-              std::vector<Told> known = circles_of(planned.dual(), heir, p);
-              for (const EmptyCircle& c : plan->circles)
-                if (c.touches(heir) && !std::ranges::binary_search(known, told(c))) known.push_back(told(c));
-              std::ranges::sort(known);
-              CHECK(known == all);
-              for (const Told& c : all)
-                if (!std::ranges::binary_search(before, oracle::CircleName{std::get<0>(c), 0, std::get<1>(c)},
-                                                {}, &KnownCircle::name))
-                  created.push_back(c);
-            }
-            std::ranges::sort(created);
-            created.erase(std::unique(created.begin(), created.end()), created.end());
-            CHECK(told(plan->circles) == created);
-            const double slack = 1e-8 * (std::abs(reach) + site.weight);
-            CHECK(plan->reach >= reach - slack);
-            CHECK(plan->reach <= reach + 100 * slack + 1e-12);
-            std::array<PolygonCorner, 3> buffer;
-            const FragmentStore& fragments = after.power->fragments();
-            for (FacetId t(0); t.index() < surface.mesh.num_facets(); t = FacetId(t.value + 1))
-              for (const FragmentId f : fragments.of_facet(t))
-                for (const PolygonCorner& c : fragments.corners(f, buffer)) {
-                  const double now = power(c.point.position, after.power->site(fragments.site(f)));
-                  if (power(c.point.position, site) < now - 1e-12)  // it was in p's cell
-                    CHECK(now <= plan->max_radius2 + 1e-8 * (std::abs(now) + 1e-3));
-                }
-            planned.stay(p);
-          }
-          REQUIRE(planned.known_circles() == before);
-          removed.insert(p, samples[i]);
-        }
-      }
-  CHECK(plans > 1000);
-  CHECK(fast > 100);
-}
-
 TEST_CASE("restricted dual: the reach of a cell, and of an heir's beside one whose removal is planned") {
   for (const fixtures::NamedSurface& surface : fixtures::surfaces())
     for (const Weights weights : fixtures::all_weights) {
@@ -441,7 +270,7 @@ TEST_CASE("restricted dual: the reach of a cell, and of an heir's beside one who
       MirroredDual& d = walk.d;
       walk.build();
       for (int step = 0; step < 60; ++step) walk.step();
-      const Whole whole(d);
+      const fixtures::WholeDiagram whole(d);
       const auto is_close = [](double bound, double reach) {
         const double slack = 1e-8 * (std::abs(reach) + 1);
         return bound >= reach - slack && bound <= reach + slack;
@@ -454,13 +283,13 @@ TEST_CASE("restricted dual: the reach of a cell, and of an heir's beside one who
         CHECK(d.dual().reach_bound(p) == d.dual().reach(p));
       }
       for (std::size_t i = 0; i < n; ++i) {
-        const auto plan = d.dual().plan_removal(SiteId(i));
+        auto plan = d.dual().plan_removal(SiteId(i));
         if (!plan) continue;
-        for (const SiteId heir : std::vector<SiteId>(plan->heirs.begin(), plan->heirs.end())) {
+        for (const SiteId heir : std::vector<SiteId>(plan->heirs().begin(), plan->heirs().end())) {
           const double expected = whole.power->reach(heir), found = d.dual().reach(heir);
           CHECK((found == expected || is_close(found, expected)));
         }
-        d.stay(SiteId(i));
+        d.stay(*plan);
       }
       check_by_brute_force(d);
     }
@@ -474,7 +303,7 @@ TEST_CASE("restricted dual: a cell has the polygons that it has in the whole dia
         DualWalk walk(surface.mesh, {.num_sites = 40, .weights = weights, .types = types});
         walk.build();
         for (int step = 0; step < 40; ++step) walk.step();
-        const auto cells = Whole(walk.d).cells();
+        const auto cells = fixtures::WholeDiagram(walk.d).cells();
         for (const SiteId p : walk.d.present()) {
           std::vector<RestrictedPower::Canonical> cell;
           for (const FacetPolygon& part : walk.d.dual().cell(p)) {
@@ -577,12 +406,12 @@ TEST_CASE("restricted dual: on smooth surfaces the fast way is the rule, and it 
         walk.build();
         walk.spread(2);
         if (weights == Weights::none) CHECK(walk.d.dual().num_irregular() == 0);
-        const RestrictedDual::Ways before = walk.d.dual().ways();
+        const DualWays before = walk.d.dual().ways();
         for (int step = 0; step < 1000; ++step) {
           walk.step();
           if (step % 25 == 0) REQUIRE(walk.d.known_circles() == circles_if_built(walk.d, 1));
         }
-        RestrictedDual::Ways ways = walk.d.dual().ways();
+        DualWays ways = walk.d.dual().ways();
         ways.in_place -= before.in_place;
         ways.fast_removals -= before.fast_removals;
         ways.fast_insertions -= before.fast_insertions;
@@ -605,7 +434,7 @@ TEST_CASE("restricted dual: without homes, and with all corners, no fast way is 
     walk.build();
     CHECK(walk.d.dual().num_irregular() == 60);
     for (int step = 0; step < 100; ++step) walk.step();
-    const RestrictedDual::Ways& ways = walk.d.dual().ways();
+    const DualWays& ways = walk.d.dual().ways();
     CHECK(ways.in_place + ways.fast_removals + ways.fast_insertions == 0);
     CHECK(ways.general_insertions >= ways.general_removals);
   }

@@ -69,7 +69,7 @@ TEST_CASE("dual state: sites that are not regular are listed; a site outside of 
   };
   for (std::size_t i = 0; i < 5; ++i) {
     state.admit(SiteId(i), {Vec3(0.1, 0.2, 0), 0});
-    state.enter(SiteId(i));
+    state.search.enter(SiteId(i));
   }
   for (std::size_t i = 0; i < 5; ++i) CHECK(state.shapes[SiteId(i)] == Shape::regular);
   CHECK(listed().empty());
@@ -85,12 +85,6 @@ TEST_CASE("dual state: sites that are not regular are listed; a site outside of 
   state.set_shape(SiteId(3), Shape::regular);
   CHECK(listed() == std::vector{SiteId(4)});
   CHECK_THROWS_AS(state.admit(SiteId(0), {Vec3(0.5, 1.1, 0.5), 0}), Bug);
-  state.set_reach(SiteId(0), 2);
-  state.raise_reach(SiteId(0), 1);
-  CHECK(state.reach[SiteId(0)] == 2);
-  state.raise_reach(SiteId(0), 3);
-  CHECK(state.reach[SiteId(0)] == 3);
-  CHECK(state.largest_reach() >= 3);
 }
 
 TEST_CASE("dual state: a mesh without facets is bad input") {

@@ -60,7 +60,7 @@ TEST_CASE("strangers: who is not kept owns nothing of the hole") {
   Rng rng(1);
   std::size_t dropped = 0, kept = 0;
   for_scenes(150, [&](Scene& scene, std::span<const Placed>) {
-    Frame frame(scene.state.mesh);
+    Frame frame;
     for (const SiteId p : scene.present) {
       std::vector<SiteId> rim = scene.link(p);
       if (rim.size() < 3 || rim.size() + 1 > Frame::most) continue;
@@ -86,7 +86,7 @@ TEST_CASE("strangers: who is not kept owns nothing near a site, at its place or 
   Rng rng(2);
   std::size_t dropped = 0, kept = 0;
   for_scenes(150, [&](Scene& scene, std::span<const Placed>) {
-    Frame frame(scene.state.mesh);
+    Frame frame;
     for (const SiteId p : scene.present) {
       std::vector<SiteId> rim = scene.link(p), all = rim;
       if (rim.size() < 3 || rim.size() + 1 > Frame::most) continue;
@@ -97,7 +97,7 @@ TEST_CASE("strangers: who is not kept owns nothing near a site, at its place or 
       const bool has_moved = rng.below(2) == 0;
       if (has_moved) {
         scene.state.sites[p].position = in_ball(old.position, 0.5 * radius, rng);
-        frame.add_late(scene.state.sites[p]);
+        frame.add(scene.state.sites[p]);
       }
       const Vec3 center = scene.state.sites[p].position;
       if (rng.below(2) == 0) scene.strangers.forget();
@@ -130,7 +130,7 @@ TEST_CASE("strangers: whoever loses something where the power is more than that 
           double& power = most.try_emplace(polygon.owner, -infinity).first->second;
           power = std::max(power, scene.power_to(polygon.owner, polygon.corners[k].point.position));
         }
-      const double near = scene.state.distance_at(scene.state.largest_reach());
+      const double near = scene.state.distance_at(scene.state.reach.largest());
       for (const double part : {2.0, 0.5, 0.1, 0.0}) {  // of the cell: how many are known before
         scene.strangers.forget();
         if (part > 0) scene.strangers.find_rivals(p, x.point.position, part * near);
@@ -155,7 +155,7 @@ TEST_CASE("strangers: none is said to be beyond a location who is as near") {
   Rng rng(4);
   std::size_t beyond = 0, ties = 0;
   for_scenes(150, [&](Scene& scene, std::span<const Placed>) {
-    Frame frame(scene.state.mesh);
+    Frame frame;
     for (const SiteId p : scene.present) {
       const std::vector<SiteId> rim = scene.link(p);
       if (rim.size() < 3 || rim.size() + 1 > Frame::most) continue;
@@ -203,7 +203,7 @@ TEST_CASE("strangers: a heavy owner's power is not known to the last bit") {
   Scene scene(flat, {place(0.01, 0.5, 0.24), place(0.5, 0.51, 0), place(0.2, 0.2, 0), place(0.2, 0.8, 0),
                      place(0.8, 0.5, 0)});
   const SiteId owner(0), stranger(1), p(4);
-  Frame frame(flat);
+  Frame frame;
   frame.begin(scene.state.sites[p]);
   const std::vector<SiteId> rim{owner, SiteId(2), SiteId(3)};
   for (const SiteId r : rim) frame.add(scene.state.sites[r]);

@@ -74,17 +74,18 @@ void divide_all_cells(const TriMesh& mesh, std::size_t n, Weights kind, std::uin
   for (SiteId p(0); p.index() < n; p = SiteId(p.value + 1)) {
     const std::span<const FragmentId> fragments = power.fragments().of_cell(p);
     const std::vector<FragmentId> cell(fragments.begin(), fragments.end());
+    CellHeirs& heirs = division.heirs();
     for (const bool all : {false, true}) {
       division.begin(p, cell);
       for (SiteId j(0); j.index() < n; j = SiteId(j.value + 1))
-        if (division.is_stranger(j) && (all || (division.heirs().empty() && j != p))) division.add_heir(j);
+        if (heirs.is_stranger(j) && (all || (heirs.size() == 0 && j != p))) heirs.add(j);
       division.divide();
       CHECK(!division.misfit());
       const std::vector<KnownShare> shares = shares_of(division);
-      CHECK(shares == shares_by_definition(clipper, power.fragments(), p, cell, division.heirs()));
+      CHECK(shares == shares_by_definition(clipper, power.fragments(), p, cell, heirs.sites()));
       for (SiteId j(0); j.index() < n; j = SiteId(j.value + 1)) {
         if (all && j != p) CHECK(!division.is_missing(j));
-        count.strangers += !all && division.is_stranger(j) && division.is_missing(j);
+        count.strangers += !all && heirs.is_stranger(j) && division.is_missing(j);
       }
       count.cells += !cell.empty();
       count.shares += static_cast<int>(shares.size());
@@ -139,12 +140,13 @@ TEST_CASE("cell division: a part of a cell, and a site that is excluded") {
     if (part.empty()) continue;
     division.begin(p, part);
     if (division.heirs().size() < 2) continue;
-    const SiteId excluded = division.heirs().front();
+    const SiteId excluded = division.heirs()[0];
     division.divide();
-    CHECK(shares_of(division) == shares_by_definition(clipper, power.fragments(), p, part, division.heirs()));
+    CHECK(shares_of(division) ==
+          shares_by_definition(clipper, power.fragments(), p, part, division.heirs().sites()));
     division.begin(p, part, std::array{excluded});
-    CHECK(std::ranges::find(division.heirs(), excluded) == division.heirs().end());
-    CHECK(!division.is_stranger(excluded));
+    CHECK(std::ranges::count(division.heirs().sites(), excluded) == 0);
+    CHECK(!division.heirs().is_stranger(excluded));
     division.divide();
     for (const CellDivision::Share& share : division.shares()) CHECK(share.polygon.owner != excluded);
     shares += division.shares().size();

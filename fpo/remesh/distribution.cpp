@@ -1,0 +1,123 @@
+#include "fpo/remesh/distribution.h"
+
+#include <algorithm>
+
+#include "fpo/remesh/stand_in.h"
+#include "fpo/remesh/start.h"
+#include "geom/mesh/scaling.h"
+
+namespace fpo {
+
+SurfaceOptions surface_options(const SharedSizing& shared, const RemeshOptions& options) {
+  SurfaceOptions result = options.surface;
+  result.seed = options.seed;
+  result.threads = options.threads;
+  result.num_fixed = shared.features.samples.size();
+  return result;
+}
+
+namespace {
+
+constexpr int start_saves = 3;  // times as many iterations, for samples that are spread already
+
+void remove_short_edges(SurfaceDomain& domain, const RemeshOptions& options, RemeshResult& result) {
+  if (!options.shortest_edge_removal) return;
+  ShortestEdgeOptions removal;
+  removal.interrupted = options.optimize.interrupted;
+  result.shortest_edges = remove_shortest_edges(domain, removal);
+}
+
+/// Farthest point optimization.
+SurfaceDomain optimized_samples(const geom::TriMesh& surface, const SharedSizing& shared,
+                                const RemeshResult* start, const RemeshOptions& options,
+                                RemeshResult& result) {
+  OptimizeOptions optimization = options.optimize;
+  optimization.seed = options.seed;
+  optimization.order = VisitOrder::in_turn;  // the initial samples are in random order already
+  const SurfaceOptions diagram = surface_options(shared, options);
+  std::vector<SurfaceSample> samples = initial_samples(surface, shared, options.num_samples, options.seed);
+  if (start) {
+    take_inner(brought_to(surface, start->samples), start->feature_samples, diagram.num_fixed, samples);
+    optimization.max_iterations =
+        std::min(optimization.max_iterations, std::max(optimization.max_iterations / start_saves, 1));
+  }
+  if (options.tile_samples == 0 || samples.size() <= options.tile_samples || surface.has_levels()) {
+    SurfaceDomain domain(surface, shared.sizing, samples, diagram);
+    remove_short_edges(domain, options, result);
+    result.optimization = optimize(domain, optimization);
+    return domain;
+  }
+  if (options.shortest_edge_removal) {
+    SurfaceDomain domain(surface, shared.sizing, samples, diagram);
+    remove_short_edges(domain, options, result);
+    samples = samples_of(domain);
+  }
+  TileOptions tiles;
+  tiles.most_samples = options.tile_samples;
+  tiles.threads = options.threads;
+  return optimize_in_tiles({surface, shared.sizing, std::move(samples), diagram}, tiles, optimization,
+                           result.optimization);
+}
+
+/// Another method. Its disks have their squared radii as weights; without disks the cells are Voronoi cells.
+SurfaceDomain baseline_samples(const MethodFacts& method, const geom::TriMesh& surface,
+                               const SharedSizing& shared, const RemeshOptions& options,
+                               RemeshResult& result) {
+  std::vector<SurfaceSample> fixed = shared.features.samples;
+  for (SurfaceSample& x : fixed) x.position = geom::snapped(x.position);
+  BaselineTask task{surface, shared.sizing, fixed, options.num_samples, options.seed, options.threads};
+  if (options.disk_radius > 0) task.radius_factor = options.disk_radius / shared.sizing.at(geom::VertexId(0));
+  const BaselineResult baseline = method.distribute(task, options.optimize);
+  result.optimization = baseline.run;
+  result.radius_factor = baseline.radius_factor;
+  result.reached = baseline.reached;
+  SurfaceOptions diagram = surface_options(shared, options);
+  diagram.weighted = baseline.radius_factor > 0;
+  if (diagram.weighted) diagram.weight_factor = baseline.radius_factor;
+  return SurfaceDomain(surface, shared.sizing, baseline.samples, diagram);
+}
+
+}  // namespace
+
+SurfaceDomain distributed_samples(const geom::TriMesh& surface, const SharedSizing& shared,
+                                  const RemeshResult* start, const RemeshOptions& options,
+                                  RemeshResult& result) {
+  const MethodFacts& method = facts_of(options.method);
+  if (method.distribute) return baseline_samples(method, surface, shared, options, result);
+  return optimized_samples(surface, shared, start, options, result);
+}
+
+SurfaceDomain settled_samples(const geom::TriMesh& surface, const SharedSizing& shared,
+                              const RemeshResult& coarse, const RemeshOptions& options,
+                              RemeshResult& result) {
+  std::vector<SurfaceSample> samples = initial_samples(surface, shared, options.num_samples, options.seed);
+  take_inner(coarse.samples, coarse.feature_samples, shared.features.samples.size(), samples);
+  SurfaceDomain domain(surface, shared.sizing, samples, surface_options(shared, options));
+  OptimizeOptions once = options.optimize;
+  once.max_iterations = 1;
+  once.on_iteration = {};
+  const OptimizeResult last = optimize(domain, once);
+  result.stood_in = true;
+  result.optimization = coarse.optimization;
+  result.optimization.moves += last.moves;
+  result.optimization.last.delta = last.last.delta;
+  result.optimization.last.mean_delta = last.last.mean_delta;
+  if (last.reason == StopReason::interrupted) result.optimization.reason = last.reason;
+  return domain;
+}
+
+void move_until_maximal(SurfaceDomain& domain, const SharedSizing& shared, const RemeshOptions& options,
+                        RemeshResult& result) {
+  std::vector<SurfaceSample> samples = samples_of(domain);
+  result.maximal =
+      make_maximal(domain.mesh(), domain.sizing(), samples,
+                   {shared.features.samples.size(), options.threads, options.optimize.interrupted});
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const SiteId x(i);
+    if (samples[i].position == domain.sample(x).position) continue;
+    domain.remove(x);
+    domain.insert_at(x, samples[i], 1);
+  }
+}
+
+}  // namespace fpo

@@ -1,0 +1,13 @@
+#pragma once
+// The mesh of the samples, mended where it is no surface or of another type.
+
+#include "fpo/remesh/pipeline.h"
+
+namespace fpo {
+
+/// After some rounds that bring samples to where the dual has defects (dual.h): the one with the fewest.
+/// `counts`: its protection and its number of samples brought grow.
+Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const geom::SurfaceType& type,
+                 const RemeshOptions& options, RemeshResult& counts);
+
+}  // namespace fpo

@@ -1,0 +1,63 @@
+#include "fpo/remesh/remesh_task.h"
+
+#include <algorithm>
+
+#include "fpo/remesh/small_loops.h"
+
+namespace fpo {
+namespace {
+
+double even_spacing(const geom::TriMesh& surface, const RemeshOptions& options) {
+  return hexagonal_spacing(surface.area(), options.num_samples);
+}
+
+/// Beside narrow places: steeper than elsewhere, for what is refined there is taken from all others.
+double curve_gradation(const RemeshOptions& options) { return std::max(0.18, options.limits.gradation); }
+
+}  // namespace
+
+FeatureChoice chosen_features(const geom::TriMesh& surface, const RemeshOptions& options) {
+  if (!options.features) return {};
+  const std::vector<SurfaceSample> fixed = points_on_surface(surface, options.fixed);
+  return choose_features(surface, *options.features,
+                         {options.num_samples, even_spacing(surface, options), fixed});
+}
+
+SizingFor plain_sizing(const geom::TriMesh& surface, const RemeshOptions& options) {
+  const auto rho_of = facts_of(options.sizing).rho;
+  if (!rho_of)
+    return [&surface](std::size_t n) { return Sizing::uniform(hexagonal_spacing(surface.area(), n)); };
+  return [&surface, limits = options.limits,
+          rho = rho_of({surface, options.num_samples, even_spacing(surface, options), options.rho,
+                        options.threads})](std::size_t n) { return fit_sizing(surface, rho, n, limits); };
+}
+
+std::optional<NarrowSurface> helpful_narrow_surface(const geom::TriMesh& surface, const Features& features,
+                                                    const SizingFor& plain, const RemeshOptions& options) {
+  const bool has_marks = options.features && !options.features->marked.empty();  // on facets as they are
+  if (options.method != Method::fpo || has_marks) return {};
+  std::optional<NarrowSurface> narrow =
+      narrow_surface(surface, features, even_spacing(surface, options), curve_gradation(options));
+  const std::size_t n = options.num_samples;
+  if (narrow && !fit_sizing_to_curves(surface, plain(n), *narrow, n).helped) narrow.reset();
+  return narrow;
+}
+
+SharedSizing sizing_and_features(const RemeshTask& task, const RemeshOptions& options) {
+  const auto sizing_for = [&](std::size_t n) {
+    if (!task.narrow) return task.plain(n);
+    return fit_sizing_to_curves(task.input, task.plain(n), *task.narrow, n).sizing;
+  };
+  SharedSizing shared =
+      share_sizing(task.surface(), task.features, points_on_surface(task.surface(), options.fixed),
+                   sizing_for, {options.num_samples, options.seed, {}, options.facing_samples});
+  const ThinPartOptions thin;
+  // Room is made in even lengths only: of lengths that were asked for none is changed.
+  if (options.mend && options.method == Method::fpo && options.sizing == SizingKind::uniform)
+    shared.sizing = make_room_for_small_loops(task.surface(), shared, options.num_samples, thin.gradation,
+                                              thin.most_scale)
+                        .sizing;
+  return shared;
+}
+
+}  // namespace fpo

@@ -1,0 +1,39 @@
+#include "fpo/remesh/stand_in_remesh.h"
+
+#include <utility>
+
+#include "fpo/remesh/stand_in.h"
+#include "geom/check.h"
+
+namespace fpo {
+
+std::optional<RemeshResult> remesh_of_stand_in(const geom::TriMesh& surface, const RemeshOptions& options,
+                                               const RemeshFunction& remesh) try {
+  const double spacing = hexagonal_spacing(surface.area(), options.num_samples);
+  if (options.method != Method::fpo || options.optimize.max_iterations == 0) return {};
+  if (!has_needles(surface, options.num_samples, spacing)) return {};
+  const geom::TriMesh coarse = stand_in(surface, spacing);
+  if (has_needles(coarse, options.num_samples, spacing)) return {};
+  RemeshOptions there = options;
+  there.fixed.clear();
+  there.keep_cells = false;
+  if (options.features && !options.features->marked.empty()) return {};
+  RemeshResult result = remesh(coarse, there);
+  result.samples = brought_to(surface, std::move(result.samples));
+  result.stood_in = true;
+  return result;
+} catch (const geom::InputError&) {  // what can be done on the coarser surface only is not asked for
+  return {};
+}
+
+RemeshResult on_surface(RemeshResult coarse, const geom::TriMesh& surface, const Sizing& sizing) {
+  geom::Table<geom::VertexId, geom::Vec3> positions;
+  for (const SurfaceSample& x : coarse.samples) positions.push_back(x.position);
+  coarse.mesh = geom::TriMesh(std::move(positions), coarse.mesh.facets());
+  coarse.sizing.clear();
+  for (std::size_t v = 0; v < surface.num_vertices(); ++v)
+    coarse.sizing.push_back(sizing.at(geom::VertexId(v)));
+  return coarse;
+}
+
+}  // namespace fpo

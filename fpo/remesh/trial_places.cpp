@@ -1,0 +1,54 @@
+#include "fpo/remesh/trial_places.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "geom/mesh/scaling.h"
+
+namespace fpo {
+
+using geom::SiteId;
+using geom::Vec3;
+using geom::VertexId;
+
+namespace {
+
+constexpr double same_sheet = 0.5;  // cosine between normals of the surface
+constexpr std::array<double, 5> trial_steps = {0.02, 0.05, 0.1, 0.2, 0.3};  // in wanted lengths
+constexpr int num_directions = 8;
+
+}  // namespace
+
+std::vector<SurfaceSample> TrialPlaces::around(VertexId v, const SurfaceSample& now, const EditedMesh& mesh) {
+  if (!tree_) tree_.emplace(task_.surface);
+  if (v.index() < task_.features.samples.size()) return on_curve(v, now, mesh);
+  if (mesh.is_on_border(v)) return {};
+  const Vec3 normal = task_.surface.normal(now.facet).normalized();
+  if (normal.isZero()) return {};
+  const Vec3 along = normal.unitOrthogonal(), aside = normal.cross(along);
+  const double h = task_.sizing.at(now);
+  std::vector<SurfaceSample> places;
+  for (const double step : trial_steps)
+    for (int k = 0; k < num_directions; ++k) {
+      const double angle = 2 * std::numbers::pi * k / num_directions;
+      const Vec3 away = now.position + step * h * (std::cos(angle) * along + std::sin(angle) * aside);
+      const geom::AabbTree::Closest closest = tree_->closest(away, now.facet);
+      if (task_.surface.normal(closest.facet).normalized().dot(normal) > same_sheet)
+        places.push_back({geom::snapped(closest.point), closest.facet});
+    }
+  return places;
+}
+
+std::vector<SurfaceSample> TrialPlaces::on_curve(VertexId v, const SurfaceSample& now,
+                                                 const EditedMesh& mesh) {
+  const SiteId x(v.value);
+  if (!task_.slides || !task_.slides->can_slide(x)) return {};
+  const auto [before, after] = task_.slides->neighbours(x);
+  std::vector<SurfaceSample> places = task_.slides->places(
+      x, now, {mesh.position(VertexId(before.value)), mesh.position(VertexId(after.value))});
+  for (SurfaceSample& place : places) place.facet = tree_->closest(place.position, now.facet).facet;
+  return places;
+}
+
+}  // namespace fpo

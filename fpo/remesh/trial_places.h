@@ -1,0 +1,29 @@
+#pragma once
+// Where a vertex of a remesh may be tried: on the surface around it, on its curve if it is on one.
+
+#include <optional>
+#include <vector>
+
+#include "fpo/remesh/edited_mesh.h"
+#include "fpo/remesh/last_angles.h"
+#include "geom/mesh/aabb_tree.h"
+
+namespace fpo {
+
+class TrialPlaces {
+ public:
+  /// Keeps a reference.
+  explicit TrialPlaces(const LastAnglesTask& task) : task_(task) {}
+
+  /// `now`: the sample that v is. At most a third of the wanted length away, on the same sheet. None if v
+  /// must stay, or is on the border and on no curve.
+  std::vector<SurfaceSample> around(geom::VertexId v, const SurfaceSample& now, const EditedMesh& mesh);
+
+ private:
+  std::vector<SurfaceSample> on_curve(geom::VertexId v, const SurfaceSample& now, const EditedMesh& mesh);
+
+  const LastAnglesTask& task_;
+  std::optional<geom::AabbTree> tree_;  ///< made when first needed
+};
+
+}  // namespace fpo

@@ -1,0 +1,52 @@
+#include "fpo/remesh/unit_box.h"
+
+#include "geom/check.h"
+#include "geom/mesh/centring.h"
+#include "geom/mesh/scaling.h"
+
+namespace fpo {
+namespace {
+
+using geom::Vec3;
+
+/// Every place that a result names beside the vertices of its mesh.
+template <class Change>
+void change_places(RemeshResult& result, Change change) {
+  for (SurfaceSample& sample : result.samples) change(sample.position);
+  for (Vec3& place : result.advice.places) change(place);
+  change(result.edge_advice.first);
+  for (CellPolygon& cell : result.cells)
+    for (Vec3& corner : cell.corners) change(corner);
+}
+
+RemeshResult remesh_scaled(const geom::TriMesh& input, const RemeshOptions& options,
+                           const RemeshFunction& remesh) {
+  const double factor = geom::factor_to_unit_box(input);
+  const geom::TriMesh surface = geom::scaled_to_unit_box(input, factor);
+  geom::require(surface.area() > 0, "the surface has no area");
+  RemeshOptions scaled_options = options;
+  for (Vec3& point : scaled_options.fixed) point *= factor;
+  scaled_options.disk_radius *= factor;
+  RemeshResult result = remesh(surface, scaled_options);
+  result.mesh = geom::scaled(result.mesh, 1 / factor);
+  change_places(result, [&](Vec3& place) { place /= factor; });
+  for (double& h : result.sizing) h /= factor;
+  for (double& h : result.wanted) h /= factor;
+  return result;
+}
+
+}  // namespace
+
+RemeshResult remesh_in_unit_box(const geom::TriMesh& input, const RemeshOptions& options,
+                                const RemeshFunction& remesh) {
+  const Vec3 middle = geom::far_middle(input);
+  if (middle.isZero(0)) return remesh_scaled(input, options, remesh);
+  RemeshOptions moved_options = options;
+  for (Vec3& point : moved_options.fixed) point -= middle;
+  RemeshResult result = remesh_scaled(geom::moved_by(input, -middle), moved_options, remesh);
+  result.mesh = geom::moved_by(result.mesh, middle);
+  change_places(result, [&](Vec3& place) { place += middle; });
+  return result;
+}
+
+}  // namespace fpo

@@ -1,0 +1,56 @@
+#pragma once
+// The updates of a restricted dual: each goes the fast way (fast_way.h) if that is certain, else the general
+// one (redivision.h), and tells what it has changed.
+
+#include <span>
+#include <vector>
+
+#include "geom/dual/fast_way.h"
+#include "geom/dual/planned_removal.h"
+#include "geom/dual/redivision.h"
+#include "geom/dual/state.h"
+
+namespace geom {
+
+/// How often which way was taken.
+struct DualWays {
+  std::size_t in_place = 0, fast_removals = 0, fast_insertions = 0, general_removals = 0,
+              general_insertions = 0;
+};
+
+/// One object serves all updates of a state.
+class DualUpdates {
+ public:
+  /// Keeps references.
+  DualUpdates(DualState& state, Redivision& redivision)
+      : state_(state), fast_(state), redivision_(redivision) {}
+
+  // As those of RestrictedDual.
+  const DualChange& build(std::span<const WeightedPoint3> points, std::span<const FacetId> homes,
+                          std::span<const SiteId> order, int threads, std::span<const KnownCell> known);
+  const DualChange& insert(SiteId p, const WeightedPoint3& point, FacetId home, CircleId at);
+  const DualChange& remove(SiteId p);
+
+  KnownCell known_cell(SiteId p) const { return fast_.known(p); }
+  const DualWays& ways() const { return ways_; }
+
+ private:
+  friend class PlannedRemoval;
+  void begin();
+  void insert_anyhow(SiteId p, const WeightedPoint3& point, FacetId home, CircleId at);
+  void remove_generally(SiteId p);
+  const DualChange& move(SiteId p, const WeightedPoint3& point, FacetId home, PlannedRemoval::Target target,
+                         bool is_fast);
+  void forget_shapes();
+  CircleId beaten_circle(const WeightedPoint3& point) const;
+  void take_net_change();
+
+  DualState& state_;
+  FastWay fast_;
+  Redivision& redivision_;
+  DualChange change_;
+  DualWays ways_;
+  std::vector<CircleId> unlisted_;  ///< created and erased in the same change
+};
+
+}  // namespace geom
