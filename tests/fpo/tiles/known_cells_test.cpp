@@ -1,9 +1,13 @@
 #include "fpo/tiles/known_cells.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "doctest.h"
 #include "fpo/remesh/localize.h"
 #include "fpo/surface/initial_samples.h"
 #include "fpo/tiles/tile_domain.h"
+#include "geom/mesh/aabb_tree.h"
 #include "geom/power/facet_cells.h"
 #include "tests/fixtures/sizings.h"
 #include "tests/fixtures/surfaces.h"
@@ -33,32 +37,50 @@ Told round(const TiledSurface& whole, std::vector<SurfaceSample> samples, int sw
   return told;
 }
 
+bool is_within(const geom::TriMesh& mesh, geom::FacetId t, const Vec3& x, double radius) {
+  return geom::closest_point(x, {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}).distance2 <
+         radius * radius;
+}
+
 struct Count {
   std::size_t regular = 0, sheets = 0;
 };
 
-/// What the tiles of another round are told is so on the whole surface.
-Count check(const geom::TriMesh& mesh, const Sizing& sizing, const Told& told, std::vector<Tile> tiles) {
-  const SurfaceOptions options;
-  const SurfaceDomain domain(mesh, sizing, told.samples, options);
+bool is_among(geom::FacetId t, const Tile& tile) { return std::ranges::binary_search(tile.facets, t); }
+
+/// What the tiles of another round are told is so on the whole surface, and was and is seen whole by those who
+/// tell and are told.
+Count check(const geom::TriMesh& mesh, const Sizing& sizing, const Told& told, std::span<const Tile> before,
+            std::span<const Tile> tiles) {
+  const SurfaceDomain domain(mesh, sizing, told.samples, SurfaceOptions());
   const auto diagram = domain.diagram();
   geom::FacetTree facets(mesh, geom::facets_along_curve(mesh));
   const geom::FacetLevels levels(mesh);
   geom::Sheets sheets(mesh, facets, levels);
+  std::vector<const Tile*> teller(told.samples.size());
+  for (const Tile& tile : before)
+    for (const SiteId x : tile.samples) teller[x.index()] = &tile;
   Count count;
   for (const Tile& tile : tiles) {
     const TileGuard guard(tile, 1e-12);
     for (std::size_t i = 0; i < told.samples.size(); ++i) {
       const geom::KnownCell known = told.known.of(SiteId(i), domain.dual().site(SiteId(i)), guard);
+      const auto is_seen = [&](geom::FacetId t) { return is_among(t, *teller[i]) && is_among(t, tile); };
       if (known.shape == CellShape::regular) {
         ++count.regular;
-        CHECK(cell_components(*diagram, SiteId(i), told.samples[i].facet).size() == 1);
+        const auto components = cell_components(*diagram, SiteId(i), told.samples[i].facet);
+        CHECK(components.size() == 1);
+        for (const geom::FragmentId f : components[0]) CHECK(is_seen(diagram->fragments().facet(f)));
       }
       const geom::Sheet& sheet = known.sheet;
       if (!(sheet.width > 0)) continue;
       ++count.sheets;
-      const double radius = std::sqrt(sheet.width * sheet.width + sheet.height * sheet.height);
-      CHECK(sheets.sheet_in({sheet.center, 0}, (1 - 1e-6) * radius).width > 0);
+      const double radius = (1 - 1e-6) * std::hypot(sheet.width, sheet.height);
+      CHECK(sheets.sheet_in({sheet.center, 0}, radius).width > 0);
+      std::vector<geom::FacetId> near;
+      facets.near(sheet.center, radius, near);
+      for (const geom::FacetId t : near)
+        if (is_within(mesh, t, sheet.center, radius)) CHECK(is_seen(t));
     }
   }
   return count;
@@ -96,7 +118,7 @@ TEST_CASE("known cells: what tiles tell is so on the whole surface, after moves 
     auto samples = random_samples(mesh, sizing, n, 2);
     const TiledSurface whole(mesh, sizing, samples, options, make_tiles(mesh, samples, {500, 3}));
     const Told told = round(whole, samples, 3);
-    const Count count = check(mesh, sizing, told, make_tiles(mesh, told.samples, {500, 4}));
+    const Count count = check(mesh, sizing, told, whole.tiles(), make_tiles(mesh, told.samples, {500, 4}));
     CHECK(count.regular > n / 4);
     CHECK(count.sheets > n / 4);
   }
@@ -135,8 +157,12 @@ TEST_CASE("known cells: nobody is told of a cell that may go on where the tile e
     const auto tiles = halves(mesh, samples, 0.5 * thickness + mesh.box().min().z());
     const TiledSurface whole(mesh, sizing, samples, options, tiles);
     const Told told = round(whole, samples, 0);
-    const Count count = check(mesh, sizing, told, tiles);
-    CHECK((count.regular > 0) == (thickness == 1.0));
-    CHECK((count.sheets > 0) == (thickness == 1.0));
+    const std::vector<Tile> all = make_tiles(mesh, samples, {n, 1});
+    REQUIRE(all.size() == 1);
+    for (const auto& next : {tiles, all}) {
+      const Count count = check(mesh, sizing, told, tiles, next);
+      CHECK((count.regular > 0) == (thickness == 1.0));
+      CHECK((count.sheets > 0) == (thickness == 1.0));
+    }
   }
 }
