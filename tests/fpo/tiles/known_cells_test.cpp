@@ -48,8 +48,8 @@ struct Count {
 
 bool is_among(geom::FacetId t, const Tile& tile) { return std::ranges::binary_search(tile.facets, t); }
 
-/// What the tiles of another round are told is so on the whole surface, and was and is seen whole by those who
-/// tell and are told.
+/// What the tiles of another round are told is so on the whole surface, and is seen by those who tell and
+/// those who are told.
 Count check(const geom::TriMesh& mesh, const Sizing& sizing, const Told& told, std::span<const Tile> before,
             std::span<const Tile> tiles) {
   const SurfaceDomain domain(mesh, sizing, told.samples, SurfaceOptions());
