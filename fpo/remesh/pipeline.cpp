@@ -420,7 +420,7 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
     if (is_better(other, best)) best = std::move(other);
   };
   attempt(with_levels, true);
-  if (best.type.ok() && best.broken_feature_edges > 0) {
+  if (best.broken_feature_edges > 0) {
     RemeshOptions facing = options;
     facing.facing_samples = true;
     facing.sheets = best.has_levels ? Sheets::apart : Sheets::together;
