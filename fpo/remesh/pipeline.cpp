@@ -32,8 +32,9 @@ double even_spacing(const geom::TriMesh& surface, const RemeshOptions& options) 
 FeatureChoice chosen_features(const geom::TriMesh& surface, const RemeshOptions& options) {
   if (!options.features) return {};
   const std::vector<SurfaceSample> fixed = points_on_surface(surface, options.fixed);
-  return choose_features(surface, *options.features,
-                         {options.num_samples, even_spacing(surface, options), fixed});
+  return choose_features(
+      surface, *options.features,
+      {options.num_samples, even_spacing(surface, options), fixed, options.strong_creases_only});
 }
 
 /// Beside narrow places: steeper than elsewhere, for what is refined there is taken from all others.
@@ -215,21 +216,6 @@ SurfaceDomain optimized_samples(const geom::TriMesh& surface, const SharedSizing
                            result.optimization);
 }
 
-/// Moves samples on until they are a maximal set. All others keep their weights.
-void move_until_maximal(SurfaceDomain& domain, const SharedSizing& shared, const RemeshOptions& options,
-                        RemeshResult& result) {
-  std::vector<SurfaceSample> samples = samples_of(domain);
-  result.maximal =
-      make_maximal(domain.mesh(), domain.sizing(), samples,
-                   {shared.features.samples.size(), options.threads, options.optimize.interrupted});
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const SiteId x(i);
-    if (samples[i].position == domain.sample(x).position) continue;
-    domain.remove(x);
-    domain.insert_at(x, samples[i], 1);
-  }
-}
-
 /// Another method. Its disks have their squared radii as weights; without disks the cells are Voronoi cells.
 SurfaceDomain baseline_samples(const MethodFacts& method, const geom::TriMesh& surface,
                                const SharedSizing& shared, const RemeshOptions& options,
@@ -341,7 +327,9 @@ RemeshResult remesh_task(const Task& task, RemeshOptions options) {
   if (!shared.features.chains.empty()) slides.emplace(task.surface(), task.features, shared.features, sizing);
   if (slides && !apart) angles.slides = &*slides;
   improve(domain, shared, angles, options, result);
-  if (options.maximal) move_until_maximal(domain, shared, options, result);
+  if (options.maximal)
+    result.maximal =
+        make_maximal(domain, {shared.features.samples.size(), options.threads, options.optimize.interrupted});
   result.hidden = domain.num_hidden();
   Dual dual = mended_dual(domain, shared.features, type, options, result);
   if (options.mend && options.method == Method::fpo && !interrupted(options))
@@ -429,20 +417,38 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
   return best;
 }
 
+/// Only the strongest creases, if that is of use where all of them are not; else none.
+RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, RemeshResult result,
+                                       const RemeshOptions& options) {
+  const std::string harm =
+      "with " + std::to_string(result.crease_curves) + " curves kept " +
+      (result.type.ok() ? "angles would be useless" : "the remesh would be of another type");
+  const auto attempt = [&](const RemeshOptions& fewer, const FeatureChoice& choice) {
+    if (interrupted(options)) return false;
+    RemeshResult other = remesh_sheets(surface, choice, fewer);
+    if (interrupted(options) || !other.type.ok() || !is_better(other, result)) return false;
+    result = std::move(other);
+    return true;
+  };
+  RemeshOptions fewer = options;
+  fewer.strong_creases_only = true;
+  const FeatureChoice strong = chosen_features(surface, fewer);
+  if (!strong.given_up.empty() && !strong.features.curves.empty()) attempt(fewer, strong);
+  if (!is_useless(result)) return result;
+  RemeshOptions without = options;
+  without.features->crease_angle = without.features->weak_crease_angle = 180;
+  if (attempt(without, chosen_features(surface, without)))
+    result.given_up = "creases dropped: " + harm + "; --features 45 keeps them";
+  return result;
+}
+
 /// Creases that nobody asked for are kept unless that alone does harm.
 RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {
   RemeshResult result = remesh_sheets(surface, chosen_features(surface, options), options);
   if (result.crease_curves == 0 || !options.features->yielding || options.method != Method::fpo ||
       interrupted(options) || !geom::topology(surface).manifold() || is_useful(result))
     return result;
-  RemeshOptions without = options;
-  without.features->crease_angle = without.features->weak_crease_angle = 180;
-  RemeshResult plain = remesh_sheets(surface, chosen_features(surface, without), without);
-  if (interrupted(options) || !plain.type.ok() || !is_better(plain, result)) return result;
-  plain.given_up = "creases dropped: with these " + std::to_string(result.crease_curves) + " curves kept " +
-                   (result.type.ok() ? "angles would be useless" : "the remesh would be of another type") +
-                   "; --features 45 keeps them";
-  return plain;
+  return remesh_with_fewer_creases(surface, std::move(result), options);
 }
 
 /// Around the origin.
