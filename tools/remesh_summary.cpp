@@ -91,7 +91,10 @@ void add_sizing(Summary& s, const fpo::RemeshResult& result) {
 /// What was decided by default.
 void add_features(Summary& s, const RemeshArguments& a, const fpo::RemeshResult& result) {
   if (!a.remesh.features || !a.remesh.features->yielding) return;
-  if (!result.given_up.empty()) s.line(result.given_up);
+  if (!result.given_up.empty()) {
+    s.text("features_given_up", result.given_up);
+    s.line(result.given_up);
+  }
   if (result.crease_curves == 0) return;
   s.count("crease_curves", result.crease_curves);
   s.count("crease_edges", result.crease_edges);

@@ -1,11 +1,13 @@
 #include "fpo/features/feature_choice.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 
 #include "fpo/features/feature_samples.h"
 #include "fpo/features/fold_sides.h"
+#include "fpo/features/weak_curves.h"
 
 namespace fpo {
 
@@ -158,6 +160,47 @@ bool is_disorder(const Features& features) {
          edges<edges_of_long * creases&& static_cast<std::size_t>(crossings) * 4> degree.size();
 }
 
+double total_strength(const TriMesh& mesh, const Features& features, double spacing) {
+  double sum = 0;
+  for (const double strength : curve_strengths(mesh, features, spacing))
+    if (std::isfinite(strength)) sum += strength;
+  return sum;
+}
+
+struct StrongCurves {
+  FeatureOptions options;  ///< that find them
+  Features features;
+  std::size_t given_up = 0;
+};
+
+/// Without the weakest creases, until the features need no more than a third of the samples, and of creases
+/// with hardly a triangle between them one is left. None if that takes half of what there is to be seen, or
+/// if curves are so many that they are hardly those of a part.
+std::optional<StrongCurves> strong_curves(const TriMesh& mesh, const FeatureOptions& options,
+                                          const Features& all, const SamplingPlan& plan) {
+  constexpr double least_left = 0.5;
+  constexpr std::size_t most_curves = 500, share_of_samples = 3;
+  if (all.curves.size() > most_curves) return {};
+  const auto fits = [&](const Features& f) {
+    const Features left = with_short_curves_collapsed(mesh, f, collapsed * plan.spacing);
+    return share_of_samples * least_number_of_samples(mesh, left, plan.fixed) <= plan.num_samples;
+  };
+  StrongCurves result{options, all};
+  const double enough = least_left * total_strength(mesh, all, plan.spacing);
+  while (true) {
+    WeakCurves wanted{.only_crowded = true};
+    std::vector<std::size_t> weak = weakest_curves(mesh, result.features, plan.spacing, wanted);
+    if (weak.empty() && fits(result.features)) return result;
+    wanted.only_crowded = false;
+    if (weak.empty()) weak = weakest_curves(mesh, result.features, plan.spacing, wanted);
+    if (weak.empty()) return {};
+    for (const auto& edge : edges_of_curves(result.features, weak)) result.options.unmarked.push_back(edge);
+    result.features = find_features(mesh, result.options);
+    result.given_up += weak.size();
+    if (total_strength(mesh, result.features, plan.spacing) < enough) return {};
+  }
+}
+
 }  // namespace
 
 Features with_short_curves_collapsed(const TriMesh& mesh, Features features, double reach) {
@@ -176,8 +219,18 @@ FeatureChoice choose_features(const TriMesh& mesh, FeatureOptions options, const
   // Collapsing takes its time where there are thousands of short curves: noise goes first.
   const bool noise = options.yielding && is_noise(fold_sides(mesh, result.features));
   const bool disorder = options.yielding && is_disorder(result.features);
-  if (noise || disorder ||
-      (options.yielding && has_creases(result.features) && 2 * needed() > plan.num_samples)) {
+  const bool too_many = options.yielding && has_creases(result.features) && 2 * needed() > plan.num_samples;
+  std::optional<StrongCurves> strong;
+  if ((too_many || (plan.strong_only && options.yielding)) && !noise && !disorder)
+    strong = strong_curves(mesh, options, result.features, plan);
+  if (strong) {
+    if (strong->given_up > 0)
+      result.given_up = "creases given up: " + std::to_string(strong->given_up) + " of " +
+                        std::to_string(result.features.curves.size()) +
+                        " curves, the flattest, shortest and closest to others: samples are too few for all";
+    options = strong->options;
+    result.features = strong->features;
+  } else if (noise || disorder || too_many) {
     const std::size_t curves = result.features.curves.size(), least = needed();
     options.crease_angle = options.weak_crease_angle = 180;
     options.apex_angle = 0;

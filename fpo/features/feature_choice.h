@@ -16,6 +16,7 @@ struct SamplingPlan {
   std::size_t num_samples = 0;
   double spacing = 0;  ///< of that many samples if they were spread evenly
   std::span<const SurfaceSample> fixed{};
+  bool strong_only = false;  ///< weak creases are known to do harm: give them up if features are yielding
 };
 
 struct FeatureChoice {
@@ -28,9 +29,12 @@ struct FeatureChoice {
 /// by side from both ends: at the end of a strip.
 ///
 /// If the features are `yielding`: creases that fade out count as closed from twenty spacings on, and are
-/// dropped if shorter than two; all creases are dropped if with them the features would need more than half
-/// of the samples, if they cross each other everywhere, or if they are folded as noise is (fold_sides.h);
-/// then corners, if borders need more samples than there are. Borders stay. Else nothing is dropped.
+/// dropped if shorter than two. Where the features would need more than half of the samples, the weakest
+/// creases (weak_curves.h) are given up until they need a third, and no two are side by side with hardly a
+/// triangle between. All creases are dropped if that takes half
+/// of what there is to be seen, if they cross each other everywhere, or if they are folded as noise is
+/// (fold_sides.h); then corners, if borders need more samples than there are. Borders stay. Else nothing is
+/// dropped.
 FeatureChoice choose_features(const geom::TriMesh& mesh, FeatureOptions options, const SamplingPlan& plan);
 
 /// Joins the ends of curves that are shorter than `reach`, the shortest first; `features` is of that mesh.

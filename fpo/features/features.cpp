@@ -171,13 +171,18 @@ double crease_length(const TriMesh& mesh, const std::vector<Edge>& edges) {
 
 constexpr double marked_fold = 360;
 
-/// Marked edges are folded by more than any other, and strong.
-void mark(std::vector<Edge>& edges, const FeatureOptions& options) {
-  for (const std::array<VertexId, 2>& m : options.marked) {
+void set_folds(std::vector<Edge>& edges, const std::vector<std::array<VertexId, 2>>& of, double fold) {
+  for (const std::array<VertexId, 2>& m : of) {
     const std::array<VertexId, 2> ends{std::min(m[0], m[1]), std::max(m[0], m[1])};
     const auto at = std::ranges::lower_bound(edges, ends, {}, &Edge::ends);
-    if (at != edges.end() && at->ends == ends && at->sheets == 2) at->fold = marked_fold;
+    if (at != edges.end() && at->ends == ends && at->sheets == 2) at->fold = fold;
   }
+}
+
+/// Marked edges are folded by more than any other, and strong; unmarked ones are flat.
+void mark(std::vector<Edge>& edges, const FeatureOptions& options) {
+  set_folds(edges, options.marked, marked_fold);
+  set_folds(edges, options.unmarked, 0);
 }
 
 /// Drops pieces that fade out and are short, then all creases if too little of their length is closed.
@@ -193,7 +198,7 @@ void drop_fading(const TriMesh& mesh, std::vector<Edge>& edges, const FeatureOpt
   double solid = crease_length(mesh, closed);
   for (const Edge& e : fading)
     if (length[joined.root(e)] >= options.long_as_closed) solid += length_of(mesh, e);
-  if (solid < options.least_closed_share * all) {
+  if (options.unmarked.empty() && solid < options.least_closed_share * all) {
     std::erase_if(edges, [](const Edge& e) { return e.sheets == 2 && e.fold < marked_fold; });
     return;
   }

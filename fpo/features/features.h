@@ -40,6 +40,9 @@ struct FeatureOptions {
   /// Edges of the mesh, by their ends, that are creases however they are folded: borders of groups, seams,
   /// lines of a drawing. What is no edge with two facets is passed over.
   std::vector<std::array<geom::VertexId, 2>> marked = {};
+  /// Edges of the mesh, by their ends, that are no creases however they are folded. What is left is then not
+  /// asked whether enough of it is closed.
+  std::vector<std::array<geom::VertexId, 2>> unmarked = {};
 };
 
 /// A chain of feature edges between corners, or a loop without corner.

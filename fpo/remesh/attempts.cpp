@@ -6,7 +6,7 @@
 namespace fpo {
 namespace {
 
-constexpr double small_angle = 30, useless_angle = 10;
+constexpr double small_angle = 30, useless_angle = 10, hopeless_angle = 5;
 constexpr double weight_of_edges = 10;
 constexpr double by_chords = 0.97;  // the angle between chords of two curves over that between the curves
 
@@ -17,6 +17,12 @@ auto rank(const RemeshResult& r) {
   return std::tuple(r.type.ok(), std::min(theta / small_angle, 1.0) - weight_of_edges * lost, theta);
 }
 
+/// Of the type, and at least that or, with all edges of curves, what corners there are.
+bool has_angles(const RemeshResult& r, double least) {
+  if (r.broken_feature_edges == 0) least = std::min(least, by_chords * r.corner_angle);
+  return r.type.ok() && r.measures.theta_min >= least;
+}
+
 }  // namespace
 
 bool is_fine(const RemeshResult& r) {
@@ -25,8 +31,10 @@ bool is_fine(const RemeshResult& r) {
          r.measures.theta_min >= std::min(small_angle, by_chords * r.corner_angle);
 }
 
-bool is_useful(const RemeshResult& r) {
-  return r.type.ok() && (r.broken_feature_edges == 0 || r.measures.theta_min >= useless_angle);
+bool is_useful(const RemeshResult& r) { return has_angles(r, useless_angle); }
+
+bool is_useless(const RemeshResult& r) {
+  return !has_angles(r, r.broken_feature_edges > 0 ? useless_angle : hopeless_angle);
 }
 
 bool is_better(const RemeshResult& a, const RemeshResult& b) { return rank(a) > rank(b); }

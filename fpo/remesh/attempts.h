@@ -10,9 +10,13 @@ namespace fpo {
 /// smallest between features of the input, and nothing mended on the mesh for that: nothing else is tried.
 bool is_fine(const RemeshResult& result);
 
-/// Of the input's type, and not both without some edges of curves and with angles below 10 degrees. (All
-/// edges and such an angle may be right: a part has what corners it has.) Else it is tried without creases.
+/// Of the input's type, and no angle below 10 degrees or, if all edges of curves are there, the smallest
+/// between features of the input: a part has what corners it has. Else it is tried with fewer creases.
 bool is_useful(const RemeshResult& result);
+
+/// Not of the input's type, or with angles below 10 degrees and without some edges of curves, or below 5 and
+/// the smallest between features: then no crease at all is better.
+bool is_useless(const RemeshResult& result);
 
 /// First by the type. Then by the smallest angle, up to 30 degrees, in units of that, less ten times the
 /// share of edges of curves that are lost: a tenth of the edges weighs as much as all angles. Then by the

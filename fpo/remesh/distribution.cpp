@@ -106,18 +106,4 @@ SurfaceDomain settled_samples(const geom::TriMesh& surface, const SharedSizing& 
   return domain;
 }
 
-void move_until_maximal(SurfaceDomain& domain, const SharedSizing& shared, const RemeshOptions& options,
-                        RemeshResult& result) {
-  std::vector<SurfaceSample> samples = samples_of(domain);
-  result.maximal =
-      make_maximal(domain.mesh(), domain.sizing(), samples,
-                   {shared.features.samples.size(), options.threads, options.optimize.interrupted});
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const SiteId x(i);
-    if (samples[i].position == domain.sample(x).position) continue;
-    domain.remove(x);
-    domain.insert_at(x, samples[i], 1);
-  }
-}
-
 }  // namespace fpo

@@ -19,8 +19,4 @@ SurfaceDomain distributed_samples(const geom::TriMesh& surface, const SharedSizi
 SurfaceDomain settled_samples(const geom::TriMesh& surface, const SharedSizing& shared,
                               const RemeshResult& coarse, const RemeshOptions& options, RemeshResult& result);
 
-/// Moves samples on until they are a maximal set. All others keep their weights.
-void move_until_maximal(SurfaceDomain& domain, const SharedSizing& shared, const RemeshOptions& options,
-                        RemeshResult& result);
-
 }  // namespace fpo

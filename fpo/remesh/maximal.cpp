@@ -115,4 +115,16 @@ MaximalResult make_maximal(const geom::TriMesh& mesh, const Sizing& sizing,
   return result;
 }
 
+MaximalResult make_maximal(SurfaceDomain& domain, const MaximalOptions& options) {
+  std::vector<SurfaceSample> samples = samples_of(domain);
+  const MaximalResult result = make_maximal(domain.mesh(), domain.sizing(), samples, options);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const geom::SiteId x(i);
+    if (samples[i].position == domain.sample(x).position) continue;
+    domain.remove(x);
+    domain.insert_at(x, samples[i], 1);
+  }
+  return result;
+}
+
 }  // namespace fpo

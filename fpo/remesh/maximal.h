@@ -9,6 +9,7 @@
 #include <atomic>
 
 #include "fpo/surface/sizing.h"
+#include "fpo/surface/surface_domain.h"
 
 namespace fpo {
 
@@ -31,5 +32,8 @@ struct MaximalResult {
 /// Deterministic. Samples must not coincide.
 MaximalResult make_maximal(const geom::TriMesh& mesh, const Sizing& sizing,
                            std::vector<SurfaceSample>& samples, const MaximalOptions& options = {});
+
+/// The same for the samples of a domain. Those that do not move keep their weights.
+MaximalResult make_maximal(SurfaceDomain& domain, const MaximalOptions& options);
 
 }  // namespace fpo

@@ -141,7 +141,9 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   if (!shared.features.chains.empty()) slides.emplace(task.surface(), task.features, shared.features, sizing);
   if (slides && !apart) angles.slides = &*slides;
   improve(domain, shared, angles, options, result);
-  if (options.maximal) move_until_maximal(domain, shared, options, result);
+  if (options.maximal)
+    result.maximal =
+        make_maximal(domain, {shared.features.samples.size(), options.threads, options.optimize.interrupted});
   result.hidden = domain.num_hidden();
   Dual dual = mended_dual(domain, shared.features, type, options, result);
   if (options.mend && options.method == Method::fpo && !interrupted(options))
@@ -192,7 +194,7 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
     if (is_better(other, best)) best = std::move(other);
   };
   attempt(with_levels, true);
-  if (best.type.ok() && best.broken_feature_edges > 0) {
+  if (best.broken_feature_edges > 0) {
     RemeshOptions facing = options;
     facing.facing_samples = true;
     facing.sheets = best.has_levels ? Sheets::apart : Sheets::together;
@@ -201,20 +203,38 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
   return best;
 }
 
+/// Only the strongest creases, if that is of use where all of them are not; else none.
+RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, RemeshResult result,
+                                       const RemeshOptions& options) {
+  const std::string harm =
+      "with " + std::to_string(result.crease_curves) + " curves kept " +
+      (result.type.ok() ? "angles would be useless" : "the remesh would be of another type");
+  const auto attempt = [&](const RemeshOptions& fewer, const FeatureChoice& choice) {
+    if (interrupted(options)) return false;
+    RemeshResult other = remesh_sheets(surface, choice, fewer);
+    if (interrupted(options) || !other.type.ok() || !is_better(other, result)) return false;
+    result = std::move(other);
+    return true;
+  };
+  RemeshOptions fewer = options;
+  fewer.strong_creases_only = true;
+  const FeatureChoice strong = chosen_features(surface, fewer);
+  if (!strong.given_up.empty() && !strong.features.curves.empty()) attempt(fewer, strong);
+  if (!is_useless(result)) return result;
+  RemeshOptions without = options;
+  without.features->crease_angle = without.features->weak_crease_angle = 180;
+  if (attempt(without, chosen_features(surface, without)))
+    result.given_up = "creases dropped: " + harm + "; --features 45 keeps them";
+  return result;
+}
+
 /// Creases that nobody asked for are kept unless that alone does harm.
 RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const RemeshOptions& options) {
   RemeshResult result = remesh_sheets(surface, chosen_features(surface, options), options);
   if (result.crease_curves == 0 || !options.features->yielding || options.method != Method::fpo ||
       interrupted(options) || !geom::topology(surface).manifold() || is_useful(result))
     return result;
-  RemeshOptions without = options;
-  without.features->crease_angle = without.features->weak_crease_angle = 180;
-  RemeshResult plain = remesh_sheets(surface, chosen_features(surface, without), without);
-  if (interrupted(options) || !plain.type.ok() || !is_better(plain, result)) return result;
-  plain.given_up = "creases dropped: with these " + std::to_string(result.crease_curves) + " curves kept " +
-                   (result.type.ok() ? "angles would be useless" : "the remesh would be of another type") +
-                   "; --features 45 keeps them";
-  return plain;
+  return remesh_with_fewer_creases(surface, std::move(result), options);
 }
 
 }  // namespace

@@ -39,9 +39,10 @@ struct RemeshOptions {
   VertexField rho;      ///< if given: wanted edge lengths up to a factor, per vertex of the input
   SizingLimits limits;  ///< unless uniform
   /// If given: features are found, chosen (feature_choice.h, which overrules lengths), sampled and kept. If
-  /// they are yielding and the remesh is of the input's type without creases, but not with them, then creases
-  /// are not kept.
+  /// they are yielding and the remesh is of the input's type without creases, but not with them, then only
+  /// the strong ones are kept, or none.
   std::optional<FeatureOptions> features;
+  bool strong_creases_only = false;    ///< from the beginning (SamplingPlan)
   std::vector<geom::Vec3> fixed;       ///< points of the surface, which become vertices exactly
   SurfaceOptions surface;              ///< its seed, threads and number of fixed samples are overruled
   bool shortest_edge_removal = false;  ///< before the optimization (section 4.3); fpo only

@@ -19,8 +19,9 @@ double curve_gradation(const RemeshOptions& options) { return std::max(0.18, opt
 FeatureChoice chosen_features(const geom::TriMesh& surface, const RemeshOptions& options) {
   if (!options.features) return {};
   const std::vector<SurfaceSample> fixed = points_on_surface(surface, options.fixed);
-  return choose_features(surface, *options.features,
-                         {options.num_samples, even_spacing(surface, options), fixed});
+  return choose_features(
+      surface, *options.features,
+      {options.num_samples, even_spacing(surface, options), fixed, options.strong_creases_only});
 }
 
 SizingFor plain_sizing(const geom::TriMesh& surface, const RemeshOptions& options) {

@@ -33,7 +33,7 @@ TEST_CASE("attempts: the type comes first, a tenth of the edges weighs as much a
   CHECK(!is_better(measured(true, 31, 1), measured(true, 31, 1)));
 }
 
-TEST_CASE("attempts: fine is what has it all; small angles or lost edges alone leave it useful") {
+TEST_CASE("attempts: fine is what has it all; corners or lost edges alone leave it useful") {
   CHECK(is_fine(measured(true, 30, 0)));
   for (const RemeshResult& r : {measured(false, 30, 0), measured(true, 29.9, 0), measured(true, 30, 1)})
     CHECK(!is_fine(r));
@@ -42,7 +42,16 @@ TEST_CASE("attempts: fine is what has it all; small angles or lost edges alone l
   CHECK(is_fine(wedge));
   wedge.measures.theta_min = 14;
   CHECK(!is_fine(wedge));
-  CHECK(is_useful(measured(true, 2, 0)));
+  CHECK(!is_useful(measured(true, 8, 0)));
+  CHECK(!is_useless(measured(true, 8, 0)));
+  CHECK(is_useless(measured(true, 4, 0)));
+  CHECK(is_useless(measured(true, 8, 1)));
+  CHECK(is_useless(measured(false, 40, 0)));
+  wedge.measures.theta_min = wedge.corner_angle = 2;
+  CHECK(is_useful(wedge));
+  CHECK(!is_useless(wedge));
+  wedge.broken_feature_edges = 1;
+  CHECK(!is_useful(wedge));
   CHECK(is_useful(measured(true, 12, 50)));
   CHECK(!is_useful(measured(true, 2, 1)));
   CHECK(!is_useful(measured(false, 40, 0)));

@@ -1,0 +1,115 @@
+#include "fpo/features/weak_curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "fpo/features/curve_spacing.h"
+
+namespace fpo {
+
+using geom::FacetId;
+using geom::TriMesh;
+using geom::Vec3;
+using geom::VertexId;
+
+namespace {
+
+constexpr double crowd = 0.25;        // in spacings
+constexpr double far = 0.6;           // in spacings: what curve_spacing.h calls narrow is less
+constexpr double short_length = 0.5;  // in spacings: shorter curves collapse (feature_choice.h)
+constexpr double full_fold = std::numbers::pi / 2;
+
+/// Between the planes of the two facets at edge (a, b), one of which is t; facets run against each other.
+double fold_at(const TriMesh& mesh, FacetId t, VertexId a, VertexId b) {
+  const TriMesh::Facet& f = mesh.facet(t);
+  for (std::size_t e = 0; e < 3; ++e) {
+    if (std::minmax(f[e], f[(e + 1) % 3]) != std::minmax(a, b)) continue;
+    const FacetId other = mesh.across(t, static_cast<int>(e));
+    if (!other.valid()) return 0;
+    const Vec3 u = mesh.normal(t), v = mesh.normal(other);
+    return std::atan2(u.cross(v).norm(), u.dot(v));
+  }
+  return 0;
+}
+
+std::vector<double> lengths_of(const TriMesh& mesh, const Features& features) {
+  std::vector<double> lengths;
+  for (const FeatureCurve& curve : features.curves) lengths.push_back(length_of(mesh, curve));
+  return lengths;
+}
+
+/// Its mean, by length.
+double fold_of(const TriMesh& mesh, const FeatureCurve& curve, double length) {
+  double sum = 0;
+  for (std::size_t i = 0; i < curve.facets.size(); ++i) {
+    const VertexId a = curve.vertices[i], b = curve.vertices[(i + 1) % curve.vertices.size()];
+    sum += std::min(fold_at(mesh, curve.facets[i], a, b), full_fold) *
+           (mesh.position(b) - mesh.position(a)).norm();
+  }
+  return length > 0 ? sum / length : 0;
+}
+
+std::vector<double> strengths(const TriMesh& mesh, const Features& features, double spacing,
+                              const std::vector<NarrowPlace>& places) {
+  std::vector<double> seen = lengths_of(mesh, features);
+  const std::vector<double> lengths = seen;
+  for (const NarrowPlace& place : places)
+    if (place.nearest) seen[place.curve] -= place.length * (1 - place.width / (far * spacing));
+  for (std::size_t c = 0; c < seen.size(); ++c)
+    seen[c] = features.curves[c].sheets == 2 ? std::max(seen[c], 0.0) / spacing *
+                                                   fold_of(mesh, features.curves[c], lengths[c]) / full_fold
+                                             : std::numeric_limits<double>::infinity();
+  return seen;
+}
+
+}  // namespace
+
+std::vector<double> curve_strengths(const TriMesh& mesh, const Features& features, double spacing) {
+  return strengths(mesh, features, spacing, narrow_places(mesh, features, spacing));
+}
+
+std::vector<std::size_t> weakest_curves(const TriMesh& mesh, const Features& features, double spacing,
+                                        const WeakCurves& wanted) {
+  const std::vector<NarrowPlace> places = narrow_places(mesh, features, spacing);
+  const std::vector<double> strength = strengths(mesh, features, spacing, places),
+                            lengths = lengths_of(mesh, features);
+  std::vector<double> crowded(strength.size(), 0.0);
+  std::set<std::pair<std::size_t, std::size_t>> facing;
+  for (const NarrowPlace& place : places) {
+    facing.insert(std::minmax(place.curve, place.other));
+    if (place.nearest && place.width < crowd * spacing) crowded[place.curve] += place.length;
+  }
+  std::vector<std::size_t> order;
+  for (std::size_t c = 0; c < strength.size(); ++c)
+    if (std::isfinite(strength[c]) && (!wanted.only_crowded || crowded[c] > lengths[c] / 2))
+      order.push_back(c);
+  const double enough = std::max(1.0, wanted.share * static_cast<double>(order.size()));
+  std::ranges::stable_sort(
+      order, {}, [&](std::size_t c) { return std::pair(lengths[c] < short_length * spacing, strength[c]); });
+  std::vector<std::size_t> weakest;
+  for (const std::size_t c : order) {
+    if (static_cast<double>(weakest.size()) + 1 > enough) break;
+    const auto faces = [&](std::size_t other) { return facing.contains(std::minmax(c, other)); };
+    if (std::ranges::none_of(weakest, faces)) weakest.push_back(c);
+  }
+  std::ranges::sort(weakest);
+  return weakest;
+}
+
+std::vector<std::array<VertexId, 2>> edges_of_curves(const Features& features,
+                                                     std::span<const std::size_t> curves) {
+  std::vector<std::array<VertexId, 2>> edges;
+  for (const std::size_t c : curves) {
+    const FeatureCurve& curve = features.curves[c];
+    for (std::size_t i = 0; i < curve.facets.size(); ++i)
+      edges.push_back({curve.vertices[i], curve.vertices[(i + 1) % curve.vertices.size()]});
+  }
+  return edges;
+}
+
+}  // namespace fpo
