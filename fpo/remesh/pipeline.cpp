@@ -8,6 +8,7 @@
 #include "fpo/features/feature_choice.h"
 #include "fpo/interruption.h"
 #include "fpo/remesh/attempts.h"
+#include "fpo/remesh/refusal.h"
 #include "fpo/remesh/small_loops.h"
 #include "fpo/remesh/stand_in.h"
 #include "fpo/remesh/start.h"
@@ -135,7 +136,7 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
 /// None where it is not, or none can be had.
 std::optional<RemeshResult> remesh_of_stand_in(const geom::TriMesh& surface,
                                                const RemeshOptions& options) try {
-  const double spacing = hexagonal_spacing(surface.area(), options.num_samples);
+  const double spacing = even_spacing(surface, options);
   if (options.method != Method::fpo || options.optimize.max_iterations == 0) return {};
   if (!has_needles(surface, options.num_samples, spacing)) return {};
   const geom::TriMesh coarse = stand_in(surface, spacing);
@@ -152,7 +153,7 @@ std::optional<RemeshResult> remesh_of_stand_in(const geom::TriMesh& surface,
   return {};
 }
 
-/// It as the result, for there is no time for another one.
+/// It as the result, for there is no time for another one, or hardly anything would be left of it.
 RemeshResult on_surface(RemeshResult coarse, const geom::TriMesh& surface, const Sizing& sizing) {
   geom::Table<geom::VertexId, geom::Vec3> positions;
   for (const SurfaceSample& x : coarse.samples) positions.push_back(x.position);
@@ -270,13 +271,13 @@ void return_to(const SplitSurface& apart, RemeshResult& result) {
   for (CellPolygon& cell : result.cells) cell.facet = apart.parents[cell.facet];
 }
 
-/// More samples where the surface is thin.
+/// More samples where the surface is thin. Those of a coarser one are there already.
 std::unique_ptr<SurfaceDomain> with_room(std::unique_ptr<SurfaceDomain> domain, const SharedSizing& shared,
                                          const geom::SurfaceType& type, const RemeshOptions& options,
                                          RemeshResult& result) {
   if (!options.mend) return domain;
   result.protection = protect_chains(*domain, shared.features);
-  if (options.method != Method::fpo || !type.manifold) return domain;
+  if (options.method != Method::fpo || !type.manifold || result.stood_in) return domain;
   ThinPartOptions room = thin;
   room.diagram = surface_options(shared, options);
   room.scope = options.optimize.scope;
@@ -319,9 +320,12 @@ RemeshResult remesh_task(const Task& task, RemeshOptions options) {
     if (options.optimize.max_iterations == facts.iterations)
       options.optimize.max_iterations = facts.adaptive_iterations;
   }
+  if (task.only_apart && has_needles(task.surface(), options.num_samples, even_spacing(task.input, options)))
+    return result;  // each cell would be cut to thousands of parts
   std::optional<RemeshResult> coarse;
   if (!task.narrow) coarse = remesh_of_stand_in(task.input, options);
-  if (coarse && interrupted(options) && options.fixed.empty() && !options.keep_cells)
+  if (coarse && (interrupted(options) || is_remnant(coarse->mesh)) && options.fixed.empty() &&
+      !options.keep_cells)
     return on_surface(std::move(*coarse), task.input, shared.sizing);
   std::optional<SplitSurface> apart;
   if (!coarse) apart = surface_apart(task, shared, options);
@@ -410,7 +414,9 @@ RemeshResult remesh_with(const geom::TriMesh& surface, const FeatureChoice& choi
 RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& choice,
                            const RemeshOptions& options) {
   RemeshResult best = remesh_with(surface, choice, options);
-  if (options.sheets != Sheets::automatic || options.method != Method::fpo || is_fine(best)) return best;
+  if (options.sheets != Sheets::automatic || options.method != Method::fpo || is_fine(best) ||
+      is_remnant(best.mesh))
+    return best;
   RemeshOptions with_levels = options;
   with_levels.sheets = Sheets::apart;
   const auto attempt = [&](const RemeshOptions& otherwise, bool only_apart) {

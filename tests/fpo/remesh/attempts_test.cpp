@@ -42,6 +42,15 @@ TEST_CASE("attempts: fine is what has it all; small angles or lost edges alone l
   CHECK(is_fine(wedge));
   wedge.measures.theta_min = 14;
   CHECK(!is_fine(wedge));
+  RemeshResult noisy = measured(true, 31, 0);
+  noisy.finish.last_angles.mended = 1;
+  noisy.mesh = geom::make_shape("sphere", 40);
+  CHECK(noisy.mesh.num_vertices() > 1000);
+  CHECK(!is_fine(noisy));
+  noisy.feature_edges = 0;
+  CHECK(is_fine(noisy));
+  noisy.finish.last_angles.mended = noisy.mesh.num_vertices();
+  CHECK(!is_fine(noisy));
   CHECK(is_useful(measured(true, 2, 0)));
   CHECK(is_useful(measured(true, 12, 50)));
   CHECK(!is_useful(measured(true, 2, 1)));
