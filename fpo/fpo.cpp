@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "fpo/remesh/at_least.h"
+#include "fpo/remesh/crowd.h"
 #include "fpo/remesh/refusal.h"
 #include "fpo/remesh/remesh_defaults.h"
 #include "fpo/surface/barycentric.h"
@@ -193,6 +194,9 @@ Remesh remesh(const Points& V, const Triangles& F, const Options& options) {
   const geom::TriMesh& input = given.mesh;
   RemeshOptions completed = remesh_options(input, options);
   refuse_soup(input, geom::mesh_parts(input.vertices(), input.facets()).size(), completed.num_samples);
+  if (completed.sheets != Sheets::apart) refuse_crowd(input, completed.num_samples);
+  if (!options.at_least && completed.sizing == SizingKind::uniform)
+    refuse_thread(input, completed.num_samples);
   std::vector<IterationReport> iterations;
   completed.optimize.on_iteration = [&](const IterationReport& report) {
     if (report.iteration == 0) iterations.clear();  // the last of several runs counts

@@ -75,6 +75,8 @@ fpo::AtLeastResult remesh_named(const tools::SurfaceInput& input, const tools::R
   fpo::refuse_soup(input.mesh, input.parts, a.remesh.num_samples);
   fpo::AtLeastResult result;
   if (a.remesh.sheets != fpo::Sheets::apart) fpo::refuse_crowd(input.mesh, a.remesh.num_samples);
+  if (!a.at_least && a.remesh.sizing == fpo::SizingKind::uniform)
+    fpo::refuse_thread(input.mesh, a.remesh.num_samples);
   if (a.at_least)
     result = fpo::remesh_at_least(input.mesh, a.remesh);
   else

@@ -31,6 +31,7 @@ constexpr double least_help = 0.5;  // the length that is wanted over the least 
 constexpr double split_slope = 0.3, split_length = 1.5;
 constexpr double most_facets = 60;  // of the split surface, a sample
 constexpr int most_passes = 60;     // of splitting: needles never come to an end
+constexpr double most_curves = 60;  // spacings of curves a sample: most strips are too narrow to be helped
 
 /// Items by cells of a cubic lattice.
 class Grid {
@@ -199,6 +200,12 @@ VertexField at_split_vertices(const TriMesh& mesh, const Sizing& base, const Spl
   return h;
 }
 
+double length_of_all(const TriMesh& mesh, const Features& features) {
+  double length = 0;
+  for (const FeatureCurve& curve : features.curves) length += length_of(mesh, curve);
+  return length;
+}
+
 double widest(const std::vector<NarrowPlace>& places) {
   double most = 0;
   for (const NarrowPlace& place : places) most = std::max(most, place.width);
@@ -208,7 +215,8 @@ double widest(const std::vector<NarrowPlace>& places) {
 }  // namespace
 
 std::vector<NarrowPlace> narrow_places(const TriMesh& mesh, const Features& features, double spacing) {
-  if (features.curves.empty()) return {};
+  const bool are_too_long = length_of_all(mesh, features) > most_curves * mesh.area() / spacing;
+  if (features.curves.empty() || are_too_long) return {};
   return FacingCurves(mesh, features, spacing).narrow_places();
 }
 
@@ -234,8 +242,8 @@ std::optional<NarrowSurface> narrow_surface(const TriMesh& mesh, const Features&
   for (int pass = 0;
        has_long_edges(result.split.mesh, Sizing(result.split.mesh, result.split.h), split_length); ++pass) {
     if (pass == most_passes || static_cast<double>(result.split.mesh.num_facets()) > most) return {};
-    SplitSurface next =
-        split_long_edges(result.split.mesh, Sizing(result.split.mesh, result.split.h), split_length, {});
+    SplitSurface next = split_long_edges(result.split.mesh, Sizing(result.split.mesh, result.split.h),
+                                         split_length, {}, static_cast<std::size_t>(most));
     for (FacetId& parent : next.parents) parent = result.split.parents[parent];
     next.h = lengths(next.mesh);
     result.split = std::move(next);

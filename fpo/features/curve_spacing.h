@@ -24,7 +24,8 @@ struct NarrowPlace {
 /// Those with a width below .6 times the spacing, some five a spacing or, if less, a width; one for each
 /// curve that a place faces. Two places face each other if the middle between them is near the surface, and
 /// if they are not beside each other on one curve or at a corner where both curves begin. Ascending along the
-/// curves. O(places), by a grid.
+/// curves. None if curves are longer than sixty spacings a sample: most strips are too narrow for any help.
+/// O(places), by a grid.
 std::vector<NarrowPlace> narrow_places(const geom::TriMesh& mesh, const Features& features, double spacing);
 
 /// A surface with narrow places, and the same one with facets that are small beside the lengths wanted there.
@@ -36,7 +37,7 @@ struct NarrowSurface {
   VertexField distances;  ///< from the nearest place; both +infinity far from all
 };
 
-/// None if there is no narrow place, or if facets are such needles that they cannot be split with some sixty
+/// None if there is no narrow place, if facets are such needles that they cannot be split with some sixty
 /// facets a sample.
 std::optional<NarrowSurface> narrow_surface(const geom::TriMesh& mesh, const Features& features,
                                             double spacing, double gradation);

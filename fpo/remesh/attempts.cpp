@@ -8,6 +8,7 @@ namespace {
 
 constexpr double small_angle = 30, useless_angle = 10, hopeless_angle = 5;
 constexpr double weight_of_edges = 10;
+constexpr std::size_t samples_for_one_mended = 1000;
 constexpr double by_chords = 0.97;  // the angle between chords of two curves over that between the curves
 
 auto rank(const RemeshResult& r) {
@@ -26,7 +27,8 @@ bool has_angles(const RemeshResult& r, double least) {
 }  // namespace
 
 bool is_fine(const RemeshResult& r) {
-  if (r.finish.recovered_edges > 0 || r.finish.last_angles.mended > 0) return false;
+  const std::size_t few = r.feature_edges == 0 ? r.mesh.num_vertices() / samples_for_one_mended : 0;
+  if (r.finish.recovered_edges > 0 || r.finish.last_angles.mended > few) return false;
   return r.type.ok() && r.broken_feature_edges == 0 &&
          r.measures.theta_min >= std::min(small_angle, by_chords * r.corner_angle);
 }

@@ -10,4 +10,10 @@ namespace fpo {
 /// the spacing (layers.h): stacks of plates, facets at random. O(F log F + n).
 void refuse_crowd(const geom::TriMesh& surface, std::size_t num_samples);
 
+/// Refuses, by InputError, a surface most of which is thinner than the spacing, so that samples lie one after
+/// the other and not side by side: on more than half of it less than .6 of a disk of that radius (with
+/// borders, on which samples face each other, .15) is surface. Such is a tube that is less around than the
+/// spacing, or a strip of a quarter of it. Nothing is refused that has less than 16 samples. O(F log F + n).
+void refuse_thread(const geom::TriMesh& surface, std::size_t num_samples);
+
 }  // namespace fpo

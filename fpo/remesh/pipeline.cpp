@@ -8,7 +8,9 @@
 #include "fpo/remesh/attempts.h"
 #include "fpo/remesh/distribution.h"
 #include "fpo/remesh/mended_dual.h"
+#include "fpo/remesh/refusal.h"
 #include "fpo/remesh/remesh_task.h"
+#include "fpo/remesh/stand_in.h"
 #include "fpo/remesh/stand_in_remesh.h"
 #include "fpo/remesh/unit_box.h"
 #include "fpo/surface/sheet_levels.h"
@@ -42,13 +44,13 @@ void return_to(const SplitSurface& apart, RemeshResult& result) {
   for (CellPolygon& cell : result.cells) cell.facet = apart.parents[cell.facet];
 }
 
-/// More samples where the surface is thin.
+/// More samples where the surface is thin. Those of a coarser one are there already.
 std::unique_ptr<SurfaceDomain> with_room(std::unique_ptr<SurfaceDomain> domain, const SharedSizing& shared,
                                          const geom::SurfaceType& type, const RemeshOptions& options,
                                          RemeshResult& result) {
   if (!options.mend) return domain;
   result.protection = protect_chains(*domain, shared.features);
-  if (options.method != Method::fpo || !type.manifold) return domain;
+  if (options.method != Method::fpo || !type.manifold || result.stood_in) return domain;
   ThinPartOptions room;
   room.diagram = surface_options(shared, options);
   room.scope = options.optimize.scope;
@@ -119,9 +121,12 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   SharedSizing shared = sizing_and_features(task, options);
   if (interrupted(options)) throw geom::Interrupted();
   if (task.narrow && options.sizing == SizingKind::uniform) optimize_as_adaptive(options);
+  if (task.only_apart && has_needles(task.surface(), options.num_samples, even_spacing(task.input, options)))
+    return result;  // each cell would be cut to thousands of parts
   std::optional<RemeshResult> coarse;
   if (!task.narrow) coarse = remesh_of_stand_in(task.input, options, remesh_with_creases_or_not);
-  if (coarse && interrupted(options) && options.fixed.empty() && !options.keep_cells)
+  if (coarse && (interrupted(options) || is_remnant(coarse->mesh)) && options.fixed.empty() &&
+      !options.keep_cells)
     return on_surface(std::move(*coarse), task.input, shared.sizing);
   std::optional<SplitSurface> apart;
   if (!coarse) apart = surface_apart(task, shared, options);
@@ -184,7 +189,9 @@ RemeshResult remesh_with(const geom::TriMesh& surface, const FeatureChoice& choi
 RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& choice,
                            const RemeshOptions& options) {
   RemeshResult best = remesh_with(surface, choice, options);
-  if (options.sheets != Sheets::automatic || options.method != Method::fpo || is_fine(best)) return best;
+  if (options.sheets != Sheets::automatic || options.method != Method::fpo || is_fine(best) ||
+      is_remnant(best.mesh))
+    return best;
   RemeshOptions with_levels = options;
   with_levels.sheets = Sheets::apart;
   const auto attempt = [&](const RemeshOptions& otherwise, bool only_apart) {

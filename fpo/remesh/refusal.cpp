@@ -20,11 +20,15 @@ void refuse_soup(const geom::TriMesh& surface, std::size_t parts, std::size_t nu
                                          std::to_string(num_samples) + " samples each");
 }
 
+bool is_remnant(const geom::TriMesh& remesh) {
+  return 4 * geom::topology(remesh).unreferenced_vertices > remesh.num_vertices();
+}
+
 void refuse_remnant(const geom::TriMesh& remesh) {
-  const geom::Topology t = geom::topology(remesh);
-  geom::require(4 * t.unreferenced_vertices <= remesh.num_vertices(),
-                "the surface is thinner than the spacing of " + std::to_string(remesh.num_vertices()) +
-                    " samples: only " + std::to_string(t.vertices) + " of them have a triangle");
+  if (!is_remnant(remesh)) return;
+  geom::require(false, "the surface is thinner than the spacing of " + std::to_string(remesh.num_vertices()) +
+                           " samples: only " + std::to_string(geom::topology(remesh).vertices) +
+                           " of them have a triangle");
 }
 
 }  // namespace fpo

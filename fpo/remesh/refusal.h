@@ -12,8 +12,10 @@ namespace fpo {
 /// geom::InputError. O(F log F).
 void refuse_soup(const geom::TriMesh& surface, std::size_t parts, std::size_t num_samples);
 
-/// Refuses a remesh of which more than a quarter of the vertices have no triangle: much of the surface is
-/// missing. Throws geom::InputError. O(F log F).
+/// More than a quarter of the vertices have no triangle: much of the surface is missing. O(F log F).
+bool is_remnant(const geom::TriMesh& remesh);
+
+/// Refuses such a remesh. Throws geom::InputError.
 void refuse_remnant(const geom::TriMesh& remesh);
 
 }  // namespace fpo

@@ -7,14 +7,14 @@
 namespace fpo {
 namespace {
 
-double even_spacing(const geom::TriMesh& surface, const RemeshOptions& options) {
-  return hexagonal_spacing(surface.area(), options.num_samples);
-}
-
 /// Beside narrow places: steeper than elsewhere, for what is refined there is taken from all others.
 double curve_gradation(const RemeshOptions& options) { return std::max(0.18, options.limits.gradation); }
 
 }  // namespace
+
+double even_spacing(const geom::TriMesh& surface, const RemeshOptions& options) {
+  return hexagonal_spacing(surface.area(), options.num_samples);
+}
 
 FeatureChoice chosen_features(const geom::TriMesh& surface, const RemeshOptions& options) {
   if (!options.features) return {};

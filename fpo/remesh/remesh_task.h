@@ -11,6 +11,9 @@
 
 namespace fpo {
 
+/// Were all lengths the same.
+double even_spacing(const geom::TriMesh& surface, const RemeshOptions& options);
+
 /// Those that the options ask for.
 FeatureChoice chosen_features(const geom::TriMesh& surface, const RemeshOptions& options);
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "fpo/remesh/remesh_task.h"
 #include "fpo/remesh/stand_in.h"
 #include "geom/check.h"
 
@@ -9,7 +10,7 @@ namespace fpo {
 
 std::optional<RemeshResult> remesh_of_stand_in(const geom::TriMesh& surface, const RemeshOptions& options,
                                                const RemeshFunction& remesh) try {
-  const double spacing = hexagonal_spacing(surface.area(), options.num_samples);
+  const double spacing = even_spacing(surface, options);
   if (options.method != Method::fpo || options.optimize.max_iterations == 0) return {};
   if (!has_needles(surface, options.num_samples, spacing)) return {};
   const geom::TriMesh coarse = stand_in(surface, spacing);

@@ -15,7 +15,7 @@ using RemeshFunction = std::function<RemeshResult(const geom::TriMesh&, const Re
 std::optional<RemeshResult> remesh_of_stand_in(const geom::TriMesh& surface, const RemeshOptions& options,
                                                const RemeshFunction& remesh);
 
-/// It as the result, if there is no time for another one.
+/// It as the result, if there is no time for another one, or hardly anything would be left of it.
 RemeshResult on_surface(RemeshResult coarse, const geom::TriMesh& surface, const Sizing& sizing);
 
 }  // namespace fpo

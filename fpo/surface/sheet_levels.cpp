@@ -26,6 +26,7 @@ using geom::VertexId;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double probe_spacing = 0.35;  // in wanted lengths
 constexpr double patch_radius = 3;
+constexpr double most_parts = 500;  // of facets, a sample
 constexpr double step =
     1.25;  // levels are powers of it, so that patches of about the same sizes have the same
 
@@ -350,7 +351,11 @@ Table<VertexId, double> SheetLevels::levels() {
 std::optional<SplitSurface> sheets_apart(const TriMesh& mesh, const Sizing& sizing,
                                          std::span<SurfaceSample> samples, const SheetOptions& options) {
   std::vector<SurfaceSample> moved(samples.begin(), samples.end());
-  SplitSurface result = split_long_edges(mesh, sizing, options.longest, moved);
+  const double most = static_cast<double>(mesh.num_facets()) + most_parts * num_samples(mesh, sizing);
+  if (!(most < 1e9)) return {};
+  SplitSurface result =
+      split_long_edges(mesh, sizing, options.longest, moved, static_cast<std::size_t>(most));
+  if (static_cast<double>(result.mesh.num_facets()) > most) return {};
   std::vector<double> h(result.h.begin(), result.h.end());
   if (h.empty()) h.assign(result.mesh.num_vertices(), sizing.at(VertexId(0)));
   Table<VertexId, double> levels = SheetLevels(result.mesh, std::move(h), options).find();

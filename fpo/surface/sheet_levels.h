@@ -35,9 +35,10 @@ struct SheetOptions {
   double longest = 0.6;  ///< edge: levels are linear on facets, which are halved to that
 };
 
-/// The surface with levels, its facets parts of those of the old one; nothing if no places are in conflict. A
-/// function of mesh and sizing alone. Samples change to the facets of the parts. Cost: some ten places a
-/// sample, more only where sheets are near.
+/// The surface with levels, its facets parts of those of the old one; nothing if no places are in conflict,
+/// or if facets are such needles that there would be more than some 500 parts a sample. A function of mesh
+/// and sizing alone. Samples change to the facets of the parts. Cost: some ten places a sample, more only
+/// where sheets are near.
 std::optional<SplitSurface> sheets_apart(const geom::TriMesh& mesh, const Sizing& sizing,
                                          std::span<SurfaceSample> samples, const SheetOptions& options = {});
 

@@ -47,6 +47,8 @@ class Splitting {
     return !middles_.empty();
   }
 
+  std::size_t num_parts() const { return facets_.size(); }
+
   SplitSurface take() {
     if (uniform_) h_.clear();
     return {TriMesh(std::move(positions_), std::move(facets_)), std::move(h_), std::move(parents_)};
@@ -130,9 +132,9 @@ bool has_long_edges(const TriMesh& mesh, const Sizing& sizing, double most) {
 }
 
 SplitSurface split_long_edges(const TriMesh& mesh, const Sizing& sizing, double most,
-                              std::span<SurfaceSample> samples) {
+                              std::span<SurfaceSample> samples, std::size_t most_parts) {
   Splitting splitting(mesh, sizing, most);
-  while (splitting.halve(samples)) continue;
+  while (splitting.num_parts() <= most_parts && splitting.halve(samples)) continue;
   return splitting.take();
 }
 

@@ -22,9 +22,10 @@
 namespace fpo {
 namespace {
 
-constexpr double longest_edge = 4;      // in spacings: a tile is some fifty wide
-constexpr double near_cut = 4;          // in spacings: nearer to a cut many samples cannot be moved
-constexpr int iterations_at_large = 3;  // before there are tiles
+constexpr double longest_edge = 4;       // in spacings: a tile is some fifty wide
+constexpr std::size_t most_parts = 100;  // of facets, a sample: needles stay long
+constexpr double near_cut = 4;           // in spacings: nearer to a cut many samples cannot be moved
+constexpr int iterations_at_large = 3;   // before there are tiles
 
 /// The samples on the surface, or while there are tiles on one without large facets.
 class TiledSamples {
@@ -43,7 +44,7 @@ class TiledSamples {
   }
   SurfaceDomain domain() const { return SurfaceDomain(task_.mesh, task_.sizing, samples_, task_.surface); }
 
-  void split();    ///< from now on mesh() has no large facets
+  void split();    ///< from now on mesh() has no large facets, unless these are needles by the thousand
   void unsplit();  ///< from now on it is what was given
 
  private:
@@ -55,7 +56,8 @@ class TiledSamples {
 
 void TiledSamples::split() {
   if (!has_long_edges(task_.mesh, task_.sizing, longest_edge)) return;
-  split_ = split_long_edges(task_.mesh, task_.sizing, longest_edge, samples_);
+  const std::size_t most = task_.mesh.num_facets() + most_parts * samples_.size();
+  split_ = split_long_edges(task_.mesh, task_.sizing, longest_edge, samples_, most);
   if (!sizing_.is_uniform()) sizing_ = Sizing(split_->mesh, split_->h);
 }
 

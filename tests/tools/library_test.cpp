@@ -1,10 +1,12 @@
 // The library and fpo-remesh: the same options give the same bytes, and what one refuses the other does.
 
 #include <filesystem>
+#include <tuple>
 
 #include "doctest.h"
 #include "fpo/fpo.h"
 #include "fpo/fpo_c.h"
+#include "geom/shapes/mesh_parts.h"
 #include "geom/shapes/shapes.h"
 #include "io/mesh_io.h"
 #include "tests/fixtures/program.h"
@@ -189,25 +191,37 @@ TEST_CASE("library: a soup of triangles is welded as in a file, and places are r
 }
 
 TEST_CASE("library: refuses what fpo-remesh refuses, in the same words") {
-  geom::Table<geom::VertexId, geom::Vec3> vertices;
-  geom::Table<geom::FacetId, geom::TriMesh::Facet> facets;
+  geom::MeshArrays soup;
   for (int i = 0; i < 60; ++i) {
-    geom::TriMesh::Facet own;
-    for (int k = 0; k < 3; ++k) {
-      own[static_cast<std::size_t>(k)] = vertices.next_id();
-      vertices.push_back({2.0 * i + (k == 1), k == 2 ? 1.0 : 0.0, 0.0});
-    }
-    facets.push_back(own);
+    std::array<geom::VertexId, 3> own;
+    for (int k = 0; k < 3; ++k)
+      own[static_cast<std::size_t>(k)] = soup.add({2.0 * i + (k == 1), k == 2 ? 1.0 : 0.0, 0.0});
+    soup.add_triangle(own[0], own[1], own[2]);
   }
-  const geom::TriMesh soup(vertices, facets);
-  ScratchFolder folder;
-  io::write_mesh(folder / "in.obj", soup);
-  const ProgramResult result =
-      fixtures::run_program("fpo-remesh", {"in.obj", "-n", "100", "-o", "out.obj"}, folder.path());
-  CHECK(result.code == 2);
-  fpo::Options options;
-  options.count = 100;
-  const std::string said = complaint(Matrices(soup), options);
-  CHECK(said.find("the surface is in 60 pieces") == 0);
-  CHECK(result.err.find(said) != std::string::npos);
+  geom::TriMesh stack = geom::make_shape("square", 2);
+  const geom::TriMesh square = stack;
+  for (int k = 1; k < 28; ++k)
+    stack = geom::joined(stack, geom::mapped(square, [k](const geom::Vec3& p) -> geom::Vec3 {
+                           return p + geom::Vec3(0, 0, 1e-3 * k);
+                         }));
+  const geom::TriMesh thread = geom::mapped(geom::make_shape("cube"), [](const geom::Vec3& p) -> geom::Vec3 {
+    return {p.x(), 1e-9 * p.y(), 1e-9 * p.z()};
+  });
+  const geom::TriMesh pieces = soup.take();
+  for (const auto& [mesh, words, n] :
+       {std::tuple(pieces, "the surface is in 60 pieces", 100),
+        std::tuple(pieces, "the surface is in 60 pieces", 300), std::tuple(stack, "some ", 400),
+        std::tuple(thread, "the surface is thinner than the spacing", 100)}) {
+    CAPTURE(words);
+    ScratchFolder folder;
+    io::write_mesh(folder / "in.obj", mesh);
+    const ProgramResult result = fixtures::run_program(
+        "fpo-remesh", {"in.obj", "-n", std::to_string(n), "-o", "out.obj"}, folder.path());
+    CHECK(result.code == 2);
+    fpo::Options options;
+    options.count = static_cast<std::size_t>(n);
+    const std::string said = complaint(Matrices(mesh), options);
+    CHECK(said.find(words) == 0);
+    CHECK(result.err.find(said) != std::string::npos);
+  }
 }

@@ -39,6 +39,13 @@ TEST_CASE("curve spacing: a thin side is a narrow place, a corner and a thin bod
   CHECK(narrow_places(both, find_features(both), 0.2).empty());
 }
 
+TEST_CASE("curve spacing: a thread is not cut to pieces as short as it is wide") {
+  const TriMesh thread = block(1, 1e-9, 1e-9);
+  const double spacing = std::sqrt(thread.area() / 300);
+  CHECK(narrow_places(thread, find_features(thread), spacing).empty());
+  CHECK(!narrow_surface(thread, find_features(thread), spacing, 0.18));
+}
+
 TEST_CASE("curve spacing: a wedge's curves are not narrow where they begin") {
   const TriMesh wedge = geom::make_shape("wedge");
   CHECK(narrow_places(wedge, find_features(wedge), 0.05).empty());

@@ -42,6 +42,7 @@ TEST_CASE("attempts: fine is what has it all; corners or lost edges alone leave 
   CHECK(is_fine(wedge));
   wedge.measures.theta_min = 14;
   CHECK(!is_fine(wedge));
+<<<<<<< HEAD
   CHECK(!is_useful(measured(true, 8, 0)));
   CHECK(!is_useless(measured(true, 8, 0)));
   CHECK(is_useless(measured(true, 4, 0)));
@@ -52,6 +53,18 @@ TEST_CASE("attempts: fine is what has it all; corners or lost edges alone leave 
   CHECK(!is_useless(wedge));
   wedge.broken_feature_edges = 1;
   CHECK(!is_useful(wedge));
+=======
+  RemeshResult noisy = measured(true, 31, 0);
+  noisy.finish.last_angles.mended = 1;
+  noisy.mesh = geom::make_shape("sphere", 40);
+  CHECK(noisy.mesh.num_vertices() > 1000);
+  CHECK(!is_fine(noisy));
+  noisy.feature_edges = 0;
+  CHECK(is_fine(noisy));
+  noisy.finish.last_angles.mended = noisy.mesh.num_vertices();
+  CHECK(!is_fine(noisy));
+  CHECK(is_useful(measured(true, 2, 0)));
+>>>>>>> x23
   CHECK(is_useful(measured(true, 12, 50)));
   CHECK(!is_useful(measured(true, 2, 1)));
   CHECK(!is_useful(measured(false, 40, 0)));

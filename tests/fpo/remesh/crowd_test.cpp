@@ -7,6 +7,7 @@
 #include "geom/rng.h"
 #include "geom/shapes/mesh_parts.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/needles.h"
 #include "tests/fixtures/spoilt.h"
 #include "tests/fixtures/surfaces.h"
 
@@ -42,5 +43,25 @@ TEST_CASE("crowd: whatever is a surface is not refused") {
     for (const std::size_t n : {10u, 300u, 5000u}) {
       CAPTURE(name);
       CHECK_NOTHROW(fpo::refuse_crowd(mesh, n));
+    }
+}
+
+TEST_CASE(
+    "crowd: threads are refused, plates, strips as wide as the spacing and tubes three samples around not") {
+  const auto stretched = [](const TriMesh& mesh, double x, double y, double z) {
+    return geom::mapped(mesh, [&](const Vec3& p) -> Vec3 { return {x * p.x(), y * p.y(), z * p.z()}; });
+  };
+  const TriMesh sphere = fixtures::stretched_sphere(40, 20, 1), cube = geom::make_shape("cube", 4);
+  CHECK_THROWS_AS(fpo::refuse_thread(stretched(sphere, 1, 1, 1000), 300), geom::InputError);
+  CHECK_THROWS_AS(fpo::refuse_thread(stretched(cube, 1, 1e-9, 1e-9), 300), geom::InputError);
+  const TriMesh strip = geom::make_shape("square", 4);
+  CHECK_THROWS_AS(fpo::refuse_thread(stretched(strip, 1e6, 1, 1), 300), geom::InputError);
+  CHECK_NOTHROW(fpo::refuse_thread(stretched(strip, 300, 1, 1), 300));
+  CHECK_NOTHROW(fpo::refuse_thread(stretched(sphere, 1, 1, 50), 300));
+  CHECK_NOTHROW(fpo::refuse_thread(stretched(cube, 1, 1, 1e-9), 300));
+  for (const auto& [name, mesh] : fixtures::surfaces())
+    for (const std::size_t n : {16u, 300u, 5000u}) {
+      CAPTURE(name);
+      CHECK_NOTHROW(fpo::refuse_thread(mesh, n));
     }
 }

@@ -6,6 +6,7 @@
 #include "doctest.h"
 #include "fpo/remesh/pipeline.h"
 #include "fpo/remesh/remesh_defaults.h"
+#include "geom/shapes/mesh_parts.h"
 #include "geom/shapes/shapes.h"
 #include "tests/fixtures/surfaces.h"
 
@@ -103,4 +104,11 @@ TEST_CASE("sheets apart: a paper-thin plate is remeshed without mending, at any 
     CHECK(again.mesh.vertices() == result.mesh.vertices());
     CHECK(again.mesh.facets() == result.mesh.facets());
   }
+}
+
+TEST_CASE("sheets apart: facets of a thread are not split without end") {
+  const TriMesh thread = geom::mapped(geom::make_shape("cube"), [](const Vec3& p) -> Vec3 {
+    return {1e9 * p.x(), 1e-3 * p.y(), 1e-3 * p.z()};
+  });
+  CHECK(!apart(thread, 100));
 }

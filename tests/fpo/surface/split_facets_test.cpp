@@ -5,6 +5,7 @@
 #include "doctest.h"
 #include "fpo/surface/initial_samples.h"
 #include "geom/mesh/aabb_tree.h"
+#include "geom/shapes/mesh_parts.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
@@ -50,4 +51,17 @@ TEST_CASE("split facets: short edges, the same surface, samples in parts of thei
       }
     }
   }
+}
+
+TEST_CASE("split facets: a needle is not split to the end where that makes more parts than wanted") {
+  geom::MeshArrays needle;
+  for (const Vec3& p : {Vec3(0, 0, 0), Vec3(1e9, 0, 0), Vec3(0, 1, 0)}) needle.add(p);
+  needle.add_triangle(VertexId(0), VertexId(1), VertexId(2));
+  const TriMesh mesh = needle.take();
+  const Sizing sizing = Sizing::uniform(1);
+  const SplitSurface split = split_long_edges(mesh, sizing, 2, {}, 1000);
+  CHECK(has_long_edges(split.mesh, sizing, 2));
+  CHECK(split.mesh.num_facets() > 1000);
+  CHECK(split.mesh.num_facets() <= 4000);  // each halving makes at most four of one
+  CHECK(split.mesh.area() == doctest::Approx(mesh.area()));
 }
