@@ -42,7 +42,6 @@ TEST_CASE("attempts: fine is what has it all; corners or lost edges alone leave 
   CHECK(is_fine(wedge));
   wedge.measures.theta_min = 14;
   CHECK(!is_fine(wedge));
-<<<<<<< HEAD
   CHECK(!is_useful(measured(true, 8, 0)));
   CHECK(!is_useless(measured(true, 8, 0)));
   CHECK(is_useless(measured(true, 4, 0)));
@@ -53,7 +52,6 @@ TEST_CASE("attempts: fine is what has it all; corners or lost edges alone leave 
   CHECK(!is_useless(wedge));
   wedge.broken_feature_edges = 1;
   CHECK(!is_useful(wedge));
-=======
   RemeshResult noisy = measured(true, 31, 0);
   noisy.finish.last_angles.mended = 1;
   noisy.mesh = geom::make_shape("sphere", 40);
@@ -63,8 +61,6 @@ TEST_CASE("attempts: fine is what has it all; corners or lost edges alone leave 
   CHECK(is_fine(noisy));
   noisy.finish.last_angles.mended = noisy.mesh.num_vertices();
   CHECK(!is_fine(noisy));
-  CHECK(is_useful(measured(true, 2, 0)));
->>>>>>> x23
   CHECK(is_useful(measured(true, 12, 50)));
   CHECK(!is_useful(measured(true, 2, 1)));
   CHECK(!is_useful(measured(false, 40, 0)));
