@@ -62,7 +62,7 @@ TEST_CASE("fuzz: any soup can be repaired to manifold sheets, or is refused in o
 TEST_CASE("fuzz: spoilt surfaces are remeshed or refused in one line, alike by both engines") {
   const fixtures::ScratchFolder folder;
   int remeshed = 0, refused = 0;
-  const int count = fixtures::effort(40, 150);
+  const int count = fixtures::effort(25, 150);
   for (int seed = 0; seed < count; ++seed) {
     CAPTURE(seed);
     const fuzz::Mutant mutant = fuzz::mutant(static_cast<std::uint64_t>(seed));

@@ -31,15 +31,16 @@ TEST_CASE("pipeline: both engines give the same bits, a repeated run too, anothe
   for (const fixtures::NamedSurface& surface : fixtures::surfaces()) {
     CAPTURE(surface.name);
     const RemeshResult a = run(surface.mesh, samples, Engine::search),
-                       b = run(surface.mesh, samples, Engine::triangulation),
-                       c = run(surface.mesh, samples, Engine::search);
+                       b = run(surface.mesh, samples, Engine::triangulation);
     CHECK(a.mesh.num_vertices() == samples);
     CHECK(same(a.mesh, b.mesh));
-    CHECK(same(a.mesh, c.mesh));
     CHECK(a.optimization.last.delta == b.optimization.last.delta);
+    if (fixtures::effort(false, true)) CHECK(same(a.mesh, run(surface.mesh, samples, Engine::search).mesh));
   }
   const geom::TriMesh blob = fixtures::blob(10);
-  CHECK(!same(run(blob, samples, Engine::search).mesh, run(blob, samples, Engine::search, 2).mesh));
+  const RemeshResult once = run(blob, samples, Engine::search);
+  CHECK(same(once.mesh, run(blob, samples, Engine::search).mesh));
+  CHECK(!same(once.mesh, run(blob, samples, Engine::search, 2).mesh));
 }
 
 TEST_CASE(
@@ -48,6 +49,8 @@ TEST_CASE(
   for (const fixtures::NamedSurface& surface : fixtures::surfaces())
     for (const Scope scope : {Scope::global, Scope::two_ring})
       for (const geom::CornerTypes corners : {geom::CornerTypes::c_only, geom::CornerTypes::all}) {
+        const bool is_one_of_few = (scope == Scope::global) == (corners == geom::CornerTypes::all);
+        if (!fixtures::effort(is_one_of_few, true)) continue;
         CAPTURE(surface.name);
         RemeshOptions options;
         options.num_samples = samples;

@@ -10,6 +10,7 @@
 #include "doctest.h"
 #include "geom/rng.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/effort.h"
 #include "tests/fixtures/hard_surfaces.h"
 #include "tests/fixtures/placed_samples.h"
 #include "tests/oracle/restricted_dual_oracle.h"
@@ -229,7 +230,7 @@ Count check_surface(const TriMesh& mesh, std::size_t n, Weights weights, std::ui
   const Clipper::Sites sites(points.begin(), points.end());
   Rng rng(seed);
   Count count;
-  for (std::size_t p = 0; p < n; p += 1 + n / 12)
+  for (std::size_t p = 0; p < n; p += 1 + n / fixtures::effort<std::size_t>(7, 12))
     if (const std::optional<Task> task = task_of(mesh, sites, first_ids(n), SiteId(p))) {
       CAPTURE(p);
       check_task(mesh, sites, *task, rng, count);
@@ -252,7 +253,7 @@ TEST_CASE(
         CHECK(10 * count.holes >= 9 * count.tasks);
         all.refused += count.refused;
       }
-  CHECK(all.refused > 1000);
+  CHECK(all.refused > fixtures::effort<std::size_t>(500, 1000));
 }
 
 TEST_CASE("flood: on hard surfaces what is accepted is so") {
@@ -267,10 +268,10 @@ TEST_CASE("flood: on hard surfaces what is accepted is so") {
         all.tasks += count.tasks, all.traced += count.traced, all.cells += count.cells,
             all.holes += count.holes;
       }
-  CHECK(all.tasks > 1000);
-  CHECK(all.traced > 500);
-  CHECK(all.cells > 200);
-  CHECK(all.holes > 100);
+  CHECK(all.tasks > fixtures::effort<std::size_t>(500, 1000));
+  CHECK(all.traced > fixtures::effort<std::size_t>(250, 500));
+  CHECK(all.cells > fixtures::effort<std::size_t>(100, 200));
+  CHECK(all.holes > fixtures::effort<std::size_t>(50, 100));
 }
 
 //        ___             q is above the peak and has all of it down to a closed curve, which no circle tells

@@ -34,7 +34,7 @@ TEST_CASE("restricted dual on hard surfaces: equals brute force after every move
   for (const fixtures::NamedSurface& surface : fixtures::hard_surfaces())
     for (const Weights weights : fixtures::all_weights)
       walk_on(surface, {.num_sites = 12, .weights = weights, .search = weights != Weights::gentle, .seed = 3},
-              25);
+              fixtures::effort(15, 25));
 }
 
 TEST_CASE("restricted dual on hard surfaces: equals brute force after every move, cells and facets alike") {
@@ -42,12 +42,13 @@ TEST_CASE("restricted dual on hard surfaces: equals brute force after every move
     for (const Weights weights : fixtures::all_weights)
       walk_on(surface,
               {.num_sites = 60, .weights = weights, .search = weights != Weights::none, .keeps_number = true},
-              fixtures::effort(8, 15));
+              fixtures::effort(5, 15));
 }
 
 TEST_CASE("restricted dual on hard surfaces: equals brute force after every move, facets larger than cells") {
   for (const fixtures::NamedSurface& surface : fixtures::hard_surfaces())
     if (surface.mesh.num_facets() <= 130)
       walk_on(surface,
-              {.num_sites = 150, .weights = Weights::none, .share_of_homes = 0.97, .keeps_number = true}, 12);
+              {.num_sites = 150, .weights = Weights::none, .share_of_homes = 0.97, .keeps_number = true},
+              fixtures::effort(7, 12));
 }

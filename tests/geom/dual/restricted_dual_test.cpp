@@ -171,7 +171,7 @@ TEST_CASE("restricted dual: sites on a lattice, on edges, on vertices and twice 
         CAPTURE(search);
         DualWalk walk(*mesh, {.num_sites = 16, .search = search, .types = types, .seed = 5},
                       lattice_on(*mesh, 0.0625));
-        for (int step = 0; step < 150; ++step) {
+        for (int step = 0; step < fixtures::effort(80, 150); ++step) {
           CAPTURE(step);
           walk.step();
           check_by_brute_force(walk.d);
@@ -211,7 +211,7 @@ TEST_CASE("restricted dual: local updates equal a rebuild after each of hundreds
       DualWalk walk(surface.mesh,
                     {.num_sites = 80, .weights = Weights::gentle, .search = search, .keeps_number = true});
       walk.build();
-      for (int step = 0; step < 150; ++step) {
+      for (int step = 0; step < fixtures::effort(80, 150); ++step) {
         CAPTURE(step);
         walk.step();
         REQUIRE(walk.d.known_circles() == circles_if_built(walk.d, 1));
@@ -242,7 +242,7 @@ TEST_CASE(
         DualWalk walk(mesh, {.num_sites = n, .weights = weights, .keeps_number = true, .seed = n});
         walk.build();
         walk.spread(1);
-        for (int step = 0; step < fixtures::effort(60, 100); ++step) {
+        for (int step = 0; step < fixtures::effort(30, 100); ++step) {
           CAPTURE(step);
           if (step % 3 != 0)  // else bounds that are too large may hide one that is not raised
             for (const SiteId p : walk.d.present()) walk.d.dual().reach(p);
@@ -254,9 +254,9 @@ TEST_CASE(
         in_place += ways.in_place;
         general += ways.general_insertions;
       }
-  CHECK(fast > fixtures::effort<std::size_t>(1000, 2000));
-  CHECK(in_place > fixtures::effort<std::size_t>(50, 100));
-  CHECK(general > fixtures::effort<std::size_t>(50, 100));
+  CHECK(fast > fixtures::effort<std::size_t>(500, 2000));
+  CHECK(in_place > fixtures::effort<std::size_t>(25, 100));
+  CHECK(general > fixtures::effort<std::size_t>(25, 100));
 }
 
 // Small steps keep most edges, large ones few.
@@ -407,7 +407,7 @@ TEST_CASE("restricted dual: on smooth surfaces the fast way is the rule, and it 
         walk.spread(2);
         if (weights == Weights::none) CHECK(walk.d.dual().num_irregular() == 0);
         const DualWays before = walk.d.dual().ways();
-        for (int step = 0; step < 1000; ++step) {
+        for (int step = 0; step < fixtures::effort(500, 1000); ++step) {
           walk.step();
           if (step % 25 == 0) REQUIRE(walk.d.known_circles() == circles_if_built(walk.d, 1));
         }
@@ -423,7 +423,7 @@ TEST_CASE("restricted dual: on smooth surfaces the fast way is the rule, and it 
         const double least = weights == Weights::none ? 0.98 : 0.8;
         CHECK(share(ways.in_place + ways.fast_removals, ways.general_removals) > least);
         CHECK(share(ways.in_place + ways.fast_insertions, ways.general_insertions) > least);
-        CHECK(ways.in_place > 50);
+        CHECK(ways.in_place > fixtures::effort<std::size_t>(25, 50));
       }
 }
 
