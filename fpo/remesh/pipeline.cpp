@@ -8,6 +8,7 @@
 #include "fpo/features/feature_choice.h"
 #include "fpo/interruption.h"
 #include "fpo/remesh/attempts.h"
+#include "fpo/remesh/noise.h"
 #include "fpo/remesh/refusal.h"
 #include "fpo/remesh/small_loops.h"
 #include "fpo/remesh/stand_in.h"
@@ -436,7 +437,7 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
 }
 
 /// Creases that nobody asked for are kept unless that alone does harm.
-RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {
+RemeshResult remesh_with_creases(const geom::TriMesh& surface, const RemeshOptions& options) {
   RemeshResult result = remesh_sheets(surface, chosen_features(surface, options), options);
   if (result.crease_curves == 0 || !options.features->yielding || options.method != Method::fpo ||
       interrupted(options) || !geom::topology(surface).manifold() || is_useful(result))
@@ -449,6 +450,12 @@ RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOption
                    (result.type.ok() ? "angles would be useless" : "the remesh would be of another type") +
                    "; --features 45 keeps them";
   return plain;
+}
+
+RemeshResult remesh_in_unit_box(const geom::TriMesh& surface, const RemeshOptions& options) {
+  if (!is_better_smoothed(surface, options)) return remesh_with_creases(surface, options);
+  const geom::TriMesh smooth = smoothed(surface, options.num_samples);
+  return on_noise(remesh_with_creases(smooth, options), smooth, surface, options);
 }
 
 /// Around the origin.
