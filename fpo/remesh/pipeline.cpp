@@ -8,6 +8,7 @@
 #include "fpo/remesh/attempts.h"
 #include "fpo/remesh/distribution.h"
 #include "fpo/remesh/mended_dual.h"
+#include "fpo/remesh/noise.h"
 #include "fpo/remesh/refusal.h"
 #include "fpo/remesh/remesh_task.h"
 #include "fpo/remesh/stand_in.h"
@@ -21,7 +22,7 @@ namespace {
 
 constexpr std::size_t least_fidelity_moves = 2000;
 
-RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const RemeshOptions& options);
+RemeshResult remesh_smoothed_or_not(const geom::TriMesh& surface, const RemeshOptions& options);
 
 bool interrupted(const RemeshOptions& options) { return fpo::interrupted(options.optimize.interrupted); }
 
@@ -124,7 +125,7 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   if (task.only_apart && has_needles(task.surface(), options.num_samples, even_spacing(task.input, options)))
     return result;  // each cell would be cut to thousands of parts
   std::optional<RemeshResult> coarse;
-  if (!task.narrow) coarse = remesh_of_stand_in(task.input, options, remesh_with_creases_or_not);
+  if (!task.narrow) coarse = remesh_of_stand_in(task.input, options, remesh_smoothed_or_not);
   if (coarse && (interrupted(options) || is_remnant(coarse->mesh)) && options.fixed.empty() &&
       !options.keep_cells)
     return on_surface(std::move(*coarse), task.input, shared.sizing);
@@ -244,13 +245,20 @@ RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const Reme
   return remesh_with_fewer_creases(surface, std::move(result), options);
 }
 
+/// On a smooth surface where this one is noise, or on itself.
+RemeshResult remesh_smoothed_or_not(const geom::TriMesh& surface, const RemeshOptions& options) {
+  if (!is_better_smoothed(surface, options)) return remesh_with_creases_or_not(surface, options);
+  const geom::TriMesh smooth = smoothed(surface, options.num_samples);
+  return on_noise(remesh_with_creases_or_not(smooth, options), smooth, surface, options);
+}
+
 }  // namespace
 
 RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options) try {
   geom::require(options.num_samples > 0, "the number of samples must be at least 1");
   geom::require(options.disk_radius == 0 || options.sizing == SizingKind::uniform,
                 "a radius of disks goes with uniform sizing only");
-  return remesh_in_unit_box(input, options, remesh_with_creases_or_not);
+  return remesh_in_unit_box(input, options, remesh_smoothed_or_not);
 } catch (const geom::Bug& bug) {
   throw geom::Bug("seed " + std::to_string(options.seed) + ", " + bug.what());
 }

@@ -81,7 +81,7 @@ struct RemeshResult {
   EdgeAdvice edge_advice;                ///< where, and how many samples would do
   ShortestEdgeResult shortest_edges;
   OptimizeResult optimization;
-  bool stood_in = false;         ///< the surface is of needles: most was done on a coarser one (stand_in.h)
+  bool stood_in = false;         ///< of needles or noise: most was done on another surface (stand_in.h)
   double radius_factor = 0;      ///< methods with disks: their radius in units of the wanted edge length
   std::vector<Reached> reached;  ///< the measures that another method than fpo has of itself
   AngleResult angles;
