@@ -3,7 +3,6 @@
 #include <algorithm>
 
 namespace geom {
-namespace {}  // namespace
 
 void GeneralInsertion::insert(SiteId p, const WeightedPoint3& point, DualChange& change) {
   enter(p, point);
