@@ -8,6 +8,7 @@
 #include "fpo/features/feature_choice.h"
 #include "fpo/interruption.h"
 #include "fpo/remesh/attempts.h"
+#include "fpo/remesh/proven_edges.h"
 #include "fpo/remesh/small_loops.h"
 #include "fpo/remesh/stand_in.h"
 #include "fpo/remesh/start.h"
@@ -332,6 +333,7 @@ RemeshResult remesh_task(const Task& task, RemeshOptions options) {
         make_maximal(domain, {shared.features.samples.size(), options.threads, options.optimize.interrupted});
   result.hidden = domain.num_hidden();
   Dual dual = mended_dual(domain, shared.features, type, options, result);
+  if (!apart) result.proven_edges = num_proven_edges(domain, task.features, shared.features);
   if (options.mend && options.method == Method::fpo && !interrupted(options))
     result.finish = finish(domain, shared.features, type,
                            {angle_options(options), options.optimize_angles && !options.maximal,
