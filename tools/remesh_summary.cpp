@@ -114,6 +114,7 @@ void add_rest(Summary& s, const RemeshArguments& a, const fpo::RemeshResult& res
   if (result.feature_samples > 0) {
     s.count("feature_samples", result.feature_samples);
     s.count("feature_edges", result.feature_edges);
+    if (!result.has_levels) s.count("proven_feature_edges", result.proven_edges);
     s.count("broken_feature_edges", result.broken_feature_edges);
     s.count("protected_samples", result.protection.weighted);
     if (result.finish.recovered_edges > 0) s.count("recovered_feature_edges", result.finish.recovered_edges);

@@ -9,6 +9,7 @@
 #include "fpo/remesh/distribution.h"
 #include "fpo/remesh/mended_dual.h"
 #include "fpo/remesh/noise.h"
+#include "fpo/remesh/proven_edges.h"
 #include "fpo/remesh/refusal.h"
 #include "fpo/remesh/remesh_task.h"
 #include "fpo/remesh/stand_in.h"
@@ -152,6 +153,7 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
         make_maximal(domain, {shared.features.samples.size(), options.threads, options.optimize.interrupted});
   result.hidden = domain.num_hidden();
   Dual dual = mended_dual(domain, shared.features, type, options, result);
+  if (!apart) result.proven_edges = num_proven_edges(domain, task.features, shared.features);
   if (options.mend && options.method == Method::fpo && !interrupted(options))
     result.finish = finish(domain, shared.features, type,
                            {angle_options(options), options.optimize_angles && !options.maximal,

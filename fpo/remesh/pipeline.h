@@ -63,14 +63,17 @@ struct RemeshOptions {
 };
 
 struct RemeshResult {
-  geom::TriMesh mesh;                    ///< vertex i is sample i; fixed points and features first
-  std::vector<SurfaceSample> samples;    ///< position and facet of the input
-  VertexField sizing;                    ///< the wanted edge length at each vertex of the input
-  VertexField wanted;                    ///< and at each vertex of the mesh
-  SizingFit fit;                         ///< of the mesh's edges to them
-  bool has_levels = false;               ///< sheets were near, and are set apart
-  std::size_t feature_samples = 0;       ///< fixed points, corners and samples on curves
-  std::size_t feature_edges = 0;         ///< between neighbours on curves
+  geom::TriMesh mesh;                  ///< vertex i is sample i; fixed points and features first
+  std::vector<SurfaceSample> samples;  ///< position and facet of the input
+  VertexField sizing;                  ///< the wanted edge length at each vertex of the input
+  VertexField wanted;                  ///< and at each vertex of the mesh
+  SizingFit fit;                       ///< of the mesh's edges to them
+  bool has_levels = false;             ///< sheets were near, and are set apart
+  std::size_t feature_samples = 0;     ///< fixed points, corners and samples on curves
+  std::size_t feature_edges = 0;       ///< between neighbours on curves
+  /// Of these, those that are in the diagram because a ball is empty (proven_edges.h). Not counted (0) where
+  /// sheets are apart.
+  std::size_t proven_edges = 0;
   std::size_t crease_curves = 0;         ///< curves kept that are creases
   std::size_t crease_edges = 0;          ///< between neighbours on these
   std::string given_up;                  ///< features that are not kept, and why, for users; empty: none

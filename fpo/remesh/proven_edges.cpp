@@ -1,0 +1,87 @@
+#include "fpo/remesh/proven_edges.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "geom/power/clip_predicates.h"
+
+namespace fpo {
+
+using geom::Location3;
+using geom::SiteId;
+using geom::Vec3;
+using geom::VertexId;
+using geom::WeightedPoint3;
+
+namespace {
+
+constexpr double margin = 1e-12;  // of all that is added: some thousand roundings
+constexpr double around = 1e-6;   // of a mesh edge, about the place: what is beaten there need not be asked
+
+/// By how much a site is farther in power than another at both ends of a mesh edge; affine between.
+struct Lead {
+  double at_from, at_to, size;
+  double at(double t) const { return (1 - t) * at_from + t * at_to; }
+};
+
+class EmptyBalls {
+ public:
+  explicit EmptyBalls(const SurfaceDomain& domain) : domain_(domain) {}
+
+  /// Does the curve pass from the cell of a to that of b?
+  bool proves(const FeatureCurve& curve, SiteId a, SiteId b) const {
+    for (std::size_t i = 0; i < curve.facets.size(); ++i) {
+      const Location3 from = vertex(curve.vertices[i]),
+                      to = vertex(curve.vertices[(i + 1) % curve.vertices.size()]);
+      if (!geom::beats_at_vertex(from, ranked(a), ranked(b)) &&
+          geom::beats_at_vertex(to, ranked(a), ranked(b)) && is_empty(from, to, a, b))
+        return true;
+    }
+    return false;
+  }
+
+ private:
+  Location3 vertex(VertexId v) const { return {domain_.mesh().position(v), domain_.mesh().level(v)}; }
+  const WeightedPoint3& site(SiteId x) const { return domain_.dual().site(x); }
+  geom::RankedPoint3 ranked(SiteId x) const { return {&site(x), x.value}; }
+
+  Lead lead(const Location3& from, const Location3& to, SiteId a, SiteId x) const {
+    const double xf = power(from, site(x)), xt = power(to, site(x)), af = power(from, site(a)),
+                 at = power(to, site(a));
+    const double weights = 2 * (site(x).weight + site(a).weight);
+    return {xf - af, xt - at, std::abs(xf) + std::abs(xt) + std::abs(af) + std::abs(at) + 2 * weights};
+  }
+
+  /// At the place of the mesh edge that is as far from a as from b.
+  bool is_empty(const Location3& from, const Location3& to, SiteId a, SiteId b) const {
+    const Lead f = lead(from, to, a, b);
+    const double t = f.at_from > f.at_to ? f.at_from / (f.at_from - f.at_to) : 0;
+    double low = std::max(0.0, t - around), high = std::min(1.0, t + around);
+    if (low > 0 && !(f.at(low) > margin * f.size)) low = 0;  // the place is surely between
+    if (high < 1 && !(f.at(high) < -margin * f.size)) high = 1;
+    for (std::size_t i = 0; i < domain_.num_samples(); ++i) {
+      const SiteId x(i);
+      if (x == a || x == b) continue;
+      const Lead g = lead(from, to, a, x);
+      if (std::min(g.at(low), g.at(high)) > margin * g.size) continue;
+      if (geom::beats_on_edge(from, to, ranked(a), ranked(b), ranked(x))) return false;
+    }
+    return true;
+  }
+
+  const SurfaceDomain& domain_;
+};
+
+}  // namespace
+
+std::size_t num_proven_edges(const SurfaceDomain& domain, const Features& features,
+                             const FeatureSamples& samples) {
+  const EmptyBalls balls(domain);
+  std::size_t proven = 0;
+  for (std::size_t c = 0; c < samples.chains.size(); ++c)
+    for (std::size_t i = 0; i + 1 < samples.chains[c].size(); ++i)
+      proven += balls.proves(features.curves[c], samples.chains[c][i], samples.chains[c][i + 1]);
+  return proven;
+}
+
+}  // namespace fpo

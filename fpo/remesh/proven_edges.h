@@ -1,0 +1,21 @@
+#pragma once
+// Edges of feature curves that are proven to be edges of the remesh. Where the curve passes from the cell of
+// one sample to that of the next, the ball that has both on its border (in power) holds no other sample: then
+// the place is on the border of their two cells, and the edge is one of the restricted regular triangulation
+// (cf. the protecting balls of Cheng, Dey, Ramos 2010). Flips (recovered_edges.h) may make others.
+
+#include <cstddef>
+
+#include "fpo/features/feature_samples.h"
+#include "fpo/surface/surface_domain.h"
+
+namespace fpo {
+
+/// The number of chain edges of which, on a mesh edge of their curve, the place that is as far in power from
+/// both ends is in nobody else's cell. The features are those of the domain's mesh, their samples its first
+/// ones. Exact in the stored doubles, ties by the ids (clip_predicates.h). O(chain edges * n), some
+/// operations in doubles each.
+std::size_t num_proven_edges(const SurfaceDomain& domain, const Features& features,
+                             const FeatureSamples& samples);
+
+}  // namespace fpo
