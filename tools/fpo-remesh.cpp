@@ -134,7 +134,7 @@ int remesh(tools::CommandLine& cli) {
   for (const std::string& line : tools::shape_warnings(result)) warn(line);
   const bool interrupted = tools::interrupt_flag();  // maybe after the optimization
   std::optional<fpo::SurfaceDistance> distance;
-  if (a.hausdorff && result.mesh.num_facets() > 0)
+  if (a.hausdorff && !interrupted && result.mesh.num_facets() > 0)
     distance = tools::measure(result.mesh, input, cli.threads()).distance;
   tools::summary_of(a, input, found, run, distance).print(a.json);
   if (interrupted) return tools::exit_interrupted;
