@@ -1,7 +1,9 @@
 #include "fpo/remesh/proven_edges.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+#include <vector>
 
 #include "geom/power/clip_predicates.h"
 
@@ -16,7 +18,8 @@ using geom::WeightedPoint3;
 namespace {
 
 constexpr double margin = 1e-12;  // of all that is added: some thousand roundings
-constexpr double around = 1e-6;   // of a mesh edge, about the place: what is beaten there need not be asked
+constexpr double more = 1 + 1e-9;
+constexpr double around = 1e-6;  // of a mesh edge, about the place: what is beaten there need not be asked
 
 /// By how much a site is farther in power than another at both ends of a mesh edge; affine between.
 struct Lead {
@@ -29,7 +32,7 @@ class EmptyBalls {
   explicit EmptyBalls(const SurfaceDomain& domain) : domain_(domain) {}
 
   /// Does the curve pass from the cell of a to that of b?
-  bool proves(const FeatureCurve& curve, SiteId a, SiteId b) const {
+  bool proves(const FeatureCurve& curve, SiteId a, SiteId b) {
     for (std::size_t i = 0; i < curve.facets.size(); ++i) {
       const Location3 from = vertex(curve.vertices[i]),
                       to = vertex(curve.vertices[(i + 1) % curve.vertices.size()]);
@@ -52,15 +55,21 @@ class EmptyBalls {
     return {xf - af, xt - at, std::abs(xf) + std::abs(xt) + std::abs(af) + std::abs(at) + 2 * weights};
   }
 
-  /// At the place of the mesh edge that is as far from a as from b.
-  bool is_empty(const Location3& from, const Location3& to, SiteId a, SiteId b) const {
+  /// At the place of the mesh edge that is as far from a as from b. Who is nearer there may own it if a is
+  /// gone.
+  bool is_empty(const Location3& from, const Location3& to, SiteId a, SiteId b) {
     const Lead f = lead(from, to, a, b);
     const double t = f.at_from > f.at_to ? f.at_from / (f.at_from - f.at_to) : 0;
     double low = std::max(0.0, t - around), high = std::min(1.0, t + around);
     if (low > 0 && !(f.at(low) > margin * f.size)) low = 0;  // the place is surely between
     if (high < 1 && !(f.at(high) < -margin * f.size)) high = 1;
-    for (std::size_t i = 0; i < domain_.num_samples(); ++i) {
-      const SiteId x(i);
+    const Vec3 first = (1 - low) * from.position + low * to.position,
+               last = (1 - high) * from.position + high * to.position, middle = 0.5 * (first + last);
+    const double most = std::max(geom::power(first, site(a)), geom::power(last, site(a)));
+    near_.clear();
+    domain_.dual().tree().heirs(
+        {a, middle, more * (last - middle).norm(), most + margin * (std::abs(most) + f.size)}, near_);
+    for (const SiteId x : near_) {
       if (x == a || x == b) continue;
       const Lead g = lead(from, to, a, x);
       if (std::min(g.at(low), g.at(high)) > margin * g.size) continue;
@@ -70,13 +79,14 @@ class EmptyBalls {
   }
 
   const SurfaceDomain& domain_;
+  std::vector<SiteId> near_;  // workspace
 };
 
 }  // namespace
 
 std::size_t num_proven_edges(const SurfaceDomain& domain, const Features& features,
                              const FeatureSamples& samples) {
-  const EmptyBalls balls(domain);
+  EmptyBalls balls(domain);
   std::size_t proven = 0;
   for (std::size_t c = 0; c < samples.chains.size(); ++c)
     for (std::size_t i = 0; i + 1 < samples.chains[c].size(); ++i)

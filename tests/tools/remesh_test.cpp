@@ -86,7 +86,7 @@ TEST_CASE(
     "fpo-remesh: a facet no wider than rounding is refused for what its samples make, not for bad data") {
   const RemeshPlace place;  // three times .1 is not .3
   check_mesh_refused(place, "line.obj", "v 0 0 0\nv .1 .2 .7\nv .3 .6 2.1\nf 1 2 3\n",
-                     "line.obj: 50 samples are too few");
+                     "line.obj: the surface is thinner than the spacing of 50 samples");
 }
 
 TEST_CASE("fpo-remesh: no output is written under a name that says another format") {

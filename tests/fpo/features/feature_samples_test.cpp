@@ -55,7 +55,8 @@ TEST_CASE("feature samples: fixed points keep their bits, divide curves, must li
 }
 
 TEST_CASE(
-    "feature samples: a remesh has the shape's topology, all chains as edges, all corners as vertices") {
+    "feature samples: a remesh has the shape's topology, all chains as edges, all corners as vertices, where "
+    "there is room") {
   struct Case {
     const char* name;
     std::size_t n;
@@ -85,8 +86,11 @@ TEST_CASE(
     CHECK(topology.boundary_loops == info.boundary_loops);
     CHECK((result.feature_edges > 0) == (shape.name != std::string("two-spheres")));
     CHECK(result.broken_feature_edges == 0);
+    const bool is_too_thin = shape.name == std::string("thin-plate");  // one edge of each side must do
+    CHECK(result.given_up.empty() == !is_too_thin);
+    if (is_too_thin) CHECK(result.measures.theta_min >= 30);
     for (const geom::VertexId corner : find_features(mesh, automatic_features()).corners)
-      CHECK(std::ranges::count(result.mesh.vertices(), mesh.position(corner)) == 1);
+      if (!is_too_thin) CHECK(std::ranges::count(result.mesh.vertices(), mesh.position(corner)) == 1);
     const geom::AabbTree tree(mesh);
     for (const Vec3& x : result.mesh.vertices()) CHECK(tree.closest(x).distance2 < 1e-24);
   }

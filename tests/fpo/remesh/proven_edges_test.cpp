@@ -52,7 +52,9 @@ TEST_CASE("proven edges: all of them on parts with enough samples, and never mor
     const Part part(name, 400);
     SurfaceDomain domain = part.domain();
     CHECK(num_proven_edges(domain, part.features, part.on_curves) <= part.edges_in(domain));
-    optimize(domain, {.max_iterations = 10});
+    OptimizeOptions options;
+    options.max_iterations = 10;
+    optimize(domain, options);
     const std::size_t proven = num_proven_edges(domain, part.features, part.on_curves);
     CHECK(proven <= part.edges_in(domain));
     if (name[0] == 'c') CHECK(proven == num_edges(part.on_curves));
