@@ -13,8 +13,8 @@ namespace fpo {
 
 /// The number of chain edges of which, on a mesh edge of their curve, the place that is as far in power from
 /// both ends is in nobody else's cell. The features are those of the domain's mesh, their samples its first
-/// ones. Exact in the stored doubles, ties by the ids (clip_predicates.h). Cost: of each curve the chain edges
-/// times the mesh edges, and a search for each chain edge.
+/// ones. Exact in the stored doubles, ties by the ids (clip_predicates.h). Cost: of each curve the chain
+/// edges times the mesh edges, and a search for each chain edge.
 std::size_t num_proven_edges(const SurfaceDomain& domain, const Features& features,
                              const FeatureSamples& samples);
 
