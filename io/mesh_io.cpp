@@ -74,12 +74,14 @@ std::string to_bytes(const geom::TriMesh& mesh, MeshFormat format) {
   throw geom::Bug("write_mesh: no such format");
 }
 
-std::string to_bytes(const geom::TriMesh& mesh, const std::filesystem::path& path) {
-  try {
-    return to_bytes(mesh, mesh_format(path));
-  } catch (const geom::InputError& unfit) {
-    throw geom::InputError("cannot write " + display_name(path) + ": " + unfit.what());
-  }
+[[noreturn]] void fail_to_write(const std::filesystem::path& path, const geom::InputError& unfit) {
+  throw geom::InputError("cannot write " + display_name(path) + ": " + unfit.what());
+}
+
+std::string to_bytes(const geom::TriMesh& mesh, const std::filesystem::path& path) try {
+  return to_bytes(mesh, mesh_format(path));
+} catch (const geom::InputError& unfit) {
+  fail_to_write(path, unfit);
 }
 
 }  // namespace
@@ -110,6 +112,14 @@ geom::TriMesh read_mesh(const std::filesystem::path& path) { return read(path, n
 
 geom::TriMesh read_mesh(const std::filesystem::path& path, std::size_t& repeated) {
   return read(path, &repeated);
+}
+
+void require_mesh(const std::filesystem::path& path, const geom::TriMesh& mesh) {
+  if (mesh_format(path) == MeshFormat::stl) try {
+      require_stl(mesh);
+    } catch (const geom::InputError& unfit) {
+      fail_to_write(path, unfit);
+    }
 }
 
 void write_mesh(const std::filesystem::path& path, const geom::TriMesh& mesh) {

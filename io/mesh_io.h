@@ -25,5 +25,8 @@ geom::TriMesh read_mesh(const std::filesystem::path& path, std::size_t& repeated
 /// coordinates; STL (binary) keeps single precision and no vertex ids. Throws geom::InputError "cannot write
 /// path: reason".
 void write_mesh(const std::filesystem::path& path, const geom::TriMesh& mesh);
+/// Throws what that would throw because its format cannot hold the mesh: what else belongs to it need not be
+/// written then.
+void require_mesh(const std::filesystem::path& path, const geom::TriMesh& mesh);
 
 }  // namespace io

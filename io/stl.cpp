@@ -130,14 +130,8 @@ geom::TriMesh parse_stl(const InputFile& file) {
                                    " facets of 50 bytes, " + std::to_string(bytes) + " bytes follow"));
 }
 
-std::string to_stl(const geom::TriMesh& mesh) {
+void require_stl(const geom::TriMesh& mesh) {
   geom::require(mesh.num_facets() <= std::numeric_limits<std::uint32_t>::max(), "too many facets for STL");
-  std::string bytes = "binary STL";
-  bytes.resize(80, ' ');
-  append_little(bytes, static_cast<std::uint32_t>(mesh.num_facets()));
-  const auto append = [&bytes](const Vec3& p) {
-    for (const double x : p) append_little(bytes, static_cast<float>(x));
-  };
   double largest = 0;
   for (const Vec3& p : mesh.vertices()) largest = std::max(largest, p.cwiseAbs().maxCoeff());
   geom::require(largest <= std::numeric_limits<float>::max(),
@@ -145,6 +139,16 @@ std::string to_stl(const geom::TriMesh& mesh) {
   // What is 2^24 times smaller than that is still a normal number.
   geom::require(largest == 0 || largest >= 0x1p-102,
                 "the coordinates are too small for STL's single precision");
+}
+
+std::string to_stl(const geom::TriMesh& mesh) {
+  require_stl(mesh);
+  std::string bytes = "binary STL";
+  bytes.resize(80, ' ');
+  append_little(bytes, static_cast<std::uint32_t>(mesh.num_facets()));
+  const auto append = [&bytes](const Vec3& p) {
+    for (const double x : p) append_little(bytes, static_cast<float>(x));
+  };
   for (const auto& facet : mesh.facets()) {
     const Vec3 &a = mesh.position(facet[0]), &b = mesh.position(facet[1]), &c = mesh.position(facet[2]);
     const Vec3 normal = (b - a).cross(c - a);

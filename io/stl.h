@@ -15,6 +15,8 @@ namespace io {
 /// characters. Throws geom::InputError "name:line: what" or "name:byte offset: what". Cost: linear.
 geom::TriMesh parse_stl(const InputFile& file);
 
+/// Throws what to_stl() would throw.
+void require_stl(const geom::TriMesh& mesh);
 /// Binary. STL stores single precision: coordinates lose digits, and vertices that become equal will be
 /// welded when read back. Throws geom::InputError (no file name) on a coordinate beyond single precision.
 std::string to_stl(const geom::TriMesh& mesh);

@@ -43,9 +43,11 @@ void write_sizing(const std::filesystem::path& path, const geom::TriMesh& input,
     io::write_values(path, values);
 }
 
-/// The remesh comes last: where it is, all is.
+/// All or none where a format cannot hold a mesh. The remesh comes last: where it is, all is.
 void write_outputs(const tools::RemeshArguments& a, const geom::TriMesh& input,
                    const fpo::RemeshResult& result, const std::string& log, bool quiet) {
+  if (!a.output.empty()) io::require_mesh(a.output, result.mesh);
+  if (!a.repaired.empty()) io::require_mesh(a.repaired, input);
   if (!a.points.empty()) tools::write_points(a, input, result);
   if (!a.repaired.empty()) io::write_mesh(a.repaired, input);
   const double factor = geom::factor_to_unit_box(input);

@@ -88,7 +88,7 @@ TEST_CASE("fpo-remesh --method: interrupted, each writes a mesh, or says that th
   for (const std::string method : {"cvt", "mps", "cps", "pps", "hps", "ccst", "vbs"}) {
     CAPTURE(method);
     const ProgramResult result =
-        place.run({"-n", "20000", "--method", method, "--iterations", "100000"}, {SIGINT, 0.5});
+        place.run({"-n", "8000", "--method", method, "--iterations", "100000"}, {SIGINT, 0.5});
     const bool disks = method.ends_with("ps");
     if (result.code == 0 && disks) continue;  // the number came out at once
     CHECK(result.code == 130);

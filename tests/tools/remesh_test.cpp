@@ -89,6 +89,21 @@ TEST_CASE(
                      "line.obj: the surface is thinner than the spacing of 50 samples");
 }
 
+TEST_CASE("fpo-remesh: where the format cannot hold the remesh nothing else is written") {
+  const RemeshPlace place;
+  std::ofstream(place.folder / "tiny.obj")
+      << "v 0 0 0\nv 1e-40 0 0\nv 0 1e-40 0\nv 0 0 1e-40\nf 1 3 2\nf 1 2 4\n"
+         "f 2 3 4\nf 3 1 4\n";
+  for (const std::string option : {"-o", "--repaired"}) {
+    const ProgramResult result = place.run({"tiny.obj", "-n", "30", "--iterations", "2", "--points", "p.xyz",
+                                            "--picture", "p.svg", option, "t.stl"});
+    CHECK(result.code == 2);
+    CHECK(result.lines_on_stderr() == 1);
+    CHECK(result.err.find("too small for STL") != std::string::npos);
+    for (const char* name : {"p.xyz", "p.svg", "t.stl"}) CHECK(!std::filesystem::exists(place.folder / name));
+  }
+}
+
 TEST_CASE("fpo-remesh: no output is written under a name that says another format") {
   const RemeshPlace place;
   const auto refused = [&](const std::string& option, const std::string& name, const std::string& endings) {
@@ -183,7 +198,8 @@ TEST_CASE("fpo-remesh: the same bytes again, from either engine and with any num
     return files;
   };
   const auto in_one_piece = outputs({});
-  for (const std::string tiles : {"auto", "off", "100"}) {
+  CHECK(outputs({"--tiles", "auto"}) == in_one_piece);
+  for (const std::string tiles : {"off", "100"}) {
     CAPTURE(tiles);
     const auto once = outputs({"--tiles", tiles});
     CHECK((once == in_one_piece) == (tiles != "100"));
