@@ -1,12 +1,12 @@
 #include "fpo/remesh/flaws.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
 
 #include "fpo/optimize.h"
+#include "fpo/remesh/nearby_places.h"
 #include "fpo/rings.h"
-#include "geom/mesh/scaling.h"
 
 namespace fpo {
 
@@ -179,20 +179,8 @@ bool LocalResampling::attempt_to_slide(std::span<const SiteId> samples) {
 std::vector<SurfaceSample> LocalResampling::places_around(SiteId site) {
   if (can_slide(site)) return slides_->places(domain_, site);
   const SurfaceSample& x = domain_.sample(site);
-  const Vec3 normal = domain_.mesh().normal(x.facet).normalized();
-  if (normal.isZero()) return {};
   if (!tree_) tree_.emplace(domain_.mesh());
-  const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
-  const double h = domain_.sizing().at(x);
-  std::vector<SurfaceSample> places;
-  for (const double step : nudges)
-    for (int k = 0; k < directions; ++k) {
-      const double angle = 2 * std::numbers::pi * k / directions;
-      const Vec3 away = x.position + step * h * (std::cos(angle) * u + std::sin(angle) * v);
-      const geom::AabbTree::Closest closest = tree_->closest(away, x.facet);
-      places.push_back({geom::snapped(closest.point), closest.facet});
-    }
-  return places;
+  return nearby_places(domain_.mesh(), *tree_, x, {domain_.sizing().at(x), nudges, directions});
 }
 
 bool LocalResampling::restore_weight(SiteId x) {

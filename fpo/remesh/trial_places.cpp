@@ -1,10 +1,8 @@
 #include "fpo/remesh/trial_places.h"
 
 #include <array>
-#include <cmath>
-#include <numbers>
 
-#include "geom/mesh/scaling.h"
+#include "fpo/remesh/nearby_places.h"
 
 namespace fpo {
 
@@ -25,18 +23,11 @@ std::vector<SurfaceSample> TrialPlaces::around(VertexId v, const SurfaceSample& 
   if (v.index() < task_.features.samples.size()) return on_curve(v, now, mesh);
   if (mesh.is_on_border(v)) return {};
   const Vec3 normal = task_.surface.normal(now.facet).normalized();
-  if (normal.isZero()) return {};
-  const Vec3 along = normal.unitOrthogonal(), aside = normal.cross(along);
-  const double h = task_.sizing.at(now);
-  std::vector<SurfaceSample> places;
-  for (const double step : trial_steps)
-    for (int k = 0; k < num_directions; ++k) {
-      const double angle = 2 * std::numbers::pi * k / num_directions;
-      const Vec3 away = now.position + step * h * (std::cos(angle) * along + std::sin(angle) * aside);
-      const geom::AabbTree::Closest closest = tree_->closest(away, now.facet);
-      if (task_.surface.normal(closest.facet).normalized().dot(normal) > same_sheet)
-        places.push_back({geom::snapped(closest.point), closest.facet});
-    }
+  std::vector<SurfaceSample> places =
+      nearby_places(task_.surface, *tree_, now, {task_.sizing.at(now), trial_steps, num_directions});
+  std::erase_if(places, [&](const SurfaceSample& x) {
+    return !(task_.surface.normal(x.facet).normalized().dot(normal) > same_sheet);
+  });
   return places;
 }
 
