@@ -19,7 +19,6 @@ using geom::VertexId;
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double narrow = 0.6;        // in spacings: wider strips have good triangles as they are
 constexpr double piece_length = 0.2;  // in spacings
 constexpr double widths = 1.5;        // the wanted length in a strip: right triangles have 34 degrees then
 constexpr double beside = 0.5;        // of the way along one curve: not across
@@ -74,7 +73,10 @@ struct Piece {
 class FacingCurves {
  public:
   FacingCurves(const TriMesh& mesh, const Features& features, double spacing)
-      : features_(features), reach_(narrow * spacing), tree_(mesh), grid_((narrow + piece_length) * spacing) {
+      : features_(features),
+        reach_(narrow_width * spacing),
+        tree_(mesh),
+        grid_((narrow_width + piece_length) * spacing) {
     for (std::size_t c = 0; c < features.curves.size(); ++c) cut(mesh, c, piece_length * spacing);
     for (std::size_t i = 0; i < pieces_.size(); ++i) grid_.add(pieces_[i].middle(), i);
   }

@@ -12,6 +12,9 @@
 
 namespace fpo {
 
+/// In spacings: wider strips between curves have good triangles as they are.
+inline constexpr double narrow_width = 0.6;
+
 /// A place on a curve that faces another one across the surface.
 struct NarrowPlace {
   geom::Vec3 at;
@@ -21,10 +24,11 @@ struct NarrowPlace {
   bool nearest;              ///< of the curves that the place faces
 };
 
-/// Those with a width below .6 times the spacing, some five a spacing or, if less, a width; one for each
-/// curve that a place faces. Two places face each other if the middle between them is near the surface, and
-/// if they are not beside each other on one curve or at a corner where both curves begin. Ascending along the
-/// curves. None if curves are longer than sixty spacings a sample: most strips are too narrow for any help.
+/// Those with a width below narrow_width times the spacing, some five a spacing or, if less, a width; one
+/// for each curve that a place faces. Two places face each other if the middle between them is near the
+/// surface, and if they are not beside each other on one curve or at a corner where both curves begin.
+/// Ascending along the curves. None if curves are longer than sixty spacings a sample: most strips are too
+/// narrow for any help.
 /// O(places), by a grid.
 std::vector<NarrowPlace> narrow_places(const geom::TriMesh& mesh, const Features& features, double spacing);
 

@@ -16,7 +16,7 @@ using geom::VertexId;
 
 namespace {
 
-constexpr double turn_scale = 0.5, collapsed = 0.5, fading = 2, long_as_closed = 20;  // in spacings
+constexpr double turn_scale = 0.5, fading = 2, long_as_closed = 20;  // in spacings
 
 constexpr double cos_side_by_side = 0.9;  // 26 degrees
 
@@ -182,7 +182,7 @@ std::optional<StrongCurves> strong_curves(const TriMesh& mesh, const FeatureOpti
   constexpr std::size_t most_curves = 500, share_of_samples = 3;
   if (all.curves.size() > most_curves) return {};
   const auto fits = [&](const Features& f) {
-    const Features left = with_short_curves_collapsed(mesh, f, collapsed * plan.spacing);
+    const Features left = with_short_curves_collapsed(mesh, f, shortest_curve * plan.spacing);
     return share_of_samples * least_number_of_samples(mesh, left, plan.fixed) <= plan.num_samples;
   };
   StrongCurves result{options, all};
@@ -247,7 +247,8 @@ FeatureChoice choose_features(const TriMesh& mesh, FeatureOptions options, const
     result.features = find_features(mesh, options);
     result.given_up = "corners of borders dropped: there are too few samples";
   }
-  result.features = with_short_curves_collapsed(mesh, std::move(result.features), collapsed * plan.spacing);
+  result.features =
+      with_short_curves_collapsed(mesh, std::move(result.features), shortest_curve * plan.spacing);
   return result;
 }
 

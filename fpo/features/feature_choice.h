@@ -11,6 +11,9 @@
 
 namespace fpo {
 
+/// In spacings: shorter curves on creases collapse.
+inline constexpr double shortest_curve = 0.5;
+
 /// What is known of the remesh before anything is sampled.
 struct SamplingPlan {
   std::size_t num_samples = 0;
@@ -31,10 +34,9 @@ struct FeatureChoice {
 /// If the features are `yielding`: creases that fade out count as closed from twenty spacings on, and are
 /// dropped if shorter than two. Where the features would need more than half of the samples, the weakest
 /// creases (weak_curves.h) are given up until they need a third, and no two are side by side with hardly a
-/// triangle between. All creases are dropped if that takes half
-/// of what there is to be seen, if they cross each other everywhere, or if they are folded as noise is
-/// (fold_sides.h); then corners, if borders need more samples than there are. Borders stay. Else nothing is
-/// dropped.
+/// triangle between. All creases are dropped if that takes half of what there is to be seen, if they cross
+/// each other everywhere, or if they are folded as noise is (fold_sides.h); then corners, if borders need
+/// more samples than there are. Borders stay. Else nothing is dropped.
 FeatureChoice choose_features(const geom::TriMesh& mesh, FeatureOptions options, const SamplingPlan& plan);
 
 /// Joins the ends of curves that are shorter than `reach`, the shortest first; `features` is of that mesh.

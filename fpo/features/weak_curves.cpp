@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "fpo/features/curve_spacing.h"
+#include "fpo/features/feature_choice.h"
+#include "geom/mesh/angles.h"
 
 namespace fpo {
 
@@ -19,9 +21,7 @@ using geom::VertexId;
 
 namespace {
 
-constexpr double crowd = 0.25;        // in spacings
-constexpr double far = 0.6;           // in spacings: what curve_spacing.h calls narrow is less
-constexpr double short_length = 0.5;  // in spacings: shorter curves collapse (feature_choice.h)
+constexpr double crowd = 0.25;  // in spacings
 constexpr double full_fold = std::numbers::pi / 2;
 
 /// Between the planes of the two facets at edge (a, b), one of which is t; facets run against each other.
@@ -31,8 +31,7 @@ double fold_at(const TriMesh& mesh, FacetId t, VertexId a, VertexId b) {
     if (std::minmax(f[e], f[(e + 1) % 3]) != std::minmax(a, b)) continue;
     const FacetId other = mesh.across(t, static_cast<int>(e));
     if (!other.valid()) return 0;
-    const Vec3 u = mesh.normal(t), v = mesh.normal(other);
-    return std::atan2(u.cross(v).norm(), u.dot(v));
+    return geom::angle_between(mesh.normal(t), mesh.normal(other));
   }
   return 0;
 }
@@ -59,7 +58,7 @@ std::vector<double> strengths(const TriMesh& mesh, const Features& features, dou
   std::vector<double> seen = lengths_of(mesh, features);
   const std::vector<double> lengths = seen;
   for (const NarrowPlace& place : places)
-    if (place.nearest) seen[place.curve] -= place.length * (1 - place.width / (far * spacing));
+    if (place.nearest) seen[place.curve] -= place.length * (1 - place.width / (narrow_width * spacing));
   for (std::size_t c = 0; c < seen.size(); ++c)
     seen[c] = features.curves[c].sheets == 2 ? std::max(seen[c], 0.0) / spacing *
                                                    fold_of(mesh, features.curves[c], lengths[c]) / full_fold
@@ -89,8 +88,9 @@ std::vector<std::size_t> weakest_curves(const TriMesh& mesh, const Features& fea
     if (std::isfinite(strength[c]) && (!wanted.only_crowded || crowded[c] > lengths[c] / 2))
       order.push_back(c);
   const double enough = std::max(1.0, wanted.share * static_cast<double>(order.size()));
-  std::ranges::stable_sort(
-      order, {}, [&](std::size_t c) { return std::pair(lengths[c] < short_length * spacing, strength[c]); });
+  std::ranges::stable_sort(order, {}, [&](std::size_t c) {
+    return std::pair(lengths[c] < shortest_curve * spacing, strength[c]);
+  });
   std::vector<std::size_t> weakest;
   for (const std::size_t c : order) {
     if (static_cast<double>(weakest.size()) + 1 > enough) break;

@@ -11,7 +11,7 @@
 namespace fpo {
 
 /// How much of each curve there is to be seen: its length in spacings, weighed by the fold, up to 90 degrees,
-/// in units of that, and less by as much as it is closer to the nearest other curve than .6 spacings
+/// in units of that, and less by as much as it is closer to the nearest other curve than narrow_width
 /// (curve_spacing.h). What is no crease has an infinite strength. O(E log E), and a search around each place.
 std::vector<double> curve_strengths(const geom::TriMesh& mesh, const Features& features, double spacing);
 
