@@ -90,9 +90,7 @@ RemeshResult on_noise(RemeshResult remesh, const TriMesh& smooth, const TriMesh&
                       const RemeshOptions& options) {
   remesh.stood_in = true;
   remesh.samples = brought(remesh.samples, remesh.feature_samples, smooth, surface);
-  Table<VertexId, Vec3> positions;
-  for (const SurfaceSample& x : remesh.samples) positions.push_back(x.position);
-  remesh.mesh = TriMesh(std::move(positions), remesh.mesh.facets());
+  remesh.mesh = with_vertices_at(remesh.samples, remesh.mesh);
   AngleOptions angles = options.angles;
   angles.interrupted = options.optimize.interrupted;
   FeatureSamples features;

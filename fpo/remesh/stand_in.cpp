@@ -192,4 +192,10 @@ std::vector<SurfaceSample> brought_to(const TriMesh& surface, std::vector<Surfac
   return samples;
 }
 
+TriMesh with_vertices_at(const std::vector<SurfaceSample>& samples, const TriMesh& remesh) {
+  geom::Table<VertexId, Vec3> positions;
+  for (const SurfaceSample& x : samples) positions.push_back(x.position);
+  return TriMesh(std::move(positions), remesh.facets());
+}
+
 }  // namespace fpo

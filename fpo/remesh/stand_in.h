@@ -28,4 +28,7 @@ geom::TriMesh stand_in(const geom::TriMesh& surface, double spacing);
 /// The points of the surface that are nearest to the samples of another one.
 std::vector<SurfaceSample> brought_to(const geom::TriMesh& surface, std::vector<SurfaceSample> samples);
 
+/// A remesh whose vertices are samples that were moved.
+geom::TriMesh with_vertices_at(const std::vector<SurfaceSample>& samples, const geom::TriMesh& remesh);
+
 }  // namespace fpo

@@ -28,9 +28,7 @@ std::optional<RemeshResult> remesh_of_stand_in(const geom::TriMesh& surface, con
 }
 
 RemeshResult on_surface(RemeshResult coarse, const geom::TriMesh& surface, const Sizing& sizing) {
-  geom::Table<geom::VertexId, geom::Vec3> positions;
-  for (const SurfaceSample& x : coarse.samples) positions.push_back(x.position);
-  coarse.mesh = geom::TriMesh(std::move(positions), coarse.mesh.facets());
+  coarse.mesh = with_vertices_at(coarse.samples, coarse.mesh);
   coarse.sizing.clear();
   for (std::size_t v = 0; v < surface.num_vertices(); ++v)
     coarse.sizing.push_back(sizing.at(geom::VertexId(v)));
