@@ -47,6 +47,11 @@ struct Scene {
   }
 };
 
+Vec3 in_triangle(const Triangle& t, Rng& rng) {
+  const double s = rng.uniform(), r = rng.uniform() * (1 - s);
+  return t[0] + s * (t[1] - t[0]) + r * (t[2] - t[0]);
+}
+
 struct Surface {
   explicit Surface(TriMesh surface)
       : mesh(std::move(surface)),
@@ -55,9 +60,7 @@ struct Surface {
         sheets(mesh, tree, levels) {}
 
   Vec3 location(FacetId t, Rng& rng) const {
-    const double s = rng.uniform(), r = rng.uniform() * (1 - s);
-    return mesh.corner(t, 0) + s * (mesh.corner(t, 1) - mesh.corner(t, 0)) +
-           r * (mesh.corner(t, 2) - mesh.corner(t, 0));
+    return in_triangle({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, rng);
   }
 
   std::optional<Scene> scene(Rng& rng) {
@@ -99,11 +102,6 @@ void for_scenes(int count, Visit visit) {
   for (Surface& surface : curved_surfaces())
     for (int i = 0; i < count; ++i)
       if (const std::optional<Scene> scene = surface.scene(rng)) visit(*scene, rng);
-}
-
-Vec3 in_triangle(const Triangle& t, Rng& rng) {
-  const double s = rng.uniform(), r = rng.uniform() * (1 - s);
-  return t[0] + s * (t[1] - t[0]) + r * (t[2] - t[0]);
 }
 
 /// On the surface, or beside it, or above one that there is.
