@@ -7,6 +7,7 @@
 #include "fpo/measure/quality.h"
 #include "fpo/remesh/effort.h"
 #include "geom/mesh/scaling.h"
+#include "tools/feature_words.h"
 #include "tools/interrupt.h"
 
 namespace tools {
@@ -88,6 +89,14 @@ void add_sizing(Summary& s, const fpo::RemeshResult& result) {
     s.count("samples_with_h_1e" + std::to_string(exponent), samples);
 }
 
+/// How many samples keep all curves, and what fewer do to them.
+void add_feature_bound(Summary& s, const fpo::RemeshResult& result) {
+  if (result.collapsed_curves > 0) s.count("collapsed_curves", result.collapsed_curves);
+  if (result.feature_bound.samples > 0) s.count("samples_for_features", result.feature_bound.samples);
+  const std::string line = feature_bound_line(result);
+  if (!line.empty()) s.line(line);
+}
+
 /// What was decided by default.
 void add_features(Summary& s, const RemeshArguments& a, const fpo::RemeshResult& result) {
   if (!a.remesh.features || !a.remesh.features->yielding) return;
@@ -165,11 +174,13 @@ Summary summary_of(const RemeshArguments& a, const geom::TriMesh& input, const f
   s.line(worded("spacing   smallest %.3f, mean %.3f of the %s", spacing.delta, spacing.mean_delta,
                 spacing.uniform ? "hexagonal one" : "wanted length"));
   add_features(s, a, result);
+  add_feature_bound(s, result);
   if (result.mesh.num_facets() == 0) return s;
   const fpo::Quality& q = shape.quality;
   s.number("edge_mean", shape.mean_edge, -1);
   s.number("Qmin", q.q_min, 6);
   s.number("Qavg", q.q_avg, 6);
+  s.number("edge_min_of_wanted", result.measures.least_edge, 4);
   s.number("theta_min", q.theta_min, 4);
   s.number("theta_min_avg", q.theta_min_avg, 4);
   s.number("theta_max", q.theta_max, 4);

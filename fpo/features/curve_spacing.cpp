@@ -1,12 +1,10 @@
 #include "fpo/features/curve_spacing.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <map>
 
+#include "fpo/features/point_grid.h"
 #include "geom/mesh/aabb_tree.h"
 
 namespace fpo {
@@ -31,35 +29,6 @@ constexpr double split_slope = 0.3, split_length = 1.5;
 constexpr double most_facets = 60;  // of the split surface, a sample
 constexpr int most_passes = 60;     // of splitting: needles never come to an end
 constexpr double most_curves = 60;  // spacings of curves a sample: most strips are too narrow to be helped
-
-/// Items by cells of a cubic lattice.
-class Grid {
- public:
-  explicit Grid(double cell) : cell_(cell) {}
-  void add(const Vec3& at, std::size_t item) { items_[key(at)].push_back(item); }
-  /// Visits what is in the cells around: all within a cell's length, and more.
-  template <class Visit>
-  void around(const Vec3& at, Visit visit) const {
-    const Key middle = key(at);
-    for (int i = -1; i <= 1; ++i)
-      for (int j = -1; j <= 1; ++j)
-        for (int k = -1; k <= 1; ++k) {
-          const auto found = items_.find({middle[0] + i, middle[1] + j, middle[2] + k});
-          if (found == items_.end()) continue;
-          for (const std::size_t item : found->second) visit(item);
-        }
-  }
-
- private:
-  using Key = std::array<std::int64_t, 3>;
-  Key key(const Vec3& at) const {
-    return {static_cast<std::int64_t>(std::floor(at.x() / cell_)),
-            static_cast<std::int64_t>(std::floor(at.y() / cell_)),
-            static_cast<std::int64_t>(std::floor(at.z() / cell_))};
-  }
-  double cell_;
-  std::map<Key, std::vector<std::size_t>> items_;
-};
 
 /// A short straight part of a curve.
 struct Piece {
@@ -160,7 +129,7 @@ class FacingCurves {
   geom::AabbTree tree_;
   std::vector<Piece> pieces_;
   std::vector<double> lengths_;
-  Grid grid_;
+  PointGrid grid_;
 };
 
 /// What the places allow elsewhere.
@@ -187,7 +156,7 @@ class LengthLimits {
  private:
   const std::vector<NarrowPlace>& places_;
   double slope_;
-  Grid grid_;
+  PointGrid grid_;
 };
 
 /// The lengths of `base` at the vertices of a surface split from its mesh.

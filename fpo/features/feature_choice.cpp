@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "fpo/features/feature_samples.h"
 #include "fpo/features/fold_sides.h"
@@ -11,6 +13,7 @@
 
 namespace fpo {
 
+using geom::FacetId;
 using geom::TriMesh;
 using geom::VertexId;
 
@@ -141,9 +144,30 @@ bool has_creases(const Features& features) {
   return std::ranges::any_of(features.curves, [](const FeatureCurve& c) { return c.sheets == 2; });
 }
 
+/// Are most edges that are no creases within plane faces?
+bool is_polyhedron(const TriMesh& mesh, const Features& features) {
+  constexpr double cos_flat = 0.9998;  // a degree
+  std::set<std::pair<VertexId, VertexId>> creases;
+  for (const FeatureCurve& curve : features.curves)
+    for (std::size_t i = 0; i < curve.facets.size(); ++i)
+      creases.insert(std::minmax(curve.vertices[i], curve.vertices[(i + 1) % curve.vertices.size()]));
+  std::size_t others = 0, flat = 0;
+  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
+    for (std::size_t e = 0; e < 3; ++e) {
+      const FacetId u = mesh.across(t, static_cast<int>(e));
+      const std::pair<VertexId, VertexId> ends = std::minmax(mesh.facet(t)[e], mesh.facet(t)[(e + 1) % 3]);
+      if (!u.valid() || u < t || creases.contains(ends)) continue;
+      ++others;
+      const geom::Vec3 a = mesh.normal(t), b = mesh.normal(u);
+      flat += a.dot(b) > cos_flat * a.norm() * b.norm();
+    }
+  return 2 * flat > others;
+}
+
 /// Folds everywhere, as in noise and on coarse models of animals: many curves of a few mesh edges, of which
-/// more than three often meet. Edges of polyhedra meet by threes, and curves of fine meshes are long.
-bool is_disorder(const Features& features) {
+/// more than three often meet. Edges of bodies with plane faces mostly meet by threes, and where they do not
+/// there are diagonals in these faces; curves of fine meshes are long.
+bool is_disorder(const TriMesh& mesh, const Features& features) {
   constexpr std::size_t many = 100, edges_of_long = 3;
   std::map<VertexId, std::size_t> degree;
   std::size_t creases = 0, edges = 0;
@@ -157,7 +181,8 @@ bool is_disorder(const Features& features) {
   }
   const auto crossings = std::ranges::count_if(degree, [](const auto& d) { return d.second > 3; });
   return creases > many &&
-         edges<edges_of_long * creases&& static_cast<std::size_t>(crossings) * 4> degree.size();
+         edges<edges_of_long * creases&& static_cast<std::size_t>(crossings) * 4> degree.size() &&
+         !is_polyhedron(mesh, features);
 }
 
 double total_strength(const TriMesh& mesh, const Features& features, double spacing) {
@@ -208,17 +233,32 @@ Features with_short_curves_collapsed(const TriMesh& mesh, Features features, dou
   return features;
 }
 
+namespace {
+
+/// What fades out is judged by the spacing.
+void judge_fading(FeatureOptions& options, double spacing) {
+  if (!options.yielding) return;
+  options.long_as_closed = long_as_closed * spacing;
+  options.shortest_fading = fading * spacing;
+}
+
+}  // namespace
+
+Features all_features(const TriMesh& mesh, FeatureOptions options, double spacing) {
+  judge_fading(options, spacing);
+  Features features = find_features(mesh, options);
+  if (options.yielding && (is_noise(fold_sides(mesh, features)) || is_disorder(mesh, features))) return {};
+  return features;
+}
+
 FeatureChoice choose_features(const TriMesh& mesh, FeatureOptions options, const SamplingPlan& plan) {
   options.turn_scale = turn_scale * plan.spacing;
-  if (options.yielding) {
-    options.long_as_closed = long_as_closed * plan.spacing;
-    options.shortest_fading = fading * plan.spacing;
-  }
+  judge_fading(options, plan.spacing);
   FeatureChoice result{find_features(mesh, options), {}};
   const auto needed = [&] { return least_number_of_samples(mesh, result.features, plan.fixed); };
   // Collapsing takes its time where there are thousands of short curves: noise goes first.
   const bool noise = options.yielding && is_noise(fold_sides(mesh, result.features));
-  const bool disorder = options.yielding && is_disorder(result.features);
+  const bool disorder = options.yielding && is_disorder(mesh, result.features);
   const bool too_many = options.yielding && has_creases(result.features) && 2 * needed() > plan.num_samples;
   std::optional<StrongCurves> strong;
   if ((too_many || (plan.strong_only && options.yielding)) && !noise && !disorder)
@@ -247,8 +287,10 @@ FeatureChoice choose_features(const TriMesh& mesh, FeatureOptions options, const
     result.features = find_features(mesh, options);
     result.given_up = "corners of borders dropped: there are too few samples";
   }
+  const std::size_t curves = result.features.curves.size();
   result.features =
       with_short_curves_collapsed(mesh, std::move(result.features), shortest_curve * plan.spacing);
+  result.collapsed = curves - result.features.curves.size();
   return result;
 }
 

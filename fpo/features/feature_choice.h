@@ -24,7 +24,8 @@ struct SamplingPlan {
 
 struct FeatureChoice {
   Features features;
-  std::string given_up;  ///< which features are not kept and why, for users; empty: none of them
+  std::string given_up;       ///< which features are not kept and why, for users; empty: none of them
+  std::size_t collapsed = 0;  ///< curves that were too short
 };
 
 /// The features of a mesh. Turns are seen at half the spacing. Curves on creases that are shorter than that
@@ -38,6 +39,11 @@ struct FeatureChoice {
 /// each other everywhere, or if they are folded as noise is (fold_sides.h); then corners, if borders need
 /// more samples than there are. Borders stay. Else nothing is dropped.
 FeatureChoice choose_features(const geom::TriMesh& mesh, FeatureOptions options, const SamplingPlan& plan);
+
+/// All those that could be kept with enough samples: with turns seen between mesh edges, none given up, none
+/// collapsed. What fades out is judged at this spacing. None if the creases are dropped however many samples
+/// there are, as noise.
+Features all_features(const geom::TriMesh& mesh, FeatureOptions options, double spacing);
 
 /// Joins the ends of curves that are shorter than `reach`, the shortest first; `features` is of that mesh.
 /// Ends of strips, borders and non-manifold edges stay as they are. What closes to a loop shorter than three

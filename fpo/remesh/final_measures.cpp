@@ -26,13 +26,16 @@ void measure_edges(const TriMesh& mesh, const VertexField& wanted, std::size_t n
                    FinalMeasures& result) {
   const std::vector<geom::MeshEdge> edges = geom::edges_of(mesh);
   std::vector<double> shortest(mesh.num_vertices(), std::numeric_limits<double>::infinity());
-  double sum = 0;
+  double sum = 0, least = std::numeric_limits<double>::infinity();
   for (const auto& [a, b] : edges) {
     const double length = (mesh.position(a) - mesh.position(b)).norm();
-    sum += length / std::sqrt(wanted[a] * wanted[b]);
+    const double of_wanted = length / std::sqrt(wanted[a] * wanted[b]);
+    sum += of_wanted;
+    least = std::min(least, of_wanted);
     for (const VertexId v : {a, b}) shortest[v.index()] = std::min(shortest[v.index()], length / wanted[v]);
   }
   result.mean_edge = sum / static_cast<double>(std::max<std::size_t>(edges.size(), 1));
+  if (!edges.empty()) result.least_edge = least;
   if (num_fixed >= shortest.size()) num_fixed = 0;
   result.delta = std::numeric_limits<double>::infinity();
   double count = 0;

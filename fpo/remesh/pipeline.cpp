@@ -7,6 +7,7 @@
 #include "fpo/interruption.h"
 #include "fpo/remesh/attempts.h"
 #include "fpo/remesh/distribution.h"
+#include "fpo/remesh/feature_bound.h"
 #include "fpo/remesh/mended_dual.h"
 #include "fpo/remesh/noise.h"
 #include "fpo/remesh/proven_edges.h"
@@ -184,6 +185,7 @@ RemeshResult remesh_with(const geom::TriMesh& surface, const FeatureChoice& choi
     result = remesh_task({surface, plain, nullptr, choice.features, only_apart, start}, options);
   }
   result.given_up = choice.given_up;
+  result.collapsed_curves = choice.collapsed;
   return result;
 }
 
@@ -249,7 +251,11 @@ RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const Reme
 
 /// On a smooth surface where this one is noise, or on itself.
 RemeshResult remesh_smoothed_or_not(const geom::TriMesh& surface, const RemeshOptions& options) {
-  if (!is_better_smoothed(surface, options)) return remesh_with_creases_or_not(surface, options);
+  if (!is_better_smoothed(surface, options)) {
+    RemeshResult result = remesh_with_creases_or_not(surface, options);
+    if (!interrupted(options)) result.feature_bound = feature_bound(surface, options);
+    return result;
+  }
   const geom::TriMesh smooth = smoothed(surface, options.num_samples);
   return on_noise(remesh_with_creases_or_not(smooth, options), smooth, surface, options);
 }

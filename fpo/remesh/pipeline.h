@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fpo/features/feature_samples.h"
+#include "fpo/features/samples_for_features.h"
 #include "fpo/measure/quality.h"
 #include "fpo/optimize.h"
 #include "fpo/remesh/angles.h"
@@ -77,6 +78,8 @@ struct RemeshResult {
   std::size_t crease_curves = 0;         ///< curves kept that are creases
   std::size_t crease_edges = 0;          ///< between neighbours on these
   std::string given_up;                  ///< features that are not kept, and why, for users; empty: none
+  std::size_t collapsed_curves = 0;      ///< too short for the spacing
+  FeatureBound feature_bound;            ///< how many samples keep all features
   Protection protection;                 ///< of those edges
   std::size_t broken_feature_edges = 0;  ///< those that are no edges of the mesh
   Finish finish;                         ///< what was mended on the mesh

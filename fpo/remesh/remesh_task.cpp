@@ -5,12 +5,9 @@
 #include "fpo/remesh/small_loops.h"
 
 namespace fpo {
-namespace {
 
-/// Beside narrow places: steeper than elsewhere, for what is refined there is taken from all others.
+// Steeper than elsewhere, for what is refined there is taken from all others.
 double curve_gradation(const RemeshOptions& options) { return std::max(0.18, options.limits.gradation); }
-
-}  // namespace
 
 double even_spacing(const geom::TriMesh& surface, const RemeshOptions& options) {
   return hexagonal_spacing(surface.area(), options.num_samples);

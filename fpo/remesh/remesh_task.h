@@ -14,6 +14,9 @@ namespace fpo {
 /// Were all lengths the same.
 double even_spacing(const geom::TriMesh& surface, const RemeshOptions& options);
 
+/// Beside narrow places.
+double curve_gradation(const RemeshOptions& options);
+
 /// Those that the options ask for.
 FeatureChoice chosen_features(const geom::TriMesh& surface, const RemeshOptions& options);
 

@@ -119,6 +119,18 @@ TEST_CASE("feature choice: no creases in noise") {
   }
 }
 
+TEST_CASE("feature choice: plane faces whose edges meet by fours are no disorder, bent ones are") {
+  const TriMesh cube = chamfered_cube(0.1);
+  TriMesh cubes = cube;
+  for (int i = 1; i < 3; ++i)
+    cubes = geom::joined(
+        cubes, geom::mapped(cube, [i](const Vec3& p) -> Vec3 { return p + 2 * i * Vec3::UnitX(); }));
+  CHECK(choose_features(cubes, automatic_features(), plan_of(cubes, 3000)).features.curves.size() == 3 * 48);
+  const FeatureChoice bent = choose_features(noisy(cubes, 0.01), automatic_features(), plan_of(cubes, 3000));
+  CHECK(bent.features.curves.empty());
+  CHECK(!bent.given_up.empty());
+}
+
 TEST_CASE("feature choice: what nobody asked for is never refused, and what is given up is said") {
   const TriMesh cube = geom::make_shape("cube");
   for (const std::size_t n : {1, 4, 7, 9, 15}) {

@@ -19,6 +19,7 @@ TEST_CASE("final measures: of a regular triangle and of a flat one") {
   CHECK(good.delta == doctest::Approx(0.5));
   CHECK(good.mean_delta == doctest::Approx(0.5));
   CHECK(good.mean_edge == doctest::Approx(0.5));
+  CHECK(good.least_edge == doctest::Approx(0.5));
   CHECK(good.theta_min == doctest::Approx(60));
   CHECK(good.angles_below_30 == 0);
   CHECK(good.bad_triangles == 0);
@@ -28,6 +29,7 @@ TEST_CASE("final measures: of a regular triangle and of a flat one") {
   const FinalMeasures bad = final_measures(flat, VertexField{1.0, 4.0, 1.0}, 0, {});
   const double side = std::hypot(1, 0.1);
   CHECK(bad.delta == doctest::Approx(side / 4));
+  CHECK(bad.least_edge == doctest::Approx(side / 2));
   CHECK(bad.mean_edge == doctest::Approx((2 / 2.0 + side / 2 + side) / 3));
   CHECK(bad.angles_below_30 == 2);
   CHECK(bad.theta_min == doctest::Approx(std::atan(0.1) * 180 / std::acos(-1.0)));

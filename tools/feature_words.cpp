@@ -1,0 +1,40 @@
+#include "tools/feature_words.h"
+
+#include "tools/worded.h"
+
+namespace tools {
+namespace {
+
+const char* reason(fpo::FeatureNeed need) {
+  switch (need) {
+    case fpo::FeatureNeed::number:
+      return "curves are many";
+    case fpo::FeatureNeed::short_curves:
+      return "some curves are short";
+    case fpo::FeatureNeed::close_curves:
+      return "some curves are close to each other";
+    case fpo::FeatureNeed::small_angles:
+      return "some curves meet at small angles";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string feature_bound_line(const fpo::RemeshResult& result) {
+  const std::size_t n = result.samples.size(), needed = result.feature_bound.samples;
+  const char* why = reason(result.feature_bound.need);
+  std::string line;
+  if (needed > n)
+    line = worded("features  all curves kept and all their edges sure from -n %zu on: %s", needed, why);
+  else if (needed == 0 && result.feature_bound.need != fpo::FeatureNeed::number)
+    line = worded("features  no number of samples makes sure of all edges of curves: %s", why);
+  else
+    return {};
+  if (!result.has_levels)
+    line += worded("; here %zu of %zu edges are", result.proven_edges, result.feature_edges);
+  if (result.collapsed_curves > 0) line += worded(", and %zu curves are collapsed", result.collapsed_curves);
+  return line;
+}
+
+}  // namespace tools
