@@ -89,8 +89,8 @@ class Bound {
 
   static bool is_acute(const CurveCorner& corner) { return corner.angle < std::numbers::pi / 3; }
 
-  /// Of a curve in wanted lengths. With as many edges as it has acute corners, and one more, it has samples on
-  /// the spheres about all of these.
+  /// Of a curve in wanted lengths, that has one edge more than small angles: then it has samples on the
+  /// spheres about all of these.
   static double length_for(const CurveCorner& corner, double edges) {
     if (!is_acute(corner)) return std::min(need::similar_edges, need::longest_edge * std::cos(corner.angle));
     return std::max(edges > 2 ? need::three_edges : need::two_edges,

@@ -20,12 +20,13 @@
 //    holds none. They are off by as much as numbers of edges are rounded, 1.5 e / k an edge for k edges. At
 //    the j-th one that is j 1.5 e / k, and curves are so far apart that up to 2 (1 + j)^2 (1 - cos a) e does
 //    no harm; half of that is left where curves bend (clearance says where they bend more). That is so for
-//    all j if k >= .375 / (1 - cos a). Below 60 degrees at least two edges are needed, three
-//    with small angles at both ends, so that first samples are on one sphere at all; between 60 and 90 lengths of 1.25 cos a, or .63, for edges of .63 to 1.25.
+//    all j if k >= .375 / (1 - cos a). Below 60 degrees at least two edges are needed, three with small angles
+//    at both ends, so that first samples are on one sphere at all; between 60 and 90 lengths of 1.25 cos a,
+//    or .63, for edges of .63 to 1.25.
 //
 // No curve collapses (feature_choice.h) if the spacing is at most twice its length, but for ends of strips;
-// none is given up if features need no more than half of the samples; a
-// quarter is asked for, so that faces have some, too. All conditions become weaker with n.
+// none is given up if features need no more than half of the samples; a quarter is asked for, so that faces
+// have some, too. All conditions become weaker with n.
 
 #include <cstddef>
 #include <span>
@@ -55,7 +56,7 @@ struct FeatureBoundTask {
 };
 
 /// The number of samples from which on all curves are kept and all their edges are proven. Not more than
-/// some 1e8. It does not depend on n if the sizing is uniform, but for rounding. O(places of curve_clearances).
+/// some 1e8. It does not depend on n if the sizing is uniform. O(places of curve_clearances).
 FeatureBound samples_for_features(const FeatureBoundTask& task);
 
 }  // namespace fpo
