@@ -26,13 +26,16 @@ std::string feature_bound_line(const fpo::RemeshResult& result) {
   const char* why = reason(result.feature_bound.need);
   std::string line;
   if (needed > n)
-    line = worded("features  all curves kept and all their edges sure from -n %zu on: %s", needed, why);
+    line =
+        worded("features  from -n %zu on all curves are kept and none is in the way of another's edges: %s",
+               needed, why);
   else if (needed == 0 && result.feature_bound.need != fpo::FeatureNeed::number)
-    line = worded("features  no number of samples makes sure of all edges of curves: %s", why);
+    line = worded("features  with no number of samples are curves out of the way of each other's edges: %s",
+                  why);
   else
     return {};
   if (!result.has_levels)
-    line += worded("; here %zu of %zu edges are", result.proven_edges, result.feature_edges);
+    line += worded("; here %zu of %zu edges are proven", result.proven_edges, result.feature_edges);
   if (result.collapsed_curves > 0) line += worded(", and %zu curves are collapsed", result.collapsed_curves);
   return line;
 }

@@ -7,8 +7,8 @@
 
 namespace tools {
 
-/// One line: from which number on all curves are kept and their edges are proven, why, and what of that is so
-/// with the samples there are. Empty if there are enough, or no features.
+/// One line: from which number on all curves are kept and none is in the way of another's edges, why it is so
+/// many, and how many edges are proven with the samples there are. Empty if there are enough, or no features.
 std::string feature_bound_line(const fpo::RemeshResult& result);
 
 }  // namespace tools

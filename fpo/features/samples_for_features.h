@@ -7,7 +7,7 @@
 //
 // 1. Samples that are not on features. Optimization keeps them .9 wanted lengths from all others, hence from
 //    a and b; a sample at distance d from both is in the ball only if 2 d^2 < L^2, L being the edge, and
-//    2 (.9)^2 > (1.25)^2.
+//    2 (.9)^2 > (1.25)^2. This alone is measured and not proven: what came of it is proven_feature_edges.
 // 2. Samples of another curve, or of another part of the same, at a clearance w (curve_clearance.h): none is
 //    if 1.25 h <= 2 w, that is h <= 1.6 w. Either lengths are so small everywhere, or they are lowered across
 //    a strip between curves to 1.5 w (curve_spacing.h), where n suffices for that. What that takes is bounded
@@ -20,9 +20,9 @@
 //    holds none. They are off by as much as numbers of edges are rounded, 1.5 e / k an edge for k edges. At
 //    the j-th one that is j 1.5 e / k, and curves are so far apart that up to 2 (1 + j)^2 (1 - cos a) e does
 //    no harm; half of that is left where curves bend (clearance says where they bend more). That is so for
-//    all j if k >= .375 / (1 - cos a). Below 60 degrees at least two edges are needed, three with small angles
-//    at both ends, so that first samples are on one sphere at all; between 60 and 90 lengths of 1.25 cos a,
-//    or .63, for edges of .63 to 1.25.
+//    all j if k >= .375 / (1 - cos a). Below 60 degrees at least two edges are needed, three with small
+//    angles at both ends, so that first samples are on one sphere at all; between 60 and 90 lengths of
+//    1.25 cos a, or .63, for edges of .63 to 1.25.
 //
 // No curve collapses (feature_choice.h) if the spacing is at most twice its length, but for ends of strips;
 // none is given up if features need no more than half of the samples; a quarter is asked for, so that faces
@@ -55,7 +55,8 @@ struct FeatureBoundTask {
   double gradation = 0;   ///< beside narrow places; 0: lengths are not lowered there
 };
 
-/// The number of samples from which on all curves are kept and all their edges are proven. Not more than
+/// The number of samples from which on all curves are kept and the ball of each of their edges is empty of
+/// other samples of the features. Not more than
 /// some 1e8. It does not depend on n if the sizing is uniform. O(places of curve_clearances).
 FeatureBound samples_for_features(const FeatureBoundTask& task);
 

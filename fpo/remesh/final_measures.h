@@ -15,7 +15,7 @@ struct FinalMeasures {
   double delta = 0;       ///< the shortest edge at a vertex that is not fixed (at any if all are): the least
   double mean_delta = 0;  ///< and the mean of them
   double mean_edge = 0;
-  double least_edge = 0;  ///< the shortest of all edges
+  double least_edge = 0;            ///< the shortest of all edges
   double theta_min = 180;           ///< the smallest angle, degrees
   std::size_t angles_below_30 = 0;  ///< less 1e-9 for rounding
   std::size_t bad_triangles = 0;    ///< beyond the bounds of angle optimization

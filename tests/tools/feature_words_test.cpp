@@ -24,5 +24,5 @@ TEST_CASE("feature words: below the number it is said with the reason, from ther
   result.collapsed_curves = 3;
   CHECK(tools::feature_bound_line(result).find("3 curves are collapsed") != std::string::npos);
   result.feature_bound = {0, FeatureNeed::small_angles};
-  CHECK(tools::feature_bound_line(result).find("no number") != std::string::npos);
+  CHECK(tools::feature_bound_line(result).find("no number of samples") != std::string::npos);
 }
