@@ -30,7 +30,7 @@ TriMesh noisy(const TriMesh& mesh, double by) {
 TEST_CASE("noise: smooth surfaces have none, nor do coarse ones") {
   for (const auto& [name, mesh] : fixtures::surfaces()) {
     CAPTURE(name);
-    CHECK(!fpo::has_noise(mesh, mesh.num_facets() / 16 + 1));
+    CHECK(!fpo::has_noise(mesh, mesh.num_facets() / 6 + 1));
   }
   const TriMesh sphere = geom::make_shape("sphere", 60);
   CHECK(!fpo::has_noise(sphere, 20));
