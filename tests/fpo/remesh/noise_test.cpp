@@ -37,6 +37,8 @@ TEST_CASE("noise: smooth surfaces have none, nor do coarse ones") {
   CHECK(fpo::has_noise(noisy(sphere, 0.01), 20));
   CHECK(!fpo::has_noise(noisy(sphere, 1e-5), 20));
   CHECK(!fpo::has_noise(noisy(sphere, 0.01), sphere.num_facets()));
+  CHECK(fpo::is_folded(noisy(sphere, 0.01)));  // coarse or not
+  CHECK(!fpo::is_folded(sphere));
 }
 
 TEST_CASE("noise: without it facets and borders are the same, and the surface is near the one before") {

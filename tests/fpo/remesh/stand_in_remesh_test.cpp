@@ -5,10 +5,8 @@
 #include "doctest.h"
 #include "fpo/remesh/remesh_defaults.h"
 #include "fpo/surface/barycentric.h"
-#include "geom/rng.h"
 #include "geom/shapes/mesh_parts.h"
 #include "geom/shapes/shapes.h"
-#include "tests/fixtures/needles.h"
 
 namespace {
 
@@ -46,17 +44,4 @@ TEST_CASE("brought to another surface, a remesh has its samples there, its type,
   CHECK(there.measures.theta_min == again.theta_min);
   CHECK(there.measures.mean_edge == again.mean_edge);
   CHECK(there.measures.mean_edge > 1.05 * before);
-}
-
-TEST_CASE("a folded body is of its type, if only smoothed") {
-  geom::Rng rng(3);
-  const TriMesh body = geom::mapped(fixtures::stretched_sphere(40, 20, 1), [&](const Vec3& p) -> Vec3 {
-    return {p.x() * rng.uniform(0.7, 1.3), p.y() * rng.uniform(0.7, 1.3), p.z() * rng.uniform(0.7, 1.3)};
-  });
-  const fpo::RemeshResult result = fpo::remesh(body, options_for(300));
-  const geom::Topology t = geom::topology(result.mesh);
-  CHECK(result.type.ok());
-  CHECK(t.manifold());
-  CHECK(t.euler == 2);
-  CHECK(t.vertices == 300);
 }
