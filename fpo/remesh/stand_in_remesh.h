@@ -10,8 +10,8 @@ namespace fpo {
 
 using RemeshFunction = std::function<RemeshResult(const geom::TriMesh&, const RemeshOptions&)>;
 
-/// The remesh of the coarser surface, its samples brought to the surface, its mesh not. None where the surface
-/// is not made of needles, or no other can be had.
+/// The remesh of the coarser surface, its samples brought to the surface, its mesh not. None where the
+/// surface is not made of needles, or no other can be had.
 std::optional<RemeshResult> remesh_of_stand_in(const geom::TriMesh& surface, const RemeshOptions& options,
                                                const RemeshFunction& remesh);
 
