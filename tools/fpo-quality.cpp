@@ -45,7 +45,8 @@ std::vector<std::pair<std::string, double>> faults_of(const geom::TriMesh& mesh,
           {"self_intersections_all", d.intersections->all ? 1.0 : 0.0},
           {"stray_facets", count(d.stray_facets)},
           {"tiny_components", count(d.tiny_parts)},
-          {"doubled_components", count(d.copies)}};
+          {"doubled_components", count(d.copies)},
+          {"spikes", count(d.spikes)}};
 }
 
 int quality(tools::CommandLine& cli) {

@@ -92,7 +92,7 @@ fpo::AtLeastResult remesh_named(const tools::SurfaceInput& input, const tools::R
 
 int remesh(tools::CommandLine& cli) {
   tools::RemeshArguments a = tools::parse_remesh_arguments(cli);
-  tools::NothingToSave nothing_to_save(cli.program());
+  tools::EndsAtOnce nothing_to_save(tools::nothing_is_written(cli.program()));
   tools::SurfaceInput read = tools::read_surface(a.input, a.repair);
   const geom::TriMesh& input = read.mesh;
   tools::read_files(a, input);
@@ -135,6 +135,8 @@ int remesh(tools::CommandLine& cli) {
   for (const std::string& line : tools::type_warnings(input, result, a.remesh)) warn(line);
   for (const std::string& line : tools::shape_warnings(result)) warn(line);
   const bool interrupted = tools::interrupt_flag();  // maybe after the optimization
+  std::optional<tools::EndsAtOnce> all_saved;
+  if (!interrupted) all_saved.emplace(tools::all_is_written(cli.program()));
   std::optional<fpo::SurfaceDistance> distance;
   if (a.hausdorff && !interrupted && result.mesh.num_facets() > 0)
     distance = tools::measure(result.mesh, input, cli.threads()).distance;

@@ -45,15 +45,22 @@ const std::atomic<bool>& interrupt_flag() {
   return interrupted;
 }
 
-NothingToSave::NothingToSave(const std::string& program) {
-  const std::string words = program + ": " + geom::Interrupted().what() + ": nothing is written\n";
-  words.copy(last_words.data(), last_words.size() - 1);
-  interrupt_flag();
+EndsAtOnce::EndsAtOnce(const std::string& last) {
+  last_words.fill(0);
+  last.copy(last_words.data(), last_words.size() - 1);
   at_once = true;
-  stop_if_interrupted();
+  if (interrupt_flag()) end_here();
 }
 
-void NothingToSave::end() { at_once = false; }
+void EndsAtOnce::end() { at_once = false; }
+
+std::string nothing_is_written(const std::string& program) {
+  return program + ": " + geom::Interrupted().what() + ": nothing is written\n";
+}
+
+std::string all_is_written(const std::string& program) {
+  return program + ": interrupted when all was written, before it was measured\n";
+}
 
 void stop_if_interrupted() {
   if (interrupt_flag()) throw geom::Interrupted();

@@ -14,16 +14,21 @@ const std::atomic<bool>& interrupt_flag();
 void stop_if_interrupted();
 
 /// While there is nothing to save, there is nothing to wait for either: from its making to end() or its own
-/// end the first signal ends the program at once, with the line and the exit code of geom::Interrupted,
-/// whatever it is at. One at a time; no output may be open.
-class NothingToSave {
+/// end the first signal ends the program at once, with a line and the exit code of an interruption, whatever
+/// it is at. One at a time; no output may be open.
+class EndsAtOnce {
  public:
-  explicit NothingToSave(const std::string& program);
-  ~NothingToSave() { end(); }
-  NothingToSave(const NothingToSave&) = delete;
-  NothingToSave& operator=(const NothingToSave&) = delete;
+  /// Ends it if a signal has arrived before.
+  explicit EndsAtOnce(const std::string& last_words);
+  ~EndsAtOnce() { end(); }
+  EndsAtOnce(const EndsAtOnce&) = delete;
+  EndsAtOnce& operator=(const EndsAtOnce&) = delete;
   void end();
 };
+
+/// The last words before there is a result, and when all that was wanted is written.
+std::string nothing_is_written(const std::string& program);
+std::string all_is_written(const std::string& program);
 
 inline constexpr const char* interrupt_help =
     "Ctrl-C (SIGINT, SIGTERM) ends the run with the result so far and exit code 130, a second one at once.";

@@ -1,10 +1,10 @@
 #include "fpo/remesh/noise.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "fpo/interruption.h"
-#include "fpo/remesh/last_angles.h"
 #include "fpo/remesh/stand_in.h"
+#include "fpo/remesh/stand_in_remesh.h"
 #include "fpo/surface/barycentric.h"
 #include "geom/mesh/scaling.h"
 
@@ -18,7 +18,7 @@ using geom::VertexId;
 
 namespace {
 
-constexpr std::size_t facets_a_cell = 16;  // at least, in noise
+constexpr std::size_t facets_a_cell = 6;  // at least, in noise
 constexpr double cosine_of_fold = 0.866;
 constexpr std::size_t facets_a_pass = 5, least_passes = 4, most_smoothing = 200;  // of a cell
 
@@ -45,8 +45,7 @@ std::vector<SurfaceSample> brought(const std::vector<SurfaceSample>& from, std::
 
 }  // namespace
 
-bool has_noise(const TriMesh& surface, std::size_t n) {
-  if (surface.num_facets() / facets_a_cell < n) return false;
+bool is_folded(const TriMesh& surface) {
   std::size_t edges = 0, folded = 0;
   for (FacetId t(0); t.index() < surface.num_facets(); t = FacetId(t.value + 1))
     for (int e = 0; e < 3; ++e) {
@@ -59,10 +58,14 @@ bool has_noise(const TriMesh& surface, std::size_t n) {
   return edges > 0 && 2 * folded > edges;
 }
 
-bool is_better_smoothed(const TriMesh& surface, const RemeshOptions& options) {
+bool has_noise(const TriMesh& surface, std::size_t n) {
+  return surface.num_facets() / facets_a_cell >= n && is_folded(surface);
+}
+
+bool may_be_smoothed(const RemeshOptions& options) {
   const bool has_marks = options.features && !options.features->marked.empty();
   return options.method == Method::fpo && options.optimize.max_iterations > 0 && options.fixed.empty() &&
-         !options.keep_cells && !options.maximal && !has_marks && has_noise(surface, options.num_samples);
+         !options.keep_cells && !options.maximal && !has_marks;
 }
 
 TriMesh smoothed(const TriMesh& surface, std::size_t n) {
@@ -90,20 +93,7 @@ RemeshResult on_noise(RemeshResult remesh, const TriMesh& smooth, const TriMesh&
                       const RemeshOptions& options) {
   remesh.stood_in = true;
   remesh.samples = brought(remesh.samples, remesh.feature_samples, smooth, surface);
-  remesh.mesh = with_vertices_at(remesh.samples, remesh.mesh);
-  AngleOptions angles = options.angles;
-  angles.interrupted = options.optimize.interrupted;
-  FeatureSamples features;
-  features.samples.assign(remesh.samples.begin(),
-                          remesh.samples.begin() + static_cast<std::ptrdiff_t>(remesh.feature_samples));
-  if (options.mend && options.optimize_angles && remesh.type.is_manifold() &&
-      !interrupted(angles.interrupted))
-    remesh.finish.last_angles = mend_last_angles(
-        {surface, Sizing(surface, remesh.sizing), features, nullptr, angles}, remesh.mesh, remesh.samples);
-  remesh.fit = sizing_fit(remesh.mesh, remesh.wanted);
-  remesh.measures = final_measures(remesh.mesh, remesh.wanted, remesh.feature_samples, angles);
-  remesh.angles.bad_after = remesh.measures.bad_triangles;
-  return remesh;
+  return with_mesh_on(surface, std::move(remesh), options);
 }
 
 }  // namespace fpo

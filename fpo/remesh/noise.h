@@ -14,13 +14,16 @@
 
 namespace fpo {
 
-/// Whether n cells have 16 facets each and more, and half of the edges inside are folded by more than 30
-/// degrees. O(F).
+/// Whether half of the edges inside are folded by more than 30 degrees. O(F).
+bool is_folded(const geom::TriMesh& surface);
+
+/// Whether it is, and n cells have 6 facets each and more. Folds of larger facets are shapes, unless without
+/// smoothing the remesh is of another type.
 bool has_noise(const geom::TriMesh& surface, std::size_t n);
 
-/// Whether it has, and nothing is asked for that needs the surface itself: fixed points, marked features,
-/// cells, a maximal set, another method than fpo.
-bool is_better_smoothed(const geom::TriMesh& surface, const RemeshOptions& options);
+/// Whether nothing is asked for that needs the surface itself: fixed points, marked features, cells, a
+/// maximal set, another method than fpo.
+bool may_be_smoothed(const RemeshOptions& options);
 
 /// The same facets, each vertex moved towards the mean of those around, as many times as average over some .3
 /// spacings of n samples (at most 200 times); at borders of those along them. O(F) each time. Deterministic.

@@ -53,7 +53,8 @@ std::unique_ptr<SurfaceDomain> with_room(std::unique_ptr<SurfaceDomain> domain, 
                                          RemeshResult& result) {
   if (!options.mend) return domain;
   result.protection = protect_chains(*domain, shared.features);
-  if (options.method != Method::fpo || !type.manifold || result.stood_in) return domain;
+  if (options.method != Method::fpo || !type.manifold || result.stood_in || interrupted(options))
+    return domain;
   ThinPartOptions room;
   room.diagram = surface_options(shared, options);
   room.scope = options.optimize.scope;
@@ -64,8 +65,8 @@ std::unique_ptr<SurfaceDomain> with_room(std::unique_ptr<SurfaceDomain> domain, 
 /// What follows the optimization: angles, fidelity.
 void improve(SurfaceDomain& domain, const SharedSizing& shared, const AngleOptions& angles,
              const RemeshOptions& options, RemeshResult& result) {
-  if (options.optimize_angles) result.angles = optimize_angles(domain, angles);
-  if (!options.improve_fidelity || result.stood_in) return;
+  if (options.optimize_angles && !interrupted(options)) result.angles = optimize_angles(domain, angles);
+  if (!options.improve_fidelity || result.stood_in || interrupted(options)) return;
   FidelityOptions fidelity;
   fidelity.enough_delta = options.angles.enough_delta;
   fidelity.interrupted = options.optimize.interrupted;
@@ -130,7 +131,7 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   if (!task.narrow) coarse = remesh_of_stand_in(task.input, options, remesh_smoothed_or_not);
   if (coarse && (interrupted(options) || is_remnant(coarse->mesh)) && options.fixed.empty() &&
       !options.keep_cells)
-    return on_surface(std::move(*coarse), task.input, shared.sizing);
+    return on_surface(std::move(*coarse), task.input, shared.sizing, options);
   std::optional<SplitSurface> apart;
   if (!coarse) apart = surface_apart(task, shared, options);
   if (task.only_apart && !apart) return result;
@@ -154,7 +155,8 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
         make_maximal(domain, {shared.features.samples.size(), options.threads, options.optimize.interrupted});
   result.hidden = domain.num_hidden();
   Dual dual = mended_dual(domain, shared.features, type, options, result);
-  if (!apart) result.proven_edges = num_proven_edges(domain, task.features, shared.features);
+  if (!apart && !interrupted(options))
+    result.proven_edges = num_proven_edges(domain, task.features, shared.features);
   if (options.mend && options.method == Method::fpo && !interrupted(options))
     result.finish = finish(domain, shared.features, type,
                            {angle_options(options), options.optimize_angles && !options.maximal,
@@ -166,7 +168,9 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   tell_of_lengths(task, sizing, angle_options(options), result);
   result.has_levels = apart.has_value();
   if (apart) return_to(*apart, result);
-  return result;
+  if (!coarse || is_fine(result) || !options.fixed.empty() || options.keep_cells) return result;
+  RemeshResult other = on_surface(std::move(*coarse), task.input, shared.sizing, options);
+  return is_better(other, result) ? other : result;
 }
 
 /// `only_apart`: no mesh if there are no sheets to be set apart.
@@ -195,7 +199,7 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
                            const RemeshOptions& options) {
   RemeshResult best = remesh_with(surface, choice, options);
   if (options.sheets != Sheets::automatic || options.method != Method::fpo || is_fine(best) ||
-      is_remnant(best.mesh))
+      best.stood_in || is_remnant(best.mesh))  // all of this was tried on what stood in
     return best;
   RemeshOptions with_levels = options;
   with_levels.sheets = Sheets::apart;
@@ -244,20 +248,28 @@ RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, RemeshResul
 RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const RemeshOptions& options) {
   RemeshResult result = remesh_sheets(surface, chosen_features(surface, options), options);
   if (result.crease_curves == 0 || !options.features->yielding || options.method != Method::fpo ||
-      interrupted(options) || !geom::topology(surface).manifold() || is_useful(result))
+      result.stood_in || interrupted(options) || !geom::topology(surface).manifold() || is_useful(result))
     return result;
   return remesh_with_fewer_creases(surface, std::move(result), options);
 }
 
-/// On a smooth surface where this one is noise, or on itself.
-RemeshResult remesh_smoothed_or_not(const geom::TriMesh& surface, const RemeshOptions& options) {
-  if (!is_better_smoothed(surface, options)) {
-    RemeshResult result = remesh_with_creases_or_not(surface, options);
-    if (!interrupted(options)) result.feature_bound = feature_bound(surface, options);
-    return result;
-  }
+RemeshResult remesh_smoothed(const geom::TriMesh& surface, const RemeshOptions& options) {
   const geom::TriMesh smooth = smoothed(surface, options.num_samples);
   return on_noise(remesh_with_creases_or_not(smooth, options), smooth, surface, options);
+}
+
+/// On a smooth surface where this one is noise or, if it is folded, no remesh of it is of its type; or on
+/// itself.
+RemeshResult remesh_smoothed_or_not(const geom::TriMesh& surface, const RemeshOptions& options) {
+  const bool may_be = may_be_smoothed(options);
+  if (may_be && has_noise(surface, options.num_samples)) return remesh_smoothed(surface, options);
+  RemeshResult result = remesh_with_creases_or_not(surface, options);
+  if (!interrupted(options)) result.feature_bound = feature_bound(surface, options);
+  if (!may_be || result.type.ok() || interrupted(options) || !is_folded(surface) ||
+      !geom::topology(surface).manifold())
+    return result;
+  RemeshResult other = remesh_smoothed(surface, options);
+  return other.type.ok() && !interrupted(options) ? other : result;
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ using geom::TriMesh;
 using geom::Vec3;
 using geom::VertexId;
 
-constexpr double long_facet = 2, most_needles = 100;  // in spacings
+constexpr double long_facet = 1, most_needles = 40;  // in spacings
 constexpr double short_edge = 1.0 / 8, new_edge = 1.0 / 6, long_edge = 1.0 / 2, near = 1.0 / 50;
 constexpr double most_stretch = 1.2;
 constexpr int most_passes = 32;

@@ -14,8 +14,8 @@
 
 namespace fpo {
 
-/// Whether n cells of that spacing are cut by needles: facets more than two spacings long count with their
-/// length, and there must be more than 100 spacings of them a cell. Well-shaped facets are never so many, for
+/// Whether n cells of that spacing are cut by needles: facets more than a spacing long count with their
+/// length, and there must be more than 40 spacings of them a cell. Well-shaped facets are never so many, for
 /// there is no room for them.
 bool has_needles(const geom::TriMesh& surface, std::size_t n, double spacing);
 

@@ -10,12 +10,18 @@ namespace fpo {
 
 using RemeshFunction = std::function<RemeshResult(const geom::TriMesh&, const RemeshOptions&)>;
 
-/// The remesh of the coarser surface, its samples brought to the surface. None where the surface is not made
-/// of needles, or no other can be had.
+/// The remesh of the coarser surface, its samples brought to the surface, its mesh not. None where the
+/// surface is not made of needles, or no other can be had.
 std::optional<RemeshResult> remesh_of_stand_in(const geom::TriMesh& surface, const RemeshOptions& options,
                                                const RemeshFunction& remesh);
 
-/// It as the result, if there is no time for another one, or hardly anything would be left of it.
-RemeshResult on_surface(RemeshResult coarse, const geom::TriMesh& surface, const Sizing& sizing);
+/// The remesh with its vertices where its samples are, on another surface of the same type than it was made
+/// on. Its sizes are those of that surface. Angles are mended there (last_angles.h), and measured.
+RemeshResult with_mesh_on(const geom::TriMesh& surface, RemeshResult remesh, const RemeshOptions& options);
+
+/// The coarser remesh as the result: if there is no time for another one, hardly anything would be left of
+/// it, or it would be worse.
+RemeshResult on_surface(RemeshResult coarse, const geom::TriMesh& surface, const Sizing& sizing,
+                        const RemeshOptions& options);
 
 }  // namespace fpo

@@ -14,6 +14,7 @@
 #include "geom/repair/parts.h"
 #include "geom/repair/repair.h"
 #include "geom/repair/repeated.h"
+#include "geom/repair/spikes.h"
 
 namespace geom {
 namespace {
@@ -69,6 +70,7 @@ Diagnosis diagnosis(const TriMesh& mesh, bool with_intersections) {
     found.degenerate_facets += collinear(unit.position(a), unit.position(b), unit.position(c));
   Facets facets = unit.facets();
   found.duplicate_facets = drop_repeated(facets) + drop_doubled(places, facets);
+  found.spikes = spikes(unit.vertices(), unit.facets()).size();
   found.split_vertices = split_vertices(unit, places);
   look_at_borders(unit, factor, found);
   look_at_parts(unit, found);
@@ -91,6 +93,7 @@ std::string in_words(const Diagnosis& found) {
   add(found.split_vertices, "split vertex", "split vertices");
   add(found.tiny_parts, "crumb", "crumbs");
   add(found.copies, "part that lies on another", "parts that lie on another");
+  add(found.spikes, "spike", "spikes");
   add(found.one_sided_parts > 0 ? 0 : found.inverted_facets, "inverted facet", "inverted facets");
   return text;
 }

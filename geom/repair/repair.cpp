@@ -12,6 +12,7 @@
 #include "geom/repair/orient.h"
 #include "geom/repair/parts.h"
 #include "geom/repair/repeated.h"
+#include "geom/repair/spikes.h"
 #include "geom/repair/split.h"
 #include "geom/repair/t_junctions.h"
 #include "geom/repair/weld.h"
@@ -30,6 +31,7 @@ class Work {
       : vertices_(mesh.vertices()), facets_(mesh.facets()), factor_(factor) {}
 
   void run(const RepairSteps& steps) {
+    if (steps.spikes) flatten();
     if (steps.weld) weld(*steps.weld < 0 ? usual_tolerance(vertices_, facets_) : factor_ * *steps.weld);
     if (steps.split) split(Fans::keep_open);
     if (steps.crumbs) drop_crumbs(*steps.crumbs);
@@ -61,6 +63,11 @@ class Work {
   }
 
  private:
+  void flatten() {
+    const std::size_t count = flatten_spikes(vertices_, facets_);
+    if (count > 0) lines.push_back("flattened " + counted(count, "spike", "spikes"));
+  }
+
   void drop_faulty(const Places& places) {
     const std::size_t count = drop_collapsed(places, facets_) + drop_repeated(facets_);
     if (count > 0)
@@ -151,7 +158,7 @@ class Work {
 
 }  // namespace
 
-RepairSteps all_steps() { return {-1, true, -1, true, true, -1, true}; }
+RepairSteps all_steps() { return {-1, true, -1, true, true, -1, true, true}; }
 
 Repaired repaired(const TriMesh& mesh, const RepairSteps& steps) {
   const double factor = factor_to_unit_box(mesh);

@@ -19,6 +19,7 @@ struct RepairSteps {
   bool copies = false;          ///< drop parts that lie on another one (copies.h)
   std::optional<double> holes;  ///< close borders up to this length; negative: those of all_steps()
   bool dents = false;           ///< fill what is missing at borders (dents.h)
+  bool spikes = false;          ///< before all others: outliers are moved back (spikes.h)
 };
 
 /// All of them, each with its usual limits: crumbs as in parts.h, copies as in copies.h, holes

@@ -30,13 +30,15 @@ TriMesh noisy(const TriMesh& mesh, double by) {
 TEST_CASE("noise: smooth surfaces have none, nor do coarse ones") {
   for (const auto& [name, mesh] : fixtures::surfaces()) {
     CAPTURE(name);
-    CHECK(!fpo::has_noise(mesh, mesh.num_facets() / 16 + 1));
+    CHECK(!fpo::has_noise(mesh, mesh.num_facets() / 6 + 1));
   }
   const TriMesh sphere = geom::make_shape("sphere", 60);
   CHECK(!fpo::has_noise(sphere, 20));
   CHECK(fpo::has_noise(noisy(sphere, 0.01), 20));
   CHECK(!fpo::has_noise(noisy(sphere, 1e-5), 20));
   CHECK(!fpo::has_noise(noisy(sphere, 0.01), sphere.num_facets()));
+  CHECK(fpo::is_folded(noisy(sphere, 0.01)));  // coarse or not
+  CHECK(!fpo::is_folded(sphere));
 }
 
 TEST_CASE("noise: without it facets and borders are the same, and the surface is near the one before") {
