@@ -115,6 +115,11 @@ void add_rest(Summary& s, const RemeshArguments& a, const fpo::RemeshResult& res
   if (result.radius_factor > 0) s.number("disk_radius_over_h", result.radius_factor, 6);
   for (const fpo::Reached& r : result.reached) s.number(r.name, r.value, -1);
   if (a.remesh.sizing != fpo::SizingKind::uniform) add_sizing(s, result);
+  if (result.least_length > 0) {
+    s.number("least_length", result.least_length, 1);
+    s.line(worded("lengths   none below %.1f even spacings: there are too few samples for those asked for",
+                  result.least_length));
+  }
   if (result.thin_parts.places > 0) {
     s.count("thin_places", result.thin_parts.places);
     s.number("edges_elsewhere_longer_by", result.thin_parts.scale, 4);

@@ -1,6 +1,8 @@
 #include "fpo/remesh/pipeline.h"
 
+#include <array>
 #include <string>
+#include <utility>
 
 #include "fpo/features/corner_angles.h"
 #include "fpo/features/curve_slides.h"
@@ -12,6 +14,7 @@
 #include "fpo/remesh/noise.h"
 #include "fpo/remesh/proven_edges.h"
 #include "fpo/remesh/refusal.h"
+#include "fpo/remesh/remembered_samples.h"
 #include "fpo/remesh/remesh_task.h"
 #include "fpo/remesh/stand_in.h"
 #include "fpo/remesh/stand_in_remesh.h"
@@ -23,6 +26,7 @@ namespace fpo {
 namespace {
 
 constexpr std::size_t least_fidelity_moves = 2000;
+constexpr std::array<double, 2> softer = {0.3, 1};  // least lengths in even spacings, where n is too small
 
 RemeshResult remesh_smoothed_or_not(const geom::TriMesh& surface, const RemeshOptions& options);
 
@@ -50,12 +54,13 @@ void return_to(const SplitSurface& apart, RemeshResult& result) {
 /// More samples where the surface is thin. Those of a coarser one are there already.
 std::unique_ptr<SurfaceDomain> with_room(std::unique_ptr<SurfaceDomain> domain, const SharedSizing& shared,
                                          const geom::SurfaceType& type, const RemeshOptions& options,
-                                         RemeshResult& result) {
+                                         RemeshResult& result, bool only_look = false) {
   if (!options.mend) return domain;
-  result.protection = protect_chains(*domain, shared.features);
+  if (result.thin_parts.faults_before == 0) result.protection = protect_chains(*domain, shared.features);
   if (options.method != Method::fpo || !type.manifold || result.stood_in || interrupted(options))
     return domain;
   ThinPartOptions room;
+  if (only_look) room.rounds = 0;
   room.diagram = surface_options(shared, options);
   room.scope = options.optimize.scope;
   room.interrupted = options.optimize.interrupted;
@@ -78,6 +83,31 @@ void improve(SurfaceDomain& domain, const SharedSizing& shared, const AngleOptio
     fidelity.enough_delta = std::min(0.9, fidelity.enough_delta);
   }
   result.fidelity = improve_fidelity(domain, angles, fidelity);
+}
+
+/// The dual of the samples, improved as far as that leaves it of the input's type.
+Dual improved_dual(SurfaceDomain& domain, const SharedSizing& shared, const geom::SurfaceType& type,
+                   const AngleOptions& angles, RemeshOptions options, RemeshResult& result) {
+  const RememberedSamples before(domain);
+  improve(domain, shared, angles, options, result);
+  if (options.maximal)
+    result.maximal =
+        make_maximal(domain, {shared.features.samples.size(), options.threads, options.optimize.interrupted});
+  result.hidden = domain.num_hidden();
+  Dual dual = mended_dual(domain, shared.features, type, options, result);
+  for (bool* step : {&options.improve_fidelity, &options.optimize_angles}) {
+    if (dual.type.ok() || !result.thin_parts.right_type || options.maximal || interrupted(options))
+      return dual;
+    if (!std::exchange(*step, false)) continue;
+    before.put_back(domain);
+    result.angles = {};
+    result.fidelity = {};
+    result.brought = 0;
+    improve(domain, shared, angles, options, result);
+    result.hidden = domain.num_hidden();
+    dual = mended_dual(domain, shared.features, type, options, result);
+  }
+  return dual;
 }
 
 /// Lengths that differ at narrow places are reached as those of any other sizing are.
@@ -119,7 +149,25 @@ void tell_of_lengths(const RemeshTask& task, const Sizing& sizing, const AngleOp
   result.angles.bad_after = result.measures.bad_triangles;
 }
 
-/// The paper, in a line; what is not in it comes in between.
+/// Whether sheets are near each other, and can be set apart.
+bool has_near_sheets(const RemeshTask& task, const SharedSizing& shared, const RemeshOptions& options) {
+  if (has_needles(task.surface(), options.num_samples, even_spacing(task.input, options))) return false;
+  std::vector<SurfaceSample> on_features = shared.features.samples;
+  return sheets_apart(task.surface(), shared.sizing, on_features).has_value();
+}
+
+/// No mesh, for that is better made otherwise, with these samples to begin with.
+RemeshResult only_samples(const SurfaceDomain& domain) {
+  RemeshResult result;
+  result.samples = samples_of(domain);
+  while (result.feature_samples < result.samples.size() &&
+         domain.is_fixed(geom::SiteId(result.feature_samples)))
+    ++result.feature_samples;
+  return result;
+}
+
+/// The paper, in a line; what is not in it comes in between. If sheets are left to us and near each other,
+/// and the diagram of space is not of the input's type, there are only samples.
 RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   RemeshResult result;
   SharedSizing shared = sizing_and_features(task, options);
@@ -141,20 +189,20 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   auto distributed = std::make_unique<SurfaceDomain>(
       coarse ? settled_samples(surface, shared, *coarse, options, result)
              : distributed_samples(surface, shared, task.start, options, result));
-  const std::unique_ptr<SurfaceDomain> samples =
-      with_room(std::move(distributed), shared, type, options, result);
+  const bool may_part = options.sheets == Sheets::automatic && !task.start;
+  std::unique_ptr<SurfaceDomain> samples =
+      with_room(std::move(distributed), shared, type, options, result, may_part);
+  if (may_part && result.thin_parts.faults_before > 0) {
+    if (has_near_sheets(task, shared, options) && !interrupted(options)) return only_samples(*samples);
+    samples = with_room(std::move(samples), shared, type, options, result);
+  }
   SurfaceDomain& domain = *samples;
   const Sizing& sizing = domain.sizing();
   AngleOptions angles = angle_options(options);
   std::optional<CurveSlides> slides;
   if (!shared.features.chains.empty()) slides.emplace(task.surface(), task.features, shared.features, sizing);
   if (slides && !apart) angles.slides = &*slides;
-  improve(domain, shared, angles, options, result);
-  if (options.maximal)
-    result.maximal =
-        make_maximal(domain, {shared.features.samples.size(), options.threads, options.optimize.interrupted});
-  result.hidden = domain.num_hidden();
-  Dual dual = mended_dual(domain, shared.features, type, options, result);
+  Dual dual = improved_dual(domain, shared, type, angles, options, result);
   if (!apart && !interrupted(options))
     result.proven_edges = num_proven_edges(domain, task.features, shared.features);
   if (options.mend && options.method == Method::fpo && !interrupted(options))
@@ -193,28 +241,50 @@ RemeshResult remesh_with(const geom::TriMesh& surface, const FeatureChoice& choi
   return result;
 }
 
+bool has_only_samples(const RemeshResult& result) {
+  return result.mesh.num_facets() == 0 && !result.samples.empty();
+}
+
 /// Sheets that are left to us are together unless that does harm and being apart helps. Samples of close
 /// curves face each other if edges of curves are lost else.
 RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& choice,
                            const RemeshOptions& options) {
   RemeshResult best = remesh_with(surface, choice, options);
+  RemeshOptions together = options, with_levels = options;
+  together.sheets = Sheets::together;
+  with_levels.sheets = Sheets::apart;
+  const bool parted = has_only_samples(best);
+  if (parted) {
+    const RemeshResult begun = std::move(best);
+    best = remesh_with(surface, choice, with_levels, &begun, true);
+    if (!best.has_levels || (!best.type.ok() && !interrupted(options))) {
+      RemeshResult other = remesh_with(surface, choice, together, interrupted(options) ? &begun : nullptr);
+      if (!best.has_levels || is_better(other, best)) best = std::move(other);
+    }
+  }
   if (options.sheets != Sheets::automatic || options.method != Method::fpo || is_fine(best) ||
       best.stood_in || is_remnant(best.mesh))  // all of this was tried on what stood in
     return best;
-  RemeshOptions with_levels = options;
-  with_levels.sheets = Sheets::apart;
-  const auto attempt = [&](const RemeshOptions& otherwise, bool only_apart) {
+  const auto attempt = [&](const RemeshOptions& otherwise, bool only_apart, bool anew = false) {
     if (interrupted(options)) return;
-    RemeshResult other = remesh_with(surface, choice, otherwise, &best, only_apart);
+    RemeshResult other = remesh_with(surface, choice, otherwise, anew ? nullptr : &best, only_apart);
     if (interrupted(options) || (only_apart && !other.has_levels)) return;
     if (is_better(other, best)) best = std::move(other);
   };
-  attempt(with_levels, true);
+  if (!parted) attempt(with_levels, true);
   if (best.broken_feature_edges > 0) {
     RemeshOptions facing = options;
     facing.facing_samples = true;
     facing.sheets = best.has_levels ? Sheets::apart : Sheets::together;
     attempt(facing, false);
+  }
+  for (const double least : softer) {
+    if (best.type.ok() || options.sizing == SizingKind::uniform || options.limits.smallest >= least) break;
+    RemeshOptions even = options;
+    even.limits.smallest = least;
+    even.sheets = best.has_levels ? Sheets::apart : Sheets::together;
+    attempt(even, false, true);
+    if (best.type.ok()) best.least_length = least;
   }
   return best;
 }

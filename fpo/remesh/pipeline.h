@@ -69,9 +69,10 @@ struct RemeshResult {
   VertexField sizing;                  ///< the wanted edge length at each vertex of the input
   VertexField wanted;                  ///< and at each vertex of the mesh
   SizingFit fit;                       ///< of the mesh's edges to them
-  bool has_levels = false;             ///< sheets were near, and are set apart
-  std::size_t feature_samples = 0;     ///< fixed points, corners and samples on curves
-  std::size_t feature_edges = 0;       ///< between neighbours on curves
+  double least_length = 0;  ///< in even spacings, if n is too small for the lengths asked for; 0: they hold
+  bool has_levels = false;  ///< sheets were near, and are set apart
+  std::size_t feature_samples = 0;  ///< fixed points, corners and samples on curves
+  std::size_t feature_edges = 0;    ///< between neighbours on curves
   /// Of these, those that are in the diagram because a ball is empty (proven_edges.h). Not counted (0) where
   /// sheets are apart.
   std::size_t proven_edges = 0;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fpo/farthest_move.h"
+#include "fpo/interruption.h"
 #include "fpo/optimize.h"
 #include "fpo/remesh/protect.h"
 
@@ -23,6 +24,7 @@ constexpr double least_lowering = 0.3;  // in one round
 constexpr double few = 8;               // samples that make a body
 constexpr int passes = 4;               // through the samples, in search of strays
 constexpr int stray_rounds = 2;
+constexpr std::size_t samples_for_one_fault = 10;  // with more faults it is hopeless
 
 /// What a fault wants: spots, and by how much they lower the length.
 struct Wish {
@@ -184,8 +186,12 @@ std::unique_ptr<SurfaceDomain> make_room_for_thin_parts(std::unique_ptr<SurfaceD
                                                         const ThinPartOptions& options, ThinParts& result) {
   Dual dual = dual_of(*domain, type, false);
   result.faults_before = result.faults_after = dual.num_faults();
-  if (dual.type.ok()) return domain;
-  const auto interrupted = [&] { return options.interrupted && *options.interrupted; };
+  result.right_type = dual.type.ok();
+  if (result.right_type || options.rounds == 0) return domain;
+  const std::size_t hopeless = result.faults_before + domain->num_samples() / samples_for_one_fault;
+  const auto enough = [&] {
+    return dual.type.ok() || dual.num_faults() > hopeless || fpo::interrupted(options.interrupted);
+  };
   RoomMaker room(*domain, features, type, options);
   std::unique_ptr<SurfaceDomain> best = std::move(domain), next;
   const SurfaceDomain* last = best.get();
@@ -193,18 +199,17 @@ std::unique_ptr<SurfaceDomain> make_room_for_thin_parts(std::unique_ptr<SurfaceD
     dual = dual_of(*found, type, false);
     next = std::move(found);
     last = next.get();
-    if (dual.num_faults() >= result.faults_after) return false;
-    result = {room.num_spots(), room.scale(), result.faults_before, dual.num_faults()};
+    if (dual.num_faults() >= result.faults_after) return;
+    result = {room.num_spots(), room.scale(), result.faults_before, dual.num_faults(), dual.type.ok()};
     best = std::move(next);
-    return true;
   };
-  for (int round = 0; round < options.rounds && !dual.type.ok() && !interrupted(); ++round) {
+  for (int round = 0; round < options.rounds && !enough(); ++round) {
     if (!room.lower(*last, dual)) break;
     look_at(room.optimized(*last, options.iterations, Scope::global));
   }
-  for (int round = 0; round < stray_rounds && !dual.type.ok() && !interrupted(); ++round)
+  for (int round = 0; round < stray_rounds && !enough(); ++round)
     look_at(room.optimized(*last, options.iterations, Scope::global, true));
-  if (!dual.type.ok() || interrupted()) return best;
+  if (!dual.type.ok() || fpo::interrupted(options.interrupted)) return best;
   auto polished = room.optimized(*best, options.polishing, options.scope);
   if (dual_of(*polished, type, false).type.ok()) return polished;
   return best;

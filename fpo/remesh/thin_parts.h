@@ -14,9 +14,9 @@
 namespace fpo {
 
 struct ThinPartOptions {
-  double gradation = 0.3;  ///< of the wanted length about a thin place
-  double most_scale = 2;   ///< nothing is lowered that would stretch the edges elsewhere by more
-  int rounds = 6;
+  double gradation = 0.3;       ///< of the wanted length about a thin place
+  double most_scale = 2;        ///< nothing is lowered that would stretch the edges elsewhere by more
+  int rounds = 6;               ///< at most; 0: only looks
   int iterations = 10;          ///< of farthest point optimization in each round
   int polishing = 40;           ///< at the end
   SurfaceOptions diagram;       ///< of the domains
@@ -28,12 +28,14 @@ struct ThinParts {
   std::size_t places = 0;  ///< spots where the length was lowered
   double scale = 1;        ///< by which edges elsewhere are longer than wanted
   std::size_t faults_before = 0, faults_after = 0;
+  bool right_type = false;  ///< of the dual of the domain that is returned
 };
 
 /// If the dual is not of the input's type, looks for cells that are no disks, or meet in several arcs
 /// (cell_faults.h), and lowers the wanted length around these: to a third of the way around, or by half. Then
 /// optimizes anew, and looks again. If faults are left after all rounds, samples that stand one after the
-/// other on a horn, without a triangle, are taken to the largest empty circles: the horn ends earlier.
+/// other on a horn, without a triangle, are taken to the largest empty circles: the horn ends earlier. Gives
+/// up where so many faults come up that near sheets must be to blame.
 /// Returns the domain with the fewest faults, its sizing lowered or the same; the one given if that has none.
 /// Exactly as many samples; fixed ones stay. Deterministic. Cost: that of some ten iterations a round, and
 /// those of the polishing.

@@ -39,7 +39,15 @@ std::vector<SurfaceSample> TrialPlaces::on_curve(VertexId v, const SurfaceSample
   std::vector<SurfaceSample> places = task_.slides->places(
       x, now, {mesh.position(VertexId(before.value)), mesh.position(VertexId(after.value))});
   for (SurfaceSample& place : places) place.facet = tree_->closest(place.position, now.facet).facet;
+  // Where parts touch each other the nearest facet may be of another one.
+  std::erase_if(places, [&](const SurfaceSample& place) { return !is_same_part(place.facet, now.facet); });
   return places;
+}
+
+bool TrialPlaces::is_same_part(geom::FacetId a, geom::FacetId b) {
+  if (a == b) return true;
+  if (!type_) type_ = geom::surface_type(task_.surface);
+  return type_->part_of[a] == type_->part_of[b];
 }
 
 }  // namespace fpo

@@ -7,6 +7,7 @@
 #include "fpo/remesh/edited_mesh.h"
 #include "fpo/remesh/last_angles.h"
 #include "geom/mesh/aabb_tree.h"
+#include "geom/mesh/surface_type.h"
 
 namespace fpo {
 
@@ -15,15 +16,18 @@ class TrialPlaces {
   /// Keeps a reference.
   explicit TrialPlaces(const LastAnglesTask& task) : task_(task) {}
 
-  /// `now`: the sample that v is. At most a third of the wanted length away, on the same sheet. None if v
-  /// must stay, or is on the border and on no curve.
+  /// `now`: the sample that v is. At most a third of the wanted length away, on the same sheet and part of
+  /// the surface. None if v must stay, or is on the border and on no curve.
   std::vector<SurfaceSample> around(geom::VertexId v, const SurfaceSample& now, const EditedMesh& mesh);
 
  private:
   std::vector<SurfaceSample> on_curve(geom::VertexId v, const SurfaceSample& now, const EditedMesh& mesh);
 
+  bool is_same_part(geom::FacetId a, geom::FacetId b);
+
   const LastAnglesTask& task_;
-  std::optional<geom::AabbTree> tree_;  ///< made when first needed
+  std::optional<geom::AabbTree> tree_;     ///< made when first needed
+  std::optional<geom::SurfaceType> type_;  ///< likewise
 };
 
 }  // namespace fpo

@@ -60,6 +60,7 @@ TEST_CASE("thin parts: a bar, a handle and a hole much thinner than the spacing 
     const Outcome outcome = with_room(mesh, n);
     CHECK(outcome.found.faults_before > 0);
     CHECK(outcome.found.faults_after == 0);
+    CHECK(outcome.found.right_type);
     CHECK(outcome.type.ok());
     CHECK(outcome.found.places > 0);
     CHECK(outcome.found.scale > 1);
@@ -88,6 +89,33 @@ TEST_CASE("thin parts: the pipeline keeps the type with exactly n samples, and s
   CHECK(result.measures.theta_min > 30);
   options.mend = false;
   CHECK(!remesh(mesh, options).type.ok());
+}
+
+TEST_CASE("thin parts: nothing is moved where it is only looked, and the type is told") {
+  const TriMesh mesh = geom::make_shape("dumbbell", 16);
+  const geom::SurfaceType type = geom::surface_type(mesh);
+  auto domain = std::make_unique<SurfaceDomain>(mesh, random_samples(mesh, 200, 1));
+  const std::vector<SurfaceSample> before = samples_of(*domain);
+  ThinPartOptions look;
+  look.rounds = 0;
+  ThinParts found;
+  domain = make_room_for_thin_parts(std::move(domain), {}, type, look, found);
+  CHECK(found.faults_before > 0);
+  CHECK(!found.right_type);
+  CHECK(found.places == 0);
+  for (std::size_t i = 0; i < before.size(); ++i)
+    CHECK(domain->sample(SiteId(i)).position == before[i].position);
+}
+
+TEST_CASE("thin parts: lengths that n is too small for are evened out until the type is right") {
+  const TriMesh mesh = geom::make_shape("horn", 16);
+  RemeshOptions options = default_options(250, SizingKind::local_feature_size);
+  options.optimize.max_iterations = 10;
+  options.features.reset();
+  const RemeshResult result = remesh(mesh, options);
+  CHECK(result.mesh.num_vertices() == 250);
+  CHECK(result.type.ok());
+  CHECK(result.least_length > options.limits.smallest);
 }
 
 TEST_CASE("at least: as many samples as it takes, and no more where n is enough") {

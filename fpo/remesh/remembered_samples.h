@@ -1,0 +1,24 @@
+#pragma once
+// Samples as they were, to go back to.
+
+#include <vector>
+
+#include "fpo/surface/surface_domain.h"
+
+namespace fpo {
+
+/// Places and weights of all samples of a domain.
+class RememberedSamples {
+ public:
+  explicit RememberedSamples(const SurfaceDomain& domain);
+
+  /// Puts those that are elsewhere, or have another weight, back: then the diagram is what it was, for it is
+  /// a function of these. Of the same domain. O(1) expected for each of those.
+  void put_back(SurfaceDomain& domain) const;
+
+ private:
+  std::vector<SurfaceSample> places_;
+  std::vector<double> weight_shares_;
+};
+
+}  // namespace fpo
