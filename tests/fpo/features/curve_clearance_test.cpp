@@ -7,18 +7,15 @@
 #include "doctest.h"
 #include "geom/shapes/mesh_parts.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/block.h"
 
 using namespace fpo;
+using fixtures::block;
 using geom::TriMesh;
 using geom::Vec3;
 
 namespace {
 
-TriMesh block(double x, double y, double z) {
-  return geom::mapped(geom::make_shape("cube"), [&](const Vec3& p) -> Vec3 {
-    return {x * p.x(), y * p.y(), z * p.z()};
-  });
-}
 
 double nearest(const std::vector<CurveClearance>& places) {
   double least = 1e300;

@@ -6,20 +6,12 @@
 #include "doctest.h"
 #include "geom/shapes/mesh_parts.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/block.h"
 
 using namespace fpo;
+using fixtures::block;
 using geom::TriMesh;
 using geom::Vec3;
-
-namespace {
-
-TriMesh block(double x, double y, double z) {
-  return geom::mapped(geom::make_shape("cube"), [&](const Vec3& p) -> Vec3 {
-    return {x * p.x(), y * p.y(), z * p.z()};
-  });
-}
-
-}  // namespace
 
 TEST_CASE("curve spacing: a thin side is a narrow place, a corner and a thin body without a wall are none") {
   const TriMesh cube = block(1, 1, 1);

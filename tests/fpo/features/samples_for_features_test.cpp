@@ -9,8 +9,10 @@
 #include "fpo/remesh/remesh_task.h"
 #include "geom/shapes/mesh_parts.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/block.h"
 
 using namespace fpo;
+using fixtures::block;
 using geom::TriMesh;
 using geom::Vec3;
 
@@ -61,12 +63,6 @@ OnCurves samples_on_curves(const TriMesh& mesh, const RemeshOptions& options) {
     }
   }
   return result;
-}
-
-TriMesh block(double x, double y, double z) {
-  return geom::mapped(geom::make_shape("cube"), [&](const Vec3& p) -> Vec3 {
-    return {x * p.x(), y * p.y(), z * p.z()};
-  });
 }
 
 }  // namespace
