@@ -5,7 +5,10 @@
 #include <iterator>
 #include <memory>
 #include <span>
+#include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "fpo/surface/surface_removal.h"
 #include "geom/mesh/scaling.h"
@@ -205,8 +208,9 @@ int trace(tools::CommandLine& cli) {
   std::printf("move %zu: sample %d at (%.9g, %.9g, %.9g) in facet %d\n", a.move, x.value, old.position.x(),
               old.position.y(), old.position.z(), old.facet.value);
   const std::unique_ptr<geom::RestrictedPower> diagram = domain.diagram();
-  here.draw(*diagram, x, nullptr, title + "before: its old place").save(a.folder / "before");
-  without(domain, x, here, title + "the sample is out: its old place").save(a.folder / "removed");
+  std::vector<std::pair<std::string, tools::TracePicture::Drawing>> drawings;  // written when all are made
+  drawings.emplace_back("before", here.draw(*diagram, x, nullptr, title + "before: its old place"));
+  drawings.emplace_back("removed", without(domain, x, here, title + "the sample is out: its old place"));
 
   const geom::DualWays ways = domain.dual().ways();
   narrator.listen(domain, domain.separation(x));
@@ -217,13 +221,15 @@ int trace(tools::CommandLine& cli) {
   std::printf("3 the sample is at (%.9g, %.9g, %.9g)\n", p.x(), p.y(), p.z());
   const std::unique_ptr<geom::RestrictedPower> diagram_after = domain.diagram();
   print_pieces_changed(diagram->canonical(), diagram_after->canonical());
-  here.draw(*diagram_after, x, nullptr, title + "after: its old place").save(a.folder / "after");
+  drawings.emplace_back("after", here.draw(*diagram_after, x, nullptr, title + "after: its old place"));
   const bool stays = p == old.position;
   if (!stays) {
     const tools::TracePicture there(mesh, now, radius);
-    there.draw(*diagram, x, nullptr, title + "before: its new place").save(a.folder / "there-before");
-    there.draw(*diagram_after, x, nullptr, title + "after: its new place").save(a.folder / "there-after");
+    drawings.emplace_back("there-before", there.draw(*diagram, x, nullptr, title + "before: its new place"));
+    drawings.emplace_back("there-after",
+                          there.draw(*diagram_after, x, nullptr, title + "after: its new place"));
   }
+  for (const auto& [name, drawing] : drawings) drawing.save(a.folder / name);
   std::printf("wrote before, removed, after%s (.svg, .obj) in %s\n",
               stays ? "" : ", there-before, there-after", a.folder.c_str());
   return tools::exit_done;

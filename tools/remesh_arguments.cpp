@@ -316,6 +316,11 @@ void declare_mending(CommandLine& cli, RemeshArguments& a, Unsettled& u) {
               .help = "mend triangles that are far from the surface",
               .standard = "on with fpo"},
              a.choices.improve_fidelity);
+  cli.flag(
+      {.name = "closer",
+       .help = "then bring the remesh closer to INPUT, both ways, as far as delta stays above .9 or what "
+               "--min-delta says"},
+      a.remesh.come_closer);
   cli.choice(
       {.name = "sheets",
        .value = "auto|apart|together",

@@ -137,6 +137,10 @@ void add_rest(Summary& s, const RemeshArguments& a, const fpo::RemeshResult& res
     s.count("far_triangles_tried", result.fidelity.tried);
     s.count("far_triangles_mended", result.fidelity.mended);
   }
+  if (a.remesh.come_closer) {
+    s.count("closer_tried", result.closeness.tried);
+    s.count("closer_mended", result.closeness.mended);
+  }
   if (a.remesh.maximal) {
     s.count("maximal", result.maximal.maximal ? 1 : 0);
     s.count("maximal_moves", result.maximal.moves);

@@ -1,17 +1,14 @@
 #include "fpo/remesh/fidelity.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "fpo/interruption.h"
-#include "geom/mesh/aabb_tree.h"
-#include "geom/mesh/scaling.h"
+#include "fpo/remesh/triangle_distances.h"
 
 namespace fpo {
 
 using geom::EmptyCircle;
-using geom::Vec3;
 
 namespace {
 
@@ -21,57 +18,18 @@ constexpr std::size_t patience =
     8;  // a round begins with the farthest: if they stay, so does the largest distance
 constexpr double least_gain = 0.5;  // of a triangle's penalty: else attempts nibble at it for ever
 
-/// Distances between the surface and triangles of samples on it.
-class Distances {
- public:
-  explicit Distances(const SurfaceDomain& domain) : domain_(domain), tree_(domain.mesh()) {}
+double largest_distance(const SurfaceDomain& domain, const TriangleDistances& distances) {
+  double most = 0;
+  for_triangles(domain.dual(), [&](const EmptyCircle& circle) {
+    most = std::max(most, distances.farthest(circle, most).distance);
+  });
+  return most;
+}
 
-  /// The largest one of some points of the triangle, or 0 if the circle's facet shows that it is at most
-  /// `enough`: mostly it does, and saves a search.
-  double beyond(const EmptyCircle& circle, double enough) const { return farthest(circle, enough).distance; }
-
-  /// The point of the surface below the point of the triangle that is farthest from it, those left out that
-  /// the circle's facet shows to be no farther than `enough`.
-  struct Farthest {
-    double distance;
-    SurfaceSample below;
-  };
-  Farthest farthest(const EmptyCircle& circle, double enough = -1) const {
-    std::array<Vec3, 3> x;
-    for (std::size_t i = 0; i < 3; ++i) x[i] = domain_.sample(circle.sites[i]).position;
-    const std::array<Vec3, 4> middles{(x[0] + x[1]) / 2, (x[1] + x[2]) / 2, (x[2] + x[0]) / 2,
-                                      (x[0] + x[1] + x[2]) / 3};
-    Farthest result{0, {circle.center, circle.facet}};
-    const std::array<Vec3, 3>& facet = tree_.triangle(circle.facet);
-    for (const Vec3& middle : middles) {
-      if (enough >= 0 && geom::closest_point(middle, facet).distance2 <= enough * enough) continue;
-      const geom::AabbTree::Closest closest = tree_.closest(middle, circle.facet);
-      if (closest.distance2 > result.distance * result.distance)
-        result = {std::sqrt(closest.distance2), {geom::snapped(closest.point), closest.facet}};
-    }
-    return result;
-  }
-
-  double largest() const {
-    double most = 0;
-    for (std::size_t i = 0; i < domain_.num_samples(); ++i)
-      for (const CircleId c : domain_.dual().circles_of(SiteId(i))) {
-        const EmptyCircle& circle = domain_.dual().circle(c);
-        if (circle.sites[0] == SiteId(i) && circle.sites[2].valid())
-          most = std::max(most, beyond(circle, most));
-      }
-    return most;
-  }
-
- private:
-  const SurfaceDomain& domain_;
-  geom::AabbTree tree_;
-};
-
-bool mend(const SurfaceDomain& domain, LocalResampling& resampling, const Distances& distances,
+bool mend(const SurfaceDomain& domain, LocalResampling& resampling, const TriangleDistances& distances,
           CircleId triangle, const FidelityOptions& options) {
   const EmptyCircle circle = domain.dual().circle(triangle);
-  const SurfaceSample below = distances.farthest(circle).below;
+  const SurfaceSample below = distances.farthest(circle).at;
   return in_growing_sets(domain, circle.sites, [&](std::span<const SiteId> samples) {
     if (interrupted(options.interrupted)) return false;
     if (resampling.attempt(samples, 1)) return true;
@@ -89,13 +47,13 @@ bool mend(const SurfaceDomain& domain, LocalResampling& resampling, const Distan
 FidelityResult improve_fidelity(SurfaceDomain& domain, const AngleOptions& angles,
                                 const FidelityOptions& options) {
   if (interrupted(options.interrupted)) return {};
-  const Distances distances(domain);
+  const TriangleDistances distances(domain);
   FidelityResult result;
-  result.largest_before = distances.largest();
+  result.largest_before = largest_distance(domain, distances);
   const double bound = options.share_of_largest * result.largest_before;
   if (!(bound > 0)) return result;
   Flaws far(domain, [&](const EmptyCircle& circle) {
-    const double beyond = std::max(distances.beyond(circle, bound) / bound - 1, 0.0);
+    const double beyond = std::max(distances.farthest(circle, bound).distance / bound - 1, 0.0);
     return beyond * beyond;
   });
   Flaws bad(domain, bad_angles(domain, angles));
@@ -115,7 +73,7 @@ FidelityResult improve_fidelity(SurfaceDomain& domain, const AngleOptions& angle
       progress |= mended;
     }
   }
-  result.largest_after = distances.largest();
+  result.largest_after = largest_distance(domain, distances);
   return result;
 }
 

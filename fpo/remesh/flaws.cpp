@@ -24,8 +24,8 @@ constexpr double least_nudge_gain = 1e-3;  // of the penalty
 
 }  // namespace
 
-Flaws::Flaws(SurfaceDomain& domain, FlawMeasure measure)
-    : domain_(domain), measure_(std::move(measure)), untried_(Order{&domain.dual()}) {
+Flaws::Flaws(SurfaceDomain& domain, FlawMeasure measure, Sight sight)
+    : domain_(domain), measure_(std::move(measure)), sight_(sight), untried_(Order{&domain.dual()}) {
   for (std::size_t i = 0; i < domain.num_samples(); ++i) {
     const SiteId x(i);
     for (const CircleId c : domain.dual().circles_of(x))
@@ -40,11 +40,20 @@ void Flaws::follow(const geom::RestrictedDual::Change& change) {
   for (const CircleId c : change.circles_erased)
     if (std::erase(unmeasured_, c) == 0) forget(c);
   unmeasured_.insert(unmeasured_.end(), change.circles_created.begin(), change.circles_created.end());
-  for (const CircleId c : change.circles_moved) {
-    if (std::ranges::find(unmeasured_, c) != unmeasured_.end()) continue;
-    forget(c);
-    unmeasured_.push_back(c);
-  }
+  for (const CircleId c : change.circles_moved) measure_again(c);
+  if (sight_ == Sight::triangle) return;
+  for (const std::vector<CircleId>* changed :
+       {&change.circles_erased, &change.circles_created, &change.circles_moved})
+    for (const CircleId c : *changed)
+      for (const SiteId x : domain_.dual().circle(c).sites)
+        if (x.valid())
+          for (const CircleId near : domain_.dual().circles_of(x)) measure_again(near);
+}
+
+void Flaws::measure_again(CircleId c) {
+  if (std::ranges::find(unmeasured_, c) != unmeasured_.end()) return;
+  forget(c);
+  unmeasured_.push_back(c);
 }
 
 void Flaws::catch_up() {
@@ -91,12 +100,16 @@ LocalResampling::LocalResampling(SurfaceDomain& domain, std::vector<Flaws*> flaw
 
 void LocalResampling::move(const Backup& x) {
   ++moves_;
+  if (journal_) journal_->note(x.id);
   domain_.remove(x.id);
   domain_.insert_at(x.id, x.place, x.weight_share);
 }
 
 bool LocalResampling::better() const {
-  if (!(flaws_[0]->penalty() < before_[0] - std::max(gain_, drift))) return false;
+  return flaws_[0]->penalty() < before_[0] - std::max(gain_, drift) && others_no_worse();
+}
+
+bool LocalResampling::others_no_worse() const {
   for (std::size_t i = 1; i < flaws_.size(); ++i)
     if (flaws_[i]->penalty() > before_[i] + drift) return false;
   return true;
@@ -119,9 +132,10 @@ bool LocalResampling::settle(std::span<const Backup> samples, std::span<const Ba
     for (const Backup& x : moving) {
       if (!domain_.is_fixed(x.id)) {
         ++moves_;
+        if (journal_) journal_->note(x.id);
         domain_.move(x.id, Scope::two_ring);
       }
-      if (better() && std::ranges::all_of(samples, wide)) return true;
+      if (std::ranges::all_of(samples, wide) && better()) return true;
     }
   for (const Backup& x : samples) move(x);
   return false;
@@ -146,16 +160,24 @@ bool LocalResampling::attempt_at(std::span<const SiteId> samples, const SurfaceS
   return settle(backups, std::span(backups).subspan(1));
 }
 
-bool LocalResampling::nudge(const std::array<SiteId, 3>& corners) {
-  double least = (1 - least_nudge_gain) * flaws_[0]->penalty();
+bool LocalResampling::nudge(std::span<const SiteId> corners) {
+  const auto cost = [&] { return flaws_[0]->penalty(); };
+  return nudge(
+      corners, [&](SiteId x) { return places_around(x); }, cost, (1 - least_nudge_gain) * cost());
+}
+
+bool LocalResampling::nudge(std::span<const SiteId> samples, const PlacesFor& places,
+                            const std::function<double()>& cost, double least) {
+  for (std::size_t i = 0; i < flaws_.size(); ++i) before_[i] = flaws_[i]->penalty();
   std::optional<Backup> best;
-  for (const SiteId x : corners) {
+  for (const SiteId x : samples) {
     if (!can_move(x)) continue;
     const Backup home = backup(x);
-    for (const SurfaceSample& place : places_around(x)) {
+    for (const SurfaceSample& place : places(x)) {
       move({x, place, home.weight_share});
-      if (flaws_[0]->penalty() >= least || !wide_enough(x) || !is_joined(x)) continue;
-      least = flaws_[0]->penalty();
+      const double now = cost();
+      if (now >= least || !others_no_worse() || !wide_enough(x) || !is_joined(x)) continue;
+      least = now;
       best = backup(x);
     }
     move(home);

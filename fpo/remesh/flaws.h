@@ -11,6 +11,7 @@
 
 #include "fpo/features/curve_slides.h"
 #include "fpo/penalties.h"
+#include "fpo/remesh/sample_journal.h"
 #include "fpo/surface/surface_domain.h"
 #include "geom/indexed_heap.h"
 #include "geom/mesh/aabb_tree.h"
@@ -23,8 +24,11 @@ using FlawMeasure = std::function<double(const geom::EmptyCircle&)>;
 /// The bad triangles of the RRT under one measure, followed through removals and insertions.
 class Flaws final : public Follower<geom::RestrictedDual::Change> {
  public:
+  /// What a measure looks at: the triangle alone, or all that have a corner with it in common.
+  enum class Sight { triangle, star };
+
   /// Keeps a reference to the domain, which must stay where it is. One measurement a triangle.
-  Flaws(SurfaceDomain& domain, FlawMeasure measure);
+  Flaws(SurfaceDomain& domain, FlawMeasure measure, Sight sight = Sight::triangle);
   ~Flaws() override;
 
   /// What is new is measured when next somebody asks, so what exists between a removal and an insertion only
@@ -46,16 +50,21 @@ class Flaws final : public Follower<geom::RestrictedDual::Change> {
   };
 
   void catch_up();
+  void measure_again(CircleId c);
   void add(CircleId c);
   void forget(CircleId c);
 
   SurfaceDomain& domain_;
   FlawMeasure measure_;
+  Sight sight_;
   std::vector<CircleId> unmeasured_;
   geom::IndexedHeap<CircleId, Order> untried_;
   std::set<std::array<SiteId, 3>> tried_;  ///< triangles: what is undone comes back as another circle
   Penalties<CircleId> penalties_;
 };
+
+/// Where else a sample may be tried.
+using PlacesFor = std::function<std::vector<SurfaceSample>(SiteId)>;
 
 /// Moves some samples and keeps that only if it betters things.
 class LocalResampling {
@@ -70,6 +79,9 @@ class LocalResampling {
   /// Fixed samples on curves may be put elsewhere on these, by attempts to slide and nudges. Null: none.
   void let_slide(const CurveSlides* slides) { slides_ = slides; }
 
+  /// Notes each sample before it is first moved. Null: none is noted.
+  void keep(SampleJournal* journal) { journal_ = journal; }
+
   /// Multiplies the weights of samples[1] and [2] by `weight_share`, then resamples all in turn (Algorithm 1
   /// in the 2-ring), some times over, until things are better and, with uniform sizing, no sample is too
   /// close to another: true. Else puts everything back. Fixed samples stay.
@@ -81,7 +93,11 @@ class LocalResampling {
   bool attempt_to_slide(std::span<const SiteId> samples);
   /// Moves a corner of a triangle by a small step to where the first penalty is least, if that is less than
   /// now: what no empty circle mends this often does, for farthest points do not have the best angles.
-  bool nudge(const std::array<SiteId, 3>& corners);
+  bool nudge(std::span<const SiteId> corners);
+  /// Moves one of the samples to that one of its places where the cost is least, if that is below `least` and
+  /// all penalties but the first are no more.
+  bool nudge(std::span<const SiteId> samples, const PlacesFor& places, const std::function<double()>& cost,
+             double least);
   /// Gives x its full weight back unless that makes the first flaws worse. Whether it has it now.
   bool restore_weight(SiteId x);
   /// Removals with an insertion so far: what it has cost.
@@ -100,6 +116,7 @@ class LocalResampling {
   void move(const Backup& x);
   bool settle(std::span<const Backup> samples, std::span<const Backup> moving);
   bool better() const;
+  bool others_no_worse() const;
   bool wide_enough(SiteId x);
   bool can_slide(SiteId x) const { return slides_ && slides_->can_slide(x); }
   bool can_move(SiteId x) const { return !domain_.is_fixed(x) || can_slide(x); }
@@ -114,6 +131,7 @@ class LocalResampling {
   std::size_t moves_ = 0;
   std::optional<geom::AabbTree> tree_;  ///< made when first needed
   const CurveSlides* slides_ = nullptr;
+  SampleJournal* journal_ = nullptr;
   double delta_;  ///< no normalized spacing becomes smaller
 };
 

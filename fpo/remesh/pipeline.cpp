@@ -1,5 +1,6 @@
 #include "fpo/remesh/pipeline.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -26,6 +27,7 @@ namespace fpo {
 namespace {
 
 constexpr std::size_t least_fidelity_moves = 2000;
+constexpr std::size_t moves_to_come_closer = 20;    // a sample
 constexpr std::array<double, 2> softer = {0.3, 1};  // least lengths in even spacings, where n is too small
 
 RemeshResult remesh_smoothed_or_not(const geom::TriMesh& surface, const RemeshOptions& options);
@@ -67,7 +69,7 @@ std::unique_ptr<SurfaceDomain> with_room(std::unique_ptr<SurfaceDomain> domain, 
   return make_room_for_thin_parts(std::move(domain), shared.features, type, room, result.thin_parts);
 }
 
-/// What follows the optimization: angles, fidelity.
+/// What follows the optimization: angles, fidelity, closeness.
 void improve(SurfaceDomain& domain, const SharedSizing& shared, const AngleOptions& angles,
              const RemeshOptions& options, RemeshResult& result) {
   if (options.optimize_angles && !interrupted(options)) result.angles = optimize_angles(domain, angles);
@@ -83,6 +85,12 @@ void improve(SurfaceDomain& domain, const SharedSizing& shared, const AngleOptio
     fidelity.enough_delta = std::min(0.9, fidelity.enough_delta);
   }
   result.fidelity = improve_fidelity(domain, angles, fidelity);
+  if (!options.come_closer) return;
+  ClosenessOptions closeness;
+  closeness.enough_delta = std::min(closeness.enough_delta, options.angles.enough_delta);
+  closeness.most_moves = least_fidelity_moves + moves_to_come_closer * domain.num_samples();
+  closeness.interrupted = options.optimize.interrupted;
+  result.closeness = come_closer(domain, angles, closeness);
 }
 
 /// The dual of the samples, improved as far as that leaves it of the input's type.
@@ -102,6 +110,7 @@ Dual improved_dual(SurfaceDomain& domain, const SharedSizing& shared, const geom
     before.put_back(domain);
     result.angles = {};
     result.fidelity = {};
+    result.closeness = {};
     result.brought = 0;
     improve(domain, shared, angles, options, result);
     result.hidden = domain.num_hidden();

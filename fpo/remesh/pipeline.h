@@ -11,6 +11,7 @@
 #include "fpo/measure/quality.h"
 #include "fpo/optimize.h"
 #include "fpo/remesh/angles.h"
+#include "fpo/remesh/closeness.h"
 #include "fpo/remesh/dual.h"
 #include "fpo/remesh/edge_advice.h"
 #include "fpo/remesh/fidelity.h"
@@ -59,6 +60,7 @@ struct RemeshOptions {
   bool optimize_angles = true;   ///< afterwards (section 5)
   AngleOptions angles;           ///< wanted then; its interruption is overruled
   bool improve_fidelity = true;  ///< where the remesh is farthest from the input (fidelity.h)
+  bool come_closer = false;      ///< and more so, both ways, paid for with delta and time (closeness.h)
   bool maximal = false;     ///< then move samples until the set is a maximal Poisson-disk set (maximal.h)
   bool keep_cells = false;  ///< fill RemeshResult::cells
 };
@@ -93,6 +95,7 @@ struct RemeshResult {
   std::vector<Reached> reached;  ///< the measures that another method than fpo has of itself
   AngleResult angles;
   FidelityResult fidelity;
+  ClosenessResult closeness;
   ThinParts thin_parts;
   MaximalResult maximal;
   std::size_t brought = 0;  ///< samples that mending has moved

@@ -96,7 +96,7 @@ void check_without_room(const Workplace& place, const Job& job, const Conditions
 /// Runs the job with so much address space: it ends well or in one line, and writes all or nothing.
 /// True if it ended well.
 bool check_with_memory(const Workplace& place, const Job& job, std::size_t bytes) {
-  CAPTURE(job.arguments);
+  CAPTURE(job.program);
   CAPTURE(bytes);
   const auto before = place.files();
   const ProgramResult result = place.run(job, {.memory = bytes});
@@ -107,6 +107,7 @@ bool check_with_memory(const Workplace& place, const Job& job, std::size_t bytes
     return true;
   }
   check_one_line(job, result, "out of memory");
+  CAPTURE(result.err);
   CHECK(outputs.empty());
   return false;
 }

@@ -16,7 +16,6 @@ using geom::Vec3;
 
 namespace {
 
-
 double nearest(const std::vector<CurveClearance>& places) {
   double least = 1e300;
   for (const CurveClearance& place : places) least = std::min(least, place.distance);

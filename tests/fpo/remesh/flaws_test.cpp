@@ -19,7 +19,9 @@ SurfaceDomain flaws_domain_of(const geom::TriMesh& mesh, std::size_t n) {
 
 }  // namespace
 
-TEST_CASE("flaws: followed through removals, insertions and moves at once, they are those of the triangles") {
+TEST_CASE(
+    "flaws: followed through removals, insertions and moves at once, they are those of the triangles and "
+    "stars") {
   for (const auto& [name, mesh] : fixtures::surfaces()) {
     CAPTURE(name);
     constexpr std::size_t n = 80;
@@ -28,7 +30,13 @@ TEST_CASE("flaws: followed through removals, insertions and moves at once, they 
     const auto measure = [&](const geom::EmptyCircle& circle) {
       return std::max(circle.radius2 / wanted2 - 1, 0.0);
     };
-    Flaws flaws(domain, measure);
+    const auto of_star = [&](const geom::EmptyCircle& circle) {
+      double sum = 0;
+      for (const SiteId s : circle.sites)
+        for (const CircleId c : domain.dual().circles_of(s)) sum += domain.dual().circle(c).radius2 / wanted2;
+      return std::max(sum - 20, 0.0);
+    };
+    Flaws flaws(domain, measure), stars(domain, of_star, Flaws::Sight::star);
     geom::Rng rng(6);
     for (int move = 0; move < 200; ++move) {
       const SiteId x(static_cast<std::size_t>(rng.below(n)));
@@ -45,7 +53,9 @@ TEST_CASE("flaws: followed through removals, insertions and moves at once, they 
           domain.put_back(x);
       }
       if (rng.below(4) != 0) continue;
-      Flaws fresh(domain, measure);
+      Flaws fresh(domain, measure), fresh_stars(domain, of_star, Flaws::Sight::star);
+      REQUIRE(stars.number() == fresh_stars.number());
+      CHECK(stars.penalty() == doctest::Approx(fresh_stars.penalty()).epsilon(1e-9));
       REQUIRE(flaws.number() == fresh.number());
       CHECK(flaws.penalty() == doctest::Approx(fresh.penalty()).epsilon(1e-9));
       flaws.try_all_again();

@@ -1,0 +1,204 @@
+#include "fpo/remesh/closeness.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "fpo/interruption.h"
+#include "fpo/optimize.h"
+#include "fpo/remesh/flaws.h"
+#include "fpo/remesh/nearby_places.h"
+#include "fpo/remesh/spreading.h"
+#include "fpo/remesh/surface_above.h"
+#include "geom/mesh/scaling.h"
+
+namespace fpo {
+
+using geom::EmptyCircle;
+
+namespace {
+
+constexpr std::size_t most_futile = 8;  // in a row: if the farthest stay, so does the largest distance
+constexpr double least_share = 0.5;     // of a triangle's penalty: else attempts nibble at it for ever
+constexpr double least_share_of_nudge = 0.2;
+constexpr std::size_t few = 12;                                   // samples to nudge
+constexpr std::array<double, 4> circles = {0.05, 0.1, 0.2, 0.3};  // in units of h
+constexpr int directions_about = 12;
+constexpr std::array<double, 4> ways = {0.25, 0.5, 0.75, 1};  // to the far point
+constexpr double rounding = 1e-9;
+constexpr double passing = 0.05;  // of delta, until others have made room
+
+class Distances {
+ public:
+  explicit Distances(const SurfaceDomain& domain)
+      : domain_(domain), triangles_(domain), above_(domain.mesh()) {}
+
+  const geom::AabbTree& tree() const { return triangles_.tree(); }
+
+  /// Both ways; those left out that are seen at once to be no farther than `enough`.
+  FarPoint farthest(const EmptyCircle& circle, double enough = 0) {
+    std::array<SurfaceSample, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = domain_.sample(circle.sites[i]);
+    const auto beside = [&](std::vector<SurfaceAbove::Triangle>& triangles) {
+      add_beside(circle, triangles);
+    };
+    const FarPoint below = triangles_.farthest(circle, enough);
+    const FarPoint above = above_.farthest(corners, std::max(enough, below.distance), beside);
+    return above.distance > below.distance ? above : below;
+  }
+
+  double largest() {
+    double most = 0;
+    for_triangles(domain_.dual(),
+                  [&](const EmptyCircle& circle) { most = std::max(most, farthest(circle, most).distance); });
+    return most;
+  }
+
+ private:
+  /// Those with two corners in common come first.
+  void add_beside(const EmptyCircle& circle, std::vector<SurfaceAbove::Triangle>& triangles) const {
+    std::size_t across = 0;
+    for (const SiteId s : circle.sites)
+      for (const CircleId c : domain_.dual().circles_of(s)) {
+        const std::array<SiteId, 3>& t = domain_.dual().circle(c).sites;
+        if (!t[2].valid() || t == circle.sites) continue;
+        const auto at = [&](std::size_t i) { return domain_.sample(t[i]).position; };
+        triangles.push_back({at(0), at(1), at(2)});
+        const auto common = std::ranges::count_if(
+            t, [&](SiteId x) { return std::ranges::find(circle.sites, x) != circle.sites.end(); });
+        if (common == 2) std::swap(triangles[across++], triangles.back());
+      }
+  }
+
+  const SurfaceDomain& domain_;
+  TriangleDistances triangles_;
+  SurfaceAbove above_;
+};
+
+/// Places on the way to a far point, and around the sample.
+std::vector<SurfaceSample> places_towards(const SurfaceDomain& domain, const geom::AabbTree& tree,
+                                          const SurfaceSample& x, const SurfaceSample& target) {
+  std::vector<SurfaceSample> places =
+      nearby_places(domain.mesh(), tree, x, {domain.sizing().at(x), circles, directions_about});
+  for (const double way : ways) {
+    const auto closest = tree.closest(x.position + way * (target.position - x.position), target.facet);
+    places.push_back({geom::snapped(closest.point), closest.facet});
+  }
+  return places;
+}
+
+FlawMeasure beyond(Distances& distances, double bound) {
+  return [&distances, bound](const EmptyCircle& circle) {
+    const double beyond = std::max(distances.farthest(circle, bound).distance / bound - 1, 0.0);
+    return beyond * beyond;
+  };
+}
+
+/// One far triangle after the other.
+class CloserMender {
+ public:
+  CloserMender(SurfaceDomain& domain, Distances& distances, const AngleOptions& angles, double bound,
+               const ClosenessOptions& options)
+      : domain_(domain),
+        distances_(distances),
+        options_(options),
+        delta_(std::min(options.enough_delta, measure(domain).delta)),
+        far_(domain, beyond(distances, bound), Flaws::Sight::star),
+        bad_(domain, bad_angles(domain, angles)),
+        journal_(domain),
+        resampling_(domain, {&far_, &bad_}, options.enough_delta - passing),
+        spreading_(domain, {&far_, &bad_}, distances.tree(), {delta_, options.enough_delta - passing}) {
+    resampling_.keep(&journal_);
+    spreading_.keep(&journal_);
+  }
+
+  Flaws& far() { return far_; }
+  std::size_t moves() const { return resampling_.moves() + spreading_.moves(); }
+
+  /// Undoes what leaves samples too close to each other.
+  bool mend(CircleId triangle) {
+    journal_.clear();
+    if (!move_some(triangle)) return false;
+    if (!domain_.sizing().is_even() || (spreading_.spread() && are_wide_enough(journal_.noted())))
+      return true;
+    journal_.undo();
+    return false;
+  }
+
+ private:
+  /// Others may be near without an edge between: on another sheet.
+  bool are_wide_enough(const std::vector<SiteId>& samples) {
+    return std::ranges::all_of(
+        samples, [&](SiteId x) { return domain_.normalized_spacing(x) >= delta_ * (1 - rounding); });
+  }
+
+  bool move_some(CircleId triangle) {
+    const EmptyCircle circle = domain_.dual().circle(triangle);
+    const SurfaceSample farthest = distances_.farthest(circle).at;
+    const double before = far_.penalty(), penalty = far_.penalty(triangle);
+    const PlacesFor places = [&](SiteId x) {
+      return places_towards(domain_, distances_.tree(), domain_.sample(x), farthest);
+    };
+    const auto cost = [&] {
+      return far_.penalty() > before - least_share_of_nudge * penalty ? before
+                                                                      : far_.penalty() + spreading_.penalty();
+    };
+    resampling_.require_gain(least_share * penalty);
+    return in_growing_sets(domain_, circle.sites, [&](std::span<const SiteId> samples) {
+      if (interrupted(options_.interrupted)) return false;
+      if (samples.size() <= few && resampling_.nudge(samples, places, cost, before)) return true;
+      return resampling_.attempt(samples, 1) || put_at(farthest, samples);
+    });
+  }
+
+  bool put_at(const SurfaceSample& place, std::span<const SiteId> samples) {
+    std::vector<SiteId> turned(samples.begin(), samples.end());
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (resampling_.attempt_at(turned, place)) return true;
+      std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+    }
+    return false;
+  }
+
+  SurfaceDomain& domain_;
+  Distances& distances_;
+  const ClosenessOptions& options_;
+  double delta_;
+  Flaws far_, bad_;
+  SampleJournal journal_;
+  LocalResampling resampling_;
+  Spreading spreading_;
+};
+
+}  // namespace
+
+ClosenessResult come_closer(SurfaceDomain& domain, const AngleOptions& angles,
+                            const ClosenessOptions& options) {
+  ClosenessResult result;
+  if (interrupted(options.interrupted)) return result;
+  Distances distances(domain);
+  result.largest_before = result.largest_after = distances.largest();
+  std::size_t moves = 0;
+  for (int round = 0; round < options.rounds && result.largest_after > 0; ++round) {
+    const double bound = options.share_of_largest * result.largest_after;
+    CloserMender mender(domain, distances, angles, bound, options);
+    const auto enough = [&] {
+      return moves + mender.moves() > options.most_moves || interrupted(options.interrupted);
+    };
+    std::size_t futile = 0;  // in a row
+    for (CircleId c; futile < most_futile && !enough() && (c = mender.far().take_worst()).valid();
+         ++result.tried) {
+      const bool mended = mender.mend(c);
+      result.mended += mended;
+      futile = mended ? 0 : futile + 1;
+    }
+    moves += mender.moves();
+    const double largest = distances.largest();
+    if (enough() || !(largest < result.largest_after)) break;
+    result.largest_after = largest;
+  }
+  result.largest_after = distances.largest();
+  return result;
+}
+
+}  // namespace fpo

@@ -1,0 +1,34 @@
+#pragma once
+// The part of the surface that a triangle of the remesh stands for.
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "fpo/remesh/triangle_distances.h"
+
+namespace fpo {
+
+/// Distances of the surface from triangles of samples on it. What belongs to a triangle is what is joined to
+/// a corner within its prism: over the triangle and a fifth of its heights around it, as high above and below
+/// as its longest edge, on facets that are turned as the corners' are. Along a facet the distance from a
+/// triangle is convex, so that what is left of the facets' edges in the prism shows the largest one.
+class SurfaceAbove {
+ public:
+  using Triangle = std::array<geom::Vec3, 3>;
+
+  explicit SurfaceAbove(const geom::TriMesh& mesh) : mesh_(mesh) {}
+
+  /// The farthest point among those that are nearer to this triangle than to those beside it, which
+  /// `beside` adds, nearest first, if it is asked; distance 0 if there is none farther than `enough`, or if
+  /// the triangle has no area. O(facets in the prism).
+  FarPoint farthest(const std::array<SurfaceSample, 3>& corners, double enough,
+                    const std::function<void(std::vector<Triangle>&)>& beside);
+
+ private:
+  const geom::TriMesh& mesh_;
+  std::vector<geom::FacetId> facets_;  ///< scratch, and so is:
+  std::vector<Triangle> beside_;
+};
+
+}  // namespace fpo

@@ -1,0 +1,180 @@
+#include "fpo/remesh/closeness.h"
+
+#include <atomic>
+#include <vector>
+
+#include "doctest.h"
+#include "fpo/measure/hausdorff.h"
+#include "fpo/optimize.h"
+#include "fpo/remesh/extract.h"
+#include "fpo/remesh/flaws.h"
+#include "fpo/remesh/sample_journal.h"
+#include "fpo/remesh/spreading.h"
+#include "fpo/remesh/surface_above.h"
+#include "fpo/surface/initial_samples.h"
+#include "geom/rng.h"
+#include "geom/shapes/mesh_parts.h"
+#include "tests/fixtures/surfaces.h"
+
+using namespace fpo;
+using geom::TriMesh;
+using geom::Vec3;
+
+namespace {
+
+/// With sharp edges between the samples.
+TriMesh folded() {
+  return geom::mapped(fixtures::box(Vec3(2, 1, 1), 6), [](const Vec3& p) -> Vec3 {
+    return {p.x(), p.y(), p.z() + 0.2 * std::abs(p.x() - 1)};
+  });
+}
+
+SurfaceDomain optimized(const TriMesh& mesh, std::size_t n, int iterations) {
+  SurfaceDomain domain(mesh, random_samples(mesh, n, 5));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(iterations) * n; ++i)
+    domain.move(SiteId(i % n), Scope::global);
+  return domain;
+}
+
+std::vector<SurfaceSample> samples_in(const SurfaceDomain& domain) {
+  std::vector<SurfaceSample> samples;
+  for (std::size_t i = 0; i < domain.num_samples(); ++i) samples.push_back(domain.sample(SiteId(i)));
+  return samples;
+}
+
+/// The remesh's triangles.
+TriMesh dual_mesh(const SurfaceDomain& domain) {
+  geom::Table<geom::VertexId, Vec3> vertices;
+  for (const SurfaceSample& x : samples_in(domain)) vertices.push_back(x.position);
+  geom::Table<geom::FacetId, TriMesh::Facet> facets;
+  for_triangles(domain.dual(), [&](const geom::EmptyCircle& circle) {
+    TriMesh::Facet facet;
+    for (std::size_t i = 0; i < 3; ++i) facet[i] = geom::VertexId(circle.sites[i].index());
+    facets.push_back(facet);
+  });
+  return TriMesh(std::move(vertices), std::move(facets));
+}
+
+}  // namespace
+
+TEST_CASE("surface above: the largest distance of the surface from triangles is found on one of them") {
+  for (const TriMesh& mesh : {folded(), fixtures::blob(10)}) {
+    const SurfaceDomain domain = optimized(mesh, 150, 6);
+    const TriMesh dual = dual_mesh(domain);
+    const geom::AabbTree tree(dual);
+    SurfaceAbove above(domain.mesh());
+    double found = 0;
+    for_triangles(domain.dual(), [&](const geom::EmptyCircle& circle) {
+      std::array<SurfaceSample, 3> corners;
+      for (std::size_t i = 0; i < 3; ++i) corners[i] = domain.sample(circle.sites[i]);
+      const auto all = [&](std::vector<SurfaceAbove::Triangle>& others) {
+        for (std::size_t t = 0; t < dual.num_facets(); ++t) others.push_back(tree.triangle(geom::FacetId(t)));
+      };
+      const FarPoint far = above.farthest(corners, 0, all);
+      found = std::max(found, far.distance);
+      if (far.distance > 0)
+        CHECK(std::sqrt(tree.closest(far.at.position).distance2) == doctest::Approx(far.distance));
+    });
+    double expected = 0;  // at the middles and ends of edges
+    for (std::size_t t = 0; t < mesh.num_facets(); ++t)
+      for (int e = 0; e < 3; ++e)
+        for (const double s : {0.0, 0.25, 0.5, 0.75}) {
+          const Vec3 x = (1 - s) * domain.mesh().corner(geom::FacetId(t), e) +
+                         s * domain.mesh().corner(geom::FacetId(t), (e + 1) % 3);
+          expected = std::max(expected, std::sqrt(tree.closest(x).distance2));
+        }
+    CHECK(found > 0.95 * expected);
+  }
+}
+
+TEST_CASE("closeness: the surfaces are nearer, samples as many and not too close, angles no worse") {
+  const TriMesh mesh = folded();
+  constexpr std::size_t n = 60;
+  SurfaceDomain domain = optimized(mesh, n, 20);
+  const AngleOptions angles;
+  ClosenessOptions options;
+  options.enough_delta = 0.8;
+  options.rounds = 1;
+  const double delta = std::min(measure(domain).delta, options.enough_delta);
+  const double bad = Flaws(domain, bad_angles(domain, angles)).penalty();
+  const double distance = surface_distance(dual_mesh(domain), domain.mesh()).max;
+  const ClosenessResult result = come_closer(domain, angles, options);
+  CHECK(result.mended > 0);
+  CHECK(result.largest_after < result.largest_before);
+  CHECK(surface_distance(dual_mesh(domain), domain.mesh()).max < distance);
+  CHECK(domain.num_samples() == n);
+  CHECK(measure(domain).delta >= delta * (1 - 1e-9));
+  CHECK(Flaws(domain, bad_angles(domain, angles)).penalty() <= bad + 1e-6);
+  domain.check();
+}
+
+TEST_CASE("closeness: interrupted, or without moves to spare, little is done") {
+  const TriMesh mesh = folded();
+  SurfaceDomain domain = optimized(mesh, 100, 5);
+  const std::vector<SurfaceSample> before = samples_in(domain);
+  std::atomic<bool> stop = true;
+  ClosenessOptions options;
+  options.interrupted = &stop;
+  CHECK(come_closer(domain, {}, options).tried == 0);
+  options.interrupted = nullptr;
+  options.most_moves = 0;
+  CHECK(come_closer(domain, {}, options).tried <= 1);
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    moved += samples_in(domain)[i].position != before[i].position;
+  CHECK(moved < before.size() / 2);
+}
+
+TEST_CASE("sample journal: all is as it was, however samples were moved") {
+  const TriMesh mesh = fixtures::blob(6);
+  SurfaceDomain domain = optimized(mesh, 80, 2);
+  const std::vector<SurfaceSample> before = samples_in(domain);
+  SampleJournal journal(domain);
+  geom::Rng rng(8);
+  for (int i = 0; i < 300; ++i) {
+    const SiteId x(static_cast<std::size_t>(rng.below(80)));
+    journal.note(x);
+    domain.move(x, Scope::global);
+  }
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    moved += domain.sample(SiteId(i)).position != before[i].position;
+  CHECK(moved > 40);
+  journal.undo();
+  domain.check();
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    CHECK(domain.sample(SiteId(i)).position == before[i].position);
+    CHECK(domain.sample(SiteId(i)).facet == before[i].facet);
+  }
+}
+
+TEST_CASE("spreading: a sample put too near another makes room, or nothing comes nearer") {
+  const TriMesh mesh = fixtures::blob(8);
+  SurfaceDomain domain = optimized(mesh, 150, 20);
+  const geom::AabbTree tree(domain.mesh());
+  const double delta = measure(domain).delta;
+  Spreading spreading(domain, {}, tree, {0.9 * delta, 0.5 * delta});
+  CHECK(spreading.penalty() == 0);
+  std::size_t done = 0;
+  for (const std::size_t i : {3u, 40u, 77u, 120u}) {
+    SampleJournal journal(domain);
+    spreading.keep(&journal);
+    const SiteId x(i);
+    journal.note(x);
+    const SurfaceSample home = domain.sample(x);
+    std::vector<SiteId> link;
+    domain.dual().link(x, link);
+    const Vec3 towards = domain.sample(link.front()).position - home.position;
+    const geom::AabbTree::Closest closest = tree.closest(home.position + 0.25 * towards);
+    domain.remove(x);
+    domain.insert_at(x, {geom::snapped(closest.point), closest.facet}, 1);
+    CHECK(spreading.penalty() > 0);
+    if (spreading.spread()) {
+      ++done;
+      CHECK(measure(domain).delta >= 0.9 * delta * (1 - 1e-9));
+    }
+    journal.undo();
+    CHECK(spreading.penalty() < 1e-12);
+  }
+  CHECK(done > 0);
+}
