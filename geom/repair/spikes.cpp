@@ -38,7 +38,7 @@ Table<VertexId, std::vector<VertexId>> rings(std::size_t num_vertices,
     }
   for (std::vector<VertexId>& ring : result) {
     std::ranges::sort(ring);
-    ring.erase(std::ranges::unique(ring).begin(), ring.end());
+    ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
   }
   return result;
 }
