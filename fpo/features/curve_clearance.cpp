@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "fpo/features/curve_pieces.h"
 #include "fpo/features/point_grid.h"
 #include "geom/mesh/aabb_tree.h"
 #include "geom/mesh/angles.h"
@@ -48,17 +49,7 @@ std::map<VertexId, std::vector<CurveEnd>> ends_of(const TriMesh& mesh, const Fea
   return ends;
 }
 
-/// A straight part of a curve.
-struct Part {
-  Vec3 from, to;
-  std::size_t curve;
-  double start;  ///< of the curve's length
-  FacetId facet;
-  double length() const { return (to - from).norm(); }
-  Vec3 middle() const { return (from + to) / 2; }
-};
-
-std::vector<Part> halves(const Part& p) {
+std::vector<CurvePiece> halves(const CurvePiece& p) {
   const Vec3 m = p.middle();
   return {{p.from, m, p.curve, p.start, p.facet}, {m, p.to, p.curve, p.start + (m - p.from).norm(), p.facet}};
 }
@@ -73,7 +64,8 @@ class ClearanceSearch {
  public:
   ClearanceSearch(const TriMesh& mesh, const Features& features, double reach)
       : features_(features), reach_(reach), tree_(mesh), grid_((1 + clearance::part) * reach) {
-    for (std::size_t c = 0; c < features.curves.size(); ++c) cut(mesh, c);
+    for (std::size_t c = 0; c < features.curves.size(); ++c)
+      lengths_.push_back(cut_curve(mesh, features, c, clearance::part * reach, parts_));
     for (std::size_t i = 0; i < parts_.size(); ++i) grid_.add(parts_[i].middle(), i);
     for (const auto& [v, ends] : ends_of(mesh, features))
       for (const CurveEnd& a : ends)
@@ -98,31 +90,15 @@ class ClearanceSearch {
     return clearance::in_cone * std::sin(std::min(angle, std::numbers::pi / 2));
   }
 
-  void cut(const TriMesh& mesh, std::size_t c) {
-    const FeatureCurve& curve = features_.curves[c];
-    double t = 0;
-    for (std::size_t i = 0; i < curve.facets.size(); ++i) {
-      const Vec3 &a = mesh.position(curve.vertices[i]),
-                 &b = mesh.position(curve.vertices[(i + 1) % curve.vertices.size()]);
-      const double length = (b - a).norm();
-      const int parts = std::max(1, static_cast<int>(std::ceil(length / (clearance::part * reach_))));
-      for (int k = 0; k < parts; ++k)
-        parts_.push_back({a + (b - a) * k / parts, a + (b - a) * (k + 1) / parts, c, t + length * k / parts,
-                          curve.facets[i]});
-      t += length;
-    }
-    lengths_.push_back(t);
-  }
-
   /// p is in the part of that number, which is beside it.
-  void look_from(const Part& p, std::size_t whole, int halvings) {
+  void look_from(const CurvePiece& p, std::size_t whole, int halvings) {
     const Vec3 x = p.middle();
-    const Place here{x, p.start + p.length() / 2};
+    const Place here{x, p.at_middle()};
     double nearest = reach_;
     Vec3 there = x;
     grid_.around(x, [&](std::size_t i) {
       if (i == whole) return;
-      const Part& q = parts_[i];
+      const CurvePiece& q = parts_[i];
       const Vec3 y = geom::closest_point(x, {q.from, q.to, q.to}).point;
       const double d = (y - x).norm();
       if (!(d < nearest) || are_beside(p.curve, here, q.curve, {y, q.start + (y - q.from).norm()})) return;
@@ -130,7 +106,7 @@ class ClearanceSearch {
     });
     if (nearest == reach_) return;
     if (p.length() > clearance::part * nearest && halvings > 0) {
-      for (const Part& half : halves(p)) look_from(half, whole, halvings - 1);
+      for (const CurvePiece& half : halves(p)) look_from(half, whole, halvings - 1);
       return;
     }
     const double off2 = tree_.closest((x + there) / 2, p.facet).distance2;
@@ -157,7 +133,7 @@ class ClearanceSearch {
   const Features& features_;
   double reach_;
   geom::AabbTree tree_;
-  std::vector<Part> parts_;
+  std::vector<CurvePiece> parts_;
   std::vector<double> lengths_;
   PointGrid grid_;
   std::map<std::pair<std::size_t, std::size_t>, std::vector<SharedEnd>> shared_;

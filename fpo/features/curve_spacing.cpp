@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fpo/features/curve_pieces.h"
 #include "fpo/features/point_grid.h"
 #include "geom/mesh/aabb_tree.h"
 
@@ -30,15 +31,6 @@ constexpr double most_facets = 60;  // of the split surface, a sample
 constexpr int most_passes = 60;     // of splitting: needles never come to an end
 constexpr double most_curves = 60;  // spacings of curves a sample: most strips are too narrow to be helped
 
-/// A short straight part of a curve.
-struct Piece {
-  Vec3 from, to;
-  std::size_t curve;
-  double t;  ///< of its middle, along the curve
-  FacetId facet;
-  Vec3 middle() const { return (from + to) / 2; }
-};
-
 class FacingCurves {
  public:
   FacingCurves(const TriMesh& mesh, const Features& features, double spacing)
@@ -46,16 +38,17 @@ class FacingCurves {
         reach_(narrow_width * spacing),
         tree_(mesh),
         grid_((narrow_width + piece_length) * spacing) {
-    for (std::size_t c = 0; c < features.curves.size(); ++c) cut(mesh, c, piece_length * spacing);
+    for (std::size_t c = 0; c < features.curves.size(); ++c)
+      lengths_.push_back(cut_curve(mesh, features, c, piece_length * spacing, pieces_));
     for (std::size_t i = 0; i < pieces_.size(); ++i) grid_.add(pieces_[i].middle(), i);
   }
 
   std::vector<NarrowPlace> narrow_places() const {
     std::vector<NarrowPlace> places;
-    for (const Piece& p : pieces_) {
+    for (const CurvePiece& p : pieces_) {
       bool nearest = true;
       for (const auto& [w, other] : widths_at(p)) {
-        places.push_back({p.middle(), w, p.curve, other, (p.to - p.from).norm(), nearest});
+        places.push_back({p.middle(), w, p.curve, other, p.length(), nearest});
         nearest = false;
       }
     }
@@ -63,28 +56,12 @@ class FacingCurves {
   }
 
  private:
-  void cut(const TriMesh& mesh, std::size_t c, double longest) {
-    const FeatureCurve& curve = features_.curves[c];
-    double t = 0;
-    for (std::size_t i = 0; i < curve.facets.size(); ++i) {
-      const Vec3 &a = mesh.position(curve.vertices[i]),
-                 &b = mesh.position(curve.vertices[(i + 1) % curve.vertices.size()]);
-      const double length = (b - a).norm();
-      const int parts = std::max(1, static_cast<int>(std::ceil(length / longest)));
-      for (int k = 0; k < parts; ++k)
-        pieces_.push_back({a + (b - a) * k / parts, a + (b - a) * (k + 1) / parts, c,
-                           t + length * (k + 0.5) / parts, curve.facets[i]});
-      t += length;
-    }
-    lengths_.push_back(t);
-  }
-
   /// From the middle of p to the nearest piece of each curve that faces it, with that curve. Ascending.
-  std::vector<std::pair<double, std::size_t>> widths_at(const Piece& p) const {
+  std::vector<std::pair<double, std::size_t>> widths_at(const CurvePiece& p) const {
     const Vec3 x = p.middle();
     std::vector<std::pair<double, std::size_t>> near;
     grid_.around(x, [&](std::size_t i) {
-      const Piece& q = pieces_[i];
+      const CurvePiece& q = pieces_[i];
       if (&q == &p) return;
       const double d = (geom::closest_point(x, {q.from, q.to, q.to}).point - x).norm();
       if (d < reach_ && d > 0 && !are_beside(p, q, d)) near.emplace_back(d, i);
@@ -103,13 +80,13 @@ class FacingCurves {
   }
 
   /// Along one curve, or at a corner of two.
-  bool are_beside(const Piece& p, const Piece& q, double distance) const {
+  bool are_beside(const CurvePiece& p, const CurvePiece& q, double distance) const {
     const FeatureCurve &a = features_.curves[p.curve], &b = features_.curves[q.curve];
     if (p.curve == q.curve) {
-      const double between = std::abs(p.t - q.t), length = lengths_[p.curve];
+      const double between = std::abs(p.at_middle() - q.at_middle()), length = lengths_[p.curve];
       const bool closes = a.loop || a.vertices.front() == a.vertices.back();
       const double way = closes ? std::min(between, length - between) : between;
-      if (distance > beside * (way - (q.to - q.from).norm() / 2)) return true;
+      if (distance > beside * (way - q.length() / 2)) return true;
     }
     if (a.loop || b.loop) return false;
     for (const bool at_end : {false, true})
@@ -117,8 +94,8 @@ class FacingCurves {
         if ((at_end ? a.vertices.back() : a.vertices.front()) !=
             (at_other_end ? b.vertices.back() : b.vertices.front()))
           continue;
-        const double s = at_end ? lengths_[p.curve] - p.t : p.t,
-                     t = at_other_end ? lengths_[q.curve] - q.t : q.t;
+        const double s = at_end ? lengths_[p.curve] - p.at_middle() : p.at_middle(),
+                     t = at_other_end ? lengths_[q.curve] - q.at_middle() : q.at_middle();
         if (distance > at_corner * std::max(s, t)) return true;
       }
     return false;
@@ -127,7 +104,7 @@ class FacingCurves {
   const Features& features_;
   double reach_;
   geom::AabbTree tree_;
-  std::vector<Piece> pieces_;
+  std::vector<CurvePiece> pieces_;
   std::vector<double> lengths_;
   PointGrid grid_;
 };

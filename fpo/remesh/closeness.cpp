@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "fpo/interruption.h"
@@ -193,11 +194,9 @@ ClosenessResult come_closer(SurfaceDomain& domain, const AngleOptions& angles,
       futile = mended ? 0 : futile + 1;
     }
     moves += mender.moves();
-    const double largest = distances.largest();
-    if (enough() || !(largest < result.largest_after)) break;
-    result.largest_after = largest;
+    const double before = std::exchange(result.largest_after, distances.largest());
+    if (enough() || !(result.largest_after < before)) break;
   }
-  result.largest_after = distances.largest();
   return result;
 }
 

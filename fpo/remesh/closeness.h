@@ -29,7 +29,7 @@ struct ClosenessResult {
 /// around it or on the way to the far point, where the triangles that are too far are less so and as few
 /// samples as possible come too close to others; else the samples are resampled as in fidelity.h. Then those
 /// that are too close are pushed apart (spreading.h); where that fails, all is undone, and so is what makes
-/// angles worse. The number of samples stays; fixed ones stay where they are. Deterministic. A second or two
+/// angles worse. The number of samples stays; fixed ones stay where they are. Deterministic. Some seconds
 /// for 2000 samples.
 ClosenessResult come_closer(SurfaceDomain& domain, const AngleOptions& angles,
                             const ClosenessOptions& options = {});

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "fpo/surface/surface_domain.h"
+#include "fpo/remesh/sample_state.h"
 
 namespace fpo {
 
@@ -17,8 +17,7 @@ class RememberedSamples {
   void put_back(SurfaceDomain& domain) const;
 
  private:
-  std::vector<SurfaceSample> places_;
-  std::vector<double> weight_shares_;
+  std::vector<SampleState> states_;
 };
 
 }  // namespace fpo

@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "fpo/surface/surface_domain.h"
+#include "fpo/remesh/sample_state.h"
 
 namespace fpo {
 
@@ -14,7 +14,7 @@ class SampleJournal {
   explicit SampleJournal(SurfaceDomain& domain) : domain_(domain) {}
 
   /// Before x is moved.
-  void note(SiteId x) { were_.try_emplace(x.index(), Was{domain_.sample(x), domain_.weight_share(x)}); }
+  void note(SiteId x) { were_.try_emplace(x.index(), state_of(domain_, x)); }
   void clear() { were_.clear(); }
   /// Ascending.
   std::vector<SiteId> noted() const {
@@ -24,25 +24,13 @@ class SampleJournal {
   }
   /// All back to their places and weights. A removal and an insertion for each that is elsewhere.
   void undo() {
-    for (const auto& [index, was] : were_) {
-      const SiteId x(index);
-      if (domain_.sample(x).position == was.place.position && domain_.sample(x).facet == was.place.facet &&
-          domain_.weight_share(x) == was.weight_share)
-        continue;
-      domain_.remove(x);
-      domain_.insert_at(x, was.place, was.weight_share);
-    }
+    for (const auto& [index, was] : were_) put_back(domain_, SiteId(index), was);
     clear();
   }
 
  private:
-  struct Was {
-    SurfaceSample place;
-    double weight_share;
-  };
-
   SurfaceDomain& domain_;
-  std::map<std::size_t, Was> were_;
+  std::map<std::size_t, SampleState> were_;
 };
 
 }  // namespace fpo
