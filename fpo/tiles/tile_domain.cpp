@@ -121,12 +121,10 @@ void TileDomain::build() {
 }
 
 std::vector<geom::KnownCell> TileDomain::known_cells(const WeightedSamples& samples) const {
-  std::vector<geom::KnownCell> known;
-  if (!whole_.known()) return known;
-  known.reserve(sites_.size());
-  for (std::size_t i = 0; i < sites_.size(); ++i)
-    known.push_back(
-        whole_.known()->of(sites_[i], {samples[SiteId(i)].position, samples.weight(SiteId(i))}, guard_));
+  std::vector<geom::KnownCell> known(sites_.size());
+  for (std::size_t i = 0; whole_.known() && i < sites_.size(); ++i)
+    known[i] =
+        whole_.known()->of(sites_[i], {samples[SiteId(i)].position, samples.weight(SiteId(i))}, guard_);
   return known;
 }
 

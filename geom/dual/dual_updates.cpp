@@ -8,6 +8,7 @@
 namespace geom {
 
 void DualUpdates::begin() {
+  certify_all();
   state_.circles.recycle(change_.circles_erased);
   state_.circles.recycle(unlisted_);
   unlisted_.clear();
@@ -32,12 +33,19 @@ const DualChange& DualUpdates::build(std::span<const WeightedPoint3> points, std
   }
   state_.choose_search();
   redivision_.build(threads, change_);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (known.empty())
-      fast_.certify(SiteId(i));
-    else
-      fast_.certify(SiteId(i), known[i]);
+  are_certified_ = false;
+  if (!known.empty()) certify_all(known);
   return change_;
+}
+
+void DualUpdates::certify_all(std::span<const KnownCell> known) {
+  if (are_certified_) return;
+  for (SiteId p(0); p.index() < state_.sites.size(); p = SiteId(p.value + 1))
+    if (known.empty())
+      fast_.certify(p);
+    else
+      fast_.certify(p, known[p.index()]);
+  are_certified_ = true;
 }
 
 const DualChange& DualUpdates::insert(SiteId p, const WeightedPoint3& point, FacetId home, CircleId at) {

@@ -31,6 +31,9 @@ class DualUpdates {
   const DualChange& insert(SiteId p, const WeightedPoint3& point, FacetId home, CircleId at);
   const DualChange& remove(SiteId p);
 
+  /// Finds out which sites of a build are regular. Updates begin with it; who only looks goes without.
+  void certify_all(std::span<const KnownCell> known = {});
+
   KnownCell known_cell(SiteId p) const { return fast_.known(p); }
   const DualWays& ways() const { return ways_; }
 
@@ -50,6 +53,7 @@ class DualUpdates {
   Redivision& redivision_;
   DualChange change_;
   DualWays ways_;
+  bool are_certified_ = true;       ///< the sites of the build
   std::vector<CircleId> unlisted_;  ///< created and erased in the same change
 };
 

@@ -4,17 +4,16 @@
 #include <limits>
 
 #include "geom/dual/chains.h"
-#include "geom/power/facet_cells.h"
+#include "geom/power/divided_surface.h"
 
 namespace geom {
 
 void Redivision::build(int threads, DualChange& change) {
-  const std::vector<FacetId> order = facets_along_curve(state_.mesh);
   state_.circles.reserve(state_.sites.size());
   EdgeChains chains(state_);
   Table<SiteId, double> reach(state_.sites.size(), Reaches::of_nothing);
   const DividedSurface surface{state_.mesh, state_.sites, state_.clipper, state_.search.tree()};
-  surface.for_each(order, threads, [&](FacetId t, std::span<const FacetPiece> pieces) {
+  surface.for_each(state_.facets.order(), threads, [&](FacetId t, std::span<const FacetPiece> pieces) {
     EmptyCircle circle;
     for (const auto& [owner, corners] : pieces) {
       for (std::size_t k = 0; k < corners.size(); ++k)

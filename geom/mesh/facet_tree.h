@@ -2,6 +2,7 @@
 // Which facets come near a location: boxes about runs of a space-filling curve.
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "geom/mesh/trimesh.h"
@@ -13,6 +14,8 @@ class FacetTree {
  public:
   /// `order`: all facets, along a curve (facets_along_curve()). O(F).
   FacetTree(const TriMesh& mesh, std::vector<FacetId> order);
+
+  std::span<const FacetId> order() const { return order_; }
 
   /// Appends all facets that have a point within that distance of x, and some more. Cost: those, times the
   /// logarithm of F at most.

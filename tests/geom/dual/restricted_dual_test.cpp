@@ -159,6 +159,8 @@ TEST_CASE("restricted dual: built by any number of threads, it has the same ids"
     }
     for (const SiteId p : by_one.present())
       CHECK(by_many.dual().reach_bound(p) == by_one.dual().reach_bound(p));
+    by_many.dual().certify();
+    by_one.dual().certify();
     CHECK(by_many.dual().num_irregular() == by_one.dual().num_irregular());
   }
 }
@@ -432,6 +434,7 @@ TEST_CASE("restricted dual: without homes, and with all corners, no fast way is 
   for (const auto& [types, homes] : {std::pair(CornerTypes::c_only, 0.0), {CornerTypes::all, 1.0}}) {
     DualWalk walk(sphere, {.num_sites = 60, .types = types, .share_of_homes = homes, .keeps_number = true});
     walk.build();
+    walk.d.dual().certify();
     CHECK(walk.d.dual().num_irregular() == 60);
     for (int step = 0; step < 100; ++step) walk.step();
     const DualWays& ways = walk.d.dual().ways();
