@@ -33,10 +33,10 @@ struct OctantStep {
 };
 using OctantSteps = std::array<std::array<OctantStep, 8>, 24>;
 
-// The curve through a cube goes in at corner `entry` and leaves at its neighbour along `axis`; turned such that
-// it goes from 0 along axis 2, it visits the octants in the order of the Gray code. Octant w is entered at the
-// corner gray(w - 1) for odd w, gray(w - 2) for even ones, and crossed along the axis on which w's lowest run of
-// ones (of w - 1 if w is even) ends.
+// The curve through a cube goes in at corner `entry` and leaves at its neighbour along `axis`; turned such
+// that it goes from 0 along axis 2, it visits the octants in the order of the Gray code. Octant w is entered
+// at the corner gray(w - 1) for odd w, gray(w - 2) for even ones, and crossed along the axis on which w's
+// lowest run of ones (of w - 1 if w is even) ends.
 constexpr OctantSteps octant_steps() {
   const auto turned = [](std::uint32_t bits, std::uint32_t by) {
     return (bits << by | bits >> (3 - by)) & 7;
