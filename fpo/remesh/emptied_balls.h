@@ -12,11 +12,11 @@
 
 namespace fpo {
 
-/// Raises weights at the ends of the edges that are not proven, by what they lack, to 1.5 times the usual ones
-/// at most, and again for edges that this opens, up to ten times, while fewer and fewer are open. All weights
-/// are as before if that does not make them fewer. The number of samples with another weight. Changes nothing
-/// if all edges are proven. The features are those of the domain's mesh, their samples its fixed ones, its
-/// first. Deterministic. Cost: num_proven_edges() a round.
+/// Raises weights at the ends of the edges that are not proven, by what they lack, to 1.5 times the usual
+/// ones at most, and again for edges that this opens, up to ten times, as long as fewer and fewer are open;
+/// what does not make them fewer is undone. The number of samples with another weight. Changes nothing if all
+/// edges are proven. The features are those of the domain's mesh, their samples its fixed ones, its first.
+/// Deterministic. Cost: that of num_proven_edges() a round.
 std::size_t empty_balls(SurfaceDomain& domain, const Features& features, const FeatureSamples& samples);
 
 }  // namespace fpo

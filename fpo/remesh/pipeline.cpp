@@ -201,7 +201,7 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   RemeshResult result;
   SharedSizing shared = sizing_and_features(task, options);
   if (interrupted(options)) throw geom::Interrupted();
-  if (task.narrow && options.sizing == SizingKind::uniform) optimize_as_adaptive(options);
+  if (!shared.sizing.is_even() && options.sizing == SizingKind::uniform) optimize_as_adaptive(options);
   if (task.only_apart && has_needles(task.surface(), options.num_samples, even_spacing(task.input, options)))
     return result;  // each cell would be cut to thousands of parts
   std::optional<RemeshResult> coarse;
@@ -256,7 +256,7 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
 RemeshResult remesh_with(const geom::TriMesh& surface, const FeatureChoice& choice,
                          const RemeshOptions& options, const RemeshResult* start = nullptr,
                          bool only_apart = false) {
-  const SizingFor plain = plain_sizing(surface, options);
+  const SizingFor plain = part_sizing(surface, choice.features, options);
   const std::optional<NarrowSurface> narrow =
       helpful_narrow_surface(surface, choice.features, plain, options);
   RemeshResult result;
