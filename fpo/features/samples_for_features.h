@@ -7,7 +7,8 @@
 //
 // 1. Samples that are not on features. Optimization keeps them .9 wanted lengths from all others, hence from
 //    a and b; a sample at distance d from both is in the ball only if 2 d^2 < L^2, L being the edge, and
-//    2 (.9)^2 > (1.25)^2. This alone is measured and not proven: what came of it is proven_feature_edges.
+//    2 (.9)^2 > (1.25)^2. This alone is measured and not proven: where lengths differ some come as near as
+//    .7, and balls are emptied by weights (emptied_balls.h); what came of it is proven_feature_edges.
 // 2. Samples of another curve, or of another part of the same, at a clearance w (curve_clearance.h): none is
 //    if 1.25 h <= 2 w, that is h <= 1.6 w. Either lengths are so small everywhere, or they are lowered across
 //    a strip between curves to 1.5 w (curve_spacing.h), where n suffices for that. What that takes is bounded

@@ -10,6 +10,7 @@
 #include "fpo/interruption.h"
 #include "fpo/remesh/attempts.h"
 #include "fpo/remesh/distribution.h"
+#include "fpo/remesh/emptied_balls.h"
 #include "fpo/remesh/feature_bound.h"
 #include "fpo/remesh/mended_dual.h"
 #include "fpo/remesh/noise.h"
@@ -69,40 +70,59 @@ std::unique_ptr<SurfaceDomain> with_room(std::unique_ptr<SurfaceDomain> domain, 
   return make_room_for_thin_parts(std::move(domain), shared.features, type, room, result.thin_parts);
 }
 
-/// What follows the optimization: angles, fidelity, closeness.
-void improve(SurfaceDomain& domain, const SharedSizing& shared, const AngleOptions& angles,
-             const RemeshOptions& options, RemeshResult& result) {
-  if (options.optimize_angles && !interrupted(options)) result.angles = optimize_angles(domain, angles);
-  if (!options.improve_fidelity || result.stood_in || interrupted(options)) return;
+struct Improvement {
+  const SharedSizing& shared;
+  const geom::SurfaceType& type;
+  const Features* curves;  ///< of the domain's mesh; null: their edges are not to be proven
+  AngleOptions angles;
+};
+
+void prove_edges(SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options) {
+  if (how.curves && !interrupted(options)) empty_balls(domain, *how.curves, how.shared.features);
+}
+
+void come_nearer(SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options,
+                 RemeshResult& result) {
   FidelityOptions fidelity;
   fidelity.enough_delta = options.angles.enough_delta;
   fidelity.interrupted = options.optimize.interrupted;
-  const bool has_features = !shared.features.samples.empty();
+  const bool has_features = !how.shared.features.samples.empty();
   if (options.method == Method::fpo)  // who wants it fast wants this fast, too
     fidelity.most_moves = least_fidelity_moves + result.optimization.moves / (has_features ? 4 : 12);
   if (has_features) {  // fixed samples keep delta from more, and shape matters more
     fidelity.share_of_largest = 0.5;
     fidelity.enough_delta = std::min(0.9, fidelity.enough_delta);
   }
-  result.fidelity = improve_fidelity(domain, angles, fidelity);
+  result.fidelity = improve_fidelity(domain, how.angles, fidelity);
   if (!options.come_closer) return;
   ClosenessOptions closeness;
   closeness.enough_delta = std::min(closeness.enough_delta, options.angles.enough_delta);
   closeness.most_moves = least_fidelity_moves + moves_to_come_closer * domain.num_samples();
   closeness.interrupted = options.optimize.interrupted;
-  result.closeness = come_closer(domain, angles, closeness);
+  result.closeness = come_closer(domain, how.angles, closeness);
+}
+
+/// What follows the optimization: angles, fidelity, closeness; edges of curves are proven before and after.
+void improve(SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options,
+             RemeshResult& result) {
+  prove_edges(domain, how, options);
+  if (options.optimize_angles && !interrupted(options)) result.angles = optimize_angles(domain, how.angles);
+  if (options.improve_fidelity && !result.stood_in && !interrupted(options))
+    come_nearer(domain, how, options, result);
+  prove_edges(domain, how, options);
 }
 
 /// The dual of the samples, improved as far as that leaves it of the input's type.
-Dual improved_dual(SurfaceDomain& domain, const SharedSizing& shared, const geom::SurfaceType& type,
-                   const AngleOptions& angles, RemeshOptions options, RemeshResult& result) {
+Dual improved_dual(SurfaceDomain& domain, const Improvement& how, RemeshOptions options,
+                   RemeshResult& result) {
+  const FeatureSamples& features = how.shared.features;
   const RememberedSamples before(domain);
-  improve(domain, shared, angles, options, result);
+  improve(domain, how, options, result);
   if (options.maximal)
     result.maximal =
-        make_maximal(domain, {shared.features.samples.size(), options.threads, options.optimize.interrupted});
+        make_maximal(domain, {features.samples.size(), options.threads, options.optimize.interrupted});
   result.hidden = domain.num_hidden();
-  Dual dual = mended_dual(domain, shared.features, type, options, result);
+  Dual dual = mended_dual(domain, features, how.type, options, result);
   for (bool* step : {&options.improve_fidelity, &options.optimize_angles}) {
     if (dual.type.ok() || !result.thin_parts.right_type || options.maximal || interrupted(options))
       return dual;
@@ -112,9 +132,9 @@ Dual improved_dual(SurfaceDomain& domain, const SharedSizing& shared, const geom
     result.fidelity = {};
     result.closeness = {};
     result.brought = 0;
-    improve(domain, shared, angles, options, result);
+    improve(domain, how, options, result);
     result.hidden = domain.num_hidden();
-    dual = mended_dual(domain, shared.features, type, options, result);
+    dual = mended_dual(domain, features, how.type, options, result);
   }
   return dual;
 }
@@ -181,7 +201,7 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   RemeshResult result;
   SharedSizing shared = sizing_and_features(task, options);
   if (interrupted(options)) throw geom::Interrupted();
-  if (task.narrow && options.sizing == SizingKind::uniform) optimize_as_adaptive(options);
+  if (!shared.sizing.is_even() && options.sizing == SizingKind::uniform) optimize_as_adaptive(options);
   if (task.only_apart && has_needles(task.surface(), options.num_samples, even_spacing(task.input, options)))
     return result;  // each cell would be cut to thousands of parts
   std::optional<RemeshResult> coarse;
@@ -211,7 +231,9 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   std::optional<CurveSlides> slides;
   if (!shared.features.chains.empty()) slides.emplace(task.surface(), task.features, shared.features, sizing);
   if (slides && !apart) angles.slides = &*slides;
-  Dual dual = improved_dual(domain, shared, type, angles, options, result);
+  const bool provable = slides && !apart && options.mend && options.method == Method::fpo;
+  Dual dual =
+      improved_dual(domain, {shared, type, provable ? &task.features : nullptr, angles}, options, result);
   if (!apart && !interrupted(options))
     result.proven_edges = num_proven_edges(domain, task.features, shared.features);
   if (options.mend && options.method == Method::fpo && !interrupted(options))
@@ -234,7 +256,7 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
 RemeshResult remesh_with(const geom::TriMesh& surface, const FeatureChoice& choice,
                          const RemeshOptions& options, const RemeshResult* start = nullptr,
                          bool only_apart = false) {
-  const SizingFor plain = plain_sizing(surface, options);
+  const SizingFor plain = part_sizing(surface, choice.features, options);
   const std::optional<NarrowSurface> narrow =
       helpful_narrow_surface(surface, choice.features, plain, options);
   RemeshResult result;

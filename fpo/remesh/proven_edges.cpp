@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -31,16 +32,20 @@ class EmptyBalls {
  public:
   explicit EmptyBalls(const SurfaceDomain& domain) : domain_(domain) {}
 
-  /// Does the curve pass from the cell of a to that of b?
-  bool proves(const FeatureCurve& curve, SiteId a, SiteId b) {
+  /// Does the curve pass from the cell of a to that of b? If not, by how much it fails to where it fails
+  /// least; else 0.
+  double lack(const FeatureCurve& curve, SiteId a, SiteId b) {
+    double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < curve.facets.size(); ++i) {
       const Location3 from = vertex(curve.vertices[i]),
                       to = vertex(curve.vertices[(i + 1) % curve.vertices.size()]);
       if (!geom::beats_at_vertex(from, ranked(a), ranked(b)) &&
-          geom::beats_at_vertex(to, ranked(a), ranked(b)) && is_empty(from, to, a, b))
-        return true;
+          geom::beats_at_vertex(to, ranked(a), ranked(b))) {
+        if (is_empty(from, to, a, b)) return 0;
+        least = std::min(least, most_lead_);
+      }
     }
-    return false;
+    return least;
   }
 
  private:
@@ -67,31 +72,44 @@ class EmptyBalls {
                last = (1 - high) * from.position + high * to.position, middle = 0.5 * (first + last);
     const double most = std::max(geom::power(first, site(a)), geom::power(last, site(a)));
     near_.clear();
+    most_lead_ = 0;
+    bool empty = true;
     domain_.dual().tree().heirs(
         {a, middle, more * (last - middle).norm(), most + margin * (std::abs(most) + f.size)}, near_);
     for (const SiteId x : near_) {
       if (x == a || x == b) continue;
       const Lead g = lead(from, to, a, x);
       if (std::min(g.at(low), g.at(high)) > margin * g.size) continue;
-      if (geom::beats_on_edge(from, to, ranked(a), ranked(b), ranked(x))) return false;
+      if (!geom::beats_on_edge(from, to, ranked(a), ranked(b), ranked(x))) continue;
+      empty = false;
+      most_lead_ = std::max(most_lead_, -g.at((low + high) / 2));
     }
-    return true;
+    return empty;
   }
 
   const SurfaceDomain& domain_;
+  double most_lead_ = 0;      ///< of others over both, where is_empty() looked last
   std::vector<SiteId> near_;  // workspace
 };
 
 }  // namespace
 
+std::vector<OpenBall> open_balls(const SurfaceDomain& domain, const Features& features,
+                                 const FeatureSamples& samples) {
+  EmptyBalls balls(domain);
+  std::vector<OpenBall> open;
+  for (std::size_t c = 0; c < samples.chains.size(); ++c)
+    for (std::size_t i = 0; i + 1 < samples.chains[c].size(); ++i) {
+      const SiteId a = samples.chains[c][i], b = samples.chains[c][i + 1];
+      const double lack = balls.lack(features.curves[c], a, b);
+      if (lack > 0) open.push_back({a, b, lack});
+    }
+  return open;
+}
+
 std::size_t num_proven_edges(const SurfaceDomain& domain, const Features& features,
                              const FeatureSamples& samples) {
-  EmptyBalls balls(domain);
-  std::size_t proven = 0;
-  for (std::size_t c = 0; c < samples.chains.size(); ++c)
-    for (std::size_t i = 0; i + 1 < samples.chains[c].size(); ++i)
-      proven += balls.proves(features.curves[c], samples.chains[c][i], samples.chains[c][i + 1]);
-  return proven;
+  return num_edges(samples) - open_balls(domain, features, samples).size();
 }
 
 }  // namespace fpo

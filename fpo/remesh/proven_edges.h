@@ -5,11 +5,22 @@
 // (cf. the protecting balls of Cheng, Dey, Ramos 2010). Flips (recovered_edges.h) may make others.
 
 #include <cstddef>
+#include <vector>
 
 #include "fpo/features/feature_samples.h"
 #include "fpo/surface/surface_domain.h"
 
 namespace fpo {
+
+/// A chain edge that is not proven.
+struct OpenBall {
+  SiteId a, b;
+  double lack = 0;  ///< the power that both need more for the ball to be empty, about; infinite: none does
+};
+
+/// Those, in the order of the chains. Cost: that of num_proven_edges().
+std::vector<OpenBall> open_balls(const SurfaceDomain& domain, const Features& features,
+                                 const FeatureSamples& samples);
 
 /// The number of chain edges of which, on a mesh edge of their curve, the place that is as far in power from
 /// both ends is in nobody else's cell. The features are those of the domain's mesh, their samples its first

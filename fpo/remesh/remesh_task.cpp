@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fpo/remesh/blends.h"
 #include "fpo/remesh/small_loops.h"
 
 namespace fpo {
@@ -28,6 +29,17 @@ SizingFor plain_sizing(const geom::TriMesh& surface, const RemeshOptions& option
   return [&surface, limits = options.limits,
           rho = rho_of({surface, options.num_samples, even_spacing(surface, options), options.rho,
                         options.threads})](std::size_t n) { return fit_sizing(surface, rho, n, limits); };
+}
+
+SizingFor part_sizing(const geom::TriMesh& surface, const Features& features, const RemeshOptions& options) {
+  SizingFor plain = plain_sizing(surface, options);
+  if (options.sizing != SizingKind::uniform || options.method != Method::fpo || !options.mend) return plain;
+  const double gradation = curve_gradation(options);
+  if (!sizing_beside_blends(surface, features, options.num_samples, gradation)) return plain;
+  return [&surface, &features, plain, gradation](std::size_t n) {
+    const std::optional<Sizing> beside = sizing_beside_blends(surface, features, n, gradation);
+    return beside ? *beside : plain(n);
+  };
 }
 
 std::optional<NarrowSurface> helpful_narrow_surface(const geom::TriMesh& surface, const Features& features,

@@ -25,6 +25,9 @@ using SizingFor = std::function<Sizing(std::size_t)>;
 /// Keeps a reference to the surface.
 SizingFor plain_sizing(const geom::TriMesh& surface, const RemeshOptions& options);
 
+/// The same, but even lengths of the remesh are less on blends (blends.h). Keeps references to both.
+SizingFor part_sizing(const geom::TriMesh& surface, const Features& features, const RemeshOptions& options);
+
 /// The surface with small facets if there are narrow places that smaller lengths help.
 std::optional<NarrowSurface> helpful_narrow_surface(const geom::TriMesh& surface, const Features& features,
                                                     const SizingFor& plain, const RemeshOptions& options);
