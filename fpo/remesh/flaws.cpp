@@ -175,10 +175,8 @@ bool LocalResampling::nudge(std::span<const SiteId> samples, const PlacesFor& pl
     const Backup home = backup(x);
     for (const SurfaceSample& place : places(x)) {
       move({x, place, home.weight_share});
-      if (!wide_enough(x) || !is_joined(x)) continue;  // first what is cheap
-      if (flaws_.size() > 1 && !others_no_worse()) continue;
       const double now = cost();
-      if (now >= least) continue;
+      if (now >= least || !others_no_worse() || !wide_enough(x) || !is_joined(x)) continue;
       least = now;
       best = backup(x);
     }
