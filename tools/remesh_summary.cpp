@@ -151,7 +151,9 @@ void add_rest(Summary& s, const RemeshArguments& a, const fpo::RemeshResult& res
     s.count("angles_tried", result.angles.tried);
     s.count("angles_mended", result.angles.mended);
     s.count("samples_reweighted", result.angles.reweighted);
-    if (result.finish.last_angles.mended > 0) s.count("last_angles_mended", result.finish.last_angles.mended);
+    const fpo::Finish& finish = result.finish;
+    if (const std::size_t mended = finish.last_angles.mended + finish.mended_with_delta; mended > 0)
+      s.count("last_angles_mended", mended);
   }
 }
 

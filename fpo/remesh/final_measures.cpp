@@ -19,6 +19,7 @@ using geom::VertexId;
 namespace {
 
 constexpr double rounding = 1e-9;                        // degrees
+constexpr double thin_for_one_at_fault = 3;              // samples on thin parts
 constexpr double in_a_ring = 3.5;                        // samples
 constexpr double least_factor = 1.5, most_factor = 100;  // of the number of samples
 
@@ -83,6 +84,18 @@ double factor_for(double girth, double h) {
   return girth > 0 ? std::clamp(h * in_a_ring / girth, least_factor, most_factor) : 2;
 }
 
+/// Where much of the surface is thin, samples cannot come from elsewhere: n grows with the square.
+double factor_with_share(double factor, const Dual& dual) {
+  std::vector<SiteId> at_fault;
+  for (const CellFault& fault : dual.cell_faults) at_fault.push_back(fault.cell);
+  for (const Defect& defect : dual.defects) at_fault.push_back(defect.at);
+  std::ranges::sort(at_fault);
+  at_fault.erase(std::unique(at_fault.begin(), at_fault.end()), at_fault.end());
+  const double share = static_cast<double>(at_fault.size()) / static_cast<double>(dual.samples.size());
+  const double thin = std::min(1.0, thin_for_one_at_fault * share);
+  return std::max(factor, std::min(1 + thin * (factor * factor - 1), most_factor));
+}
+
 std::vector<FaultPlace> places_of(const Dual& dual, const TriMesh& surface, const geom::SurfaceType& type,
                                   const Sizing& sizing) {
   std::vector<FaultPlace> places;
@@ -115,6 +128,7 @@ TypeAdvice type_advice(const Dual& dual, const TriMesh& surface, const geom::Sur
         advice.places, [&](const Vec3& x) { return (x - place.at.position).norm() < near; });
     if (!known) advice.places.push_back(place.at.position);
   }
+  factor = factor_with_share(factor, dual);
   advice.samples = static_cast<std::size_t>(factor * static_cast<double>(dual.samples.size()));
   return advice;
 }

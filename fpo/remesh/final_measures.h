@@ -28,7 +28,9 @@ FinalMeasures final_measures(const geom::TriMesh& mesh, const VertexField& wante
 /// Where a remesh is of another type than its input, and how many samples would do.
 struct TypeAdvice {
   std::vector<geom::Vec3> places;  ///< one of each group of faults within two wanted lengths
-  std::size_t samples = 0;         ///< about: so many that three fit around each place; 0: none is needed
+  /// About: so many that three fit around each place, taken from elsewhere as far as not all is thin; 0: none
+  /// is needed.
+  std::size_t samples = 0;
 };
 
 /// Of a dual with n samples. Empty if the type is right. O(faults^2).

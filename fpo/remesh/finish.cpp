@@ -7,6 +7,19 @@
 
 namespace fpo {
 
+namespace {
+
+/// On the mesh. What is done for 30 degrees does not ask for delta.
+void mend_angles(const LastAnglesTask& task, const FinishOptions& options, Dual& dual, Finish& result) {
+  LastAnglesTask with_delta = task;
+  with_delta.goal = {task.angles.smallest, task.sizing.is_even() ? options.least_edge : task.goal.least_edge};
+  if (options.all_wanted)
+    result.mended_with_delta = mend_last_angles(with_delta, dual.mesh, dual.samples).mended;
+  result.last_angles = mend_last_angles(task, dual.mesh, dual.samples);
+}
+
+}  // namespace
+
 Finish finish(SurfaceDomain& domain, const FeatureSamples& features, const geom::SurfaceType& type,
               const FinishOptions& options, Dual& dual) {
   Finish result;
@@ -14,14 +27,15 @@ Finish finish(SurfaceDomain& domain, const FeatureSamples& features, const geom:
   if (!options.mend_angles || !dual.type.is_manifold()) return result;
   const bool right_type = dual.type.ok();
   const auto before = std::pair(dual.mesh, dual.samples);
-  result.last_angles = mend_last_angles(
-      {domain.mesh(), domain.sizing(), features, options.slides, options.angles}, dual.mesh, dual.samples);
-  if (result.last_angles.mended == 0) return result;
+  mend_angles({domain.mesh(), domain.sizing(), features, options.slides, options.angles}, options, dual,
+              result);
+  if (result.last_angles.mended + result.mended_with_delta == 0) return result;
   dual.type = check_type(type, dual.mesh, dual.samples);
   if (right_type && !dual.type.ok()) {  // angles are not worth that
     std::tie(dual.mesh, dual.samples) = before;
     dual.type = check_type(type, dual.mesh, dual.samples);
     result.last_angles = {};
+    result.mended_with_delta = 0;
     return result;
   }
   if (!options.keep_cells) return result;

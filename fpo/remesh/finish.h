@@ -10,6 +10,8 @@ namespace fpo {
 struct FinishOptions {
   AngleOptions angles;                  ///< wanted
   bool mend_angles = true;              ///< else edges only
+  bool all_wanted = false;              ///< angles, not only 30 degrees, as far as least_edge allows
+  double least_edge = 0.9;              ///< then, with uniform sizing, in wanted lengths
   bool keep_cells = false;              ///< the dual's cells follow its samples
   const CurveSlides* slides = nullptr;  ///< of the features; null: samples on curves stay
 };
@@ -17,6 +19,7 @@ struct FinishOptions {
 struct Finish {
   std::size_t recovered_edges = 0;
   LastAngles last_angles;
+  std::size_t mended_with_delta = 0;  ///< flips and moves kept for all that are wanted
 };
 
 /// Of a dual of the domain, of a surface of this type. If cells are kept and vertices moved, the domain's

@@ -22,12 +22,11 @@ namespace {
 
 namespace mending {
 constexpr int rounds = 10;
-constexpr double small_angle = 30, rounding = 1e-9;
+constexpr double rounding = 1e-9;
 constexpr std::size_t least_attempts = 200, share_of_attempts = 4, most_attempts = 1000;
 constexpr int most_at_once = 8;             // changes for a triangle, before others have their turn
 constexpr double least_gain = 1e-3;         // of the penalty around
 constexpr double flat = 0.8, turned = 0.7;  // cosines between normals: of a flip, of a facet before and after
-constexpr double least_edge = 0.55;         // in wanted lengths
 constexpr int flip_sweeps = 3;
 }  // namespace mending
 
@@ -51,7 +50,7 @@ class AngleMender {
         mesh_(remesh),
         places_(task),
         chains_(chain_edges(task.features)),
-        good_(std::min(mending::small_angle, task.angles.smallest) - mending::rounding),
+        good_(std::min(task.goal.smallest, task.angles.smallest) - mending::rounding),
         attempts_left_(std::min(mending::least_attempts + samples.size() / mending::share_of_attempts,
                                 mending::most_attempts)),
         is_hopeless_(remesh.num_facets(), 0) {}
@@ -178,7 +177,7 @@ class AngleMender {
   /// With flips around it, in the region. False if an edge becomes too short, or a facet is turned.
   bool move(VertexId v, const SurfaceSample& to, const FacetRegion& region) {
     const double enough =
-        std::min(shortest_edge(v), mending::least_edge * task_.sizing.at(samples_[v.index()]));
+        std::min(shortest_edge(v), task_.goal.least_edge * task_.sizing.at(samples_[v.index()]));
     std::vector<Vec3> before;
     for (const FacetId t : mesh_.facets_at(v)) before.push_back(mesh_.normal(t).normalized());
     mesh_.move(v, to.position);

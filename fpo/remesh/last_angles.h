@@ -12,6 +12,12 @@
 
 namespace fpo {
 
+/// What is asked of the mesh.
+struct LastAnglesGoal {
+  double smallest = 30;      ///< angle, in degrees, or that of the options if that is smaller
+  double least_edge = 0.55;  ///< of a vertex that is moved, in wanted lengths, or as it was
+};
+
 /// A remesh whose vertex i is sample i.
 struct LastAnglesTask {
   const geom::TriMesh& surface;
@@ -19,21 +25,22 @@ struct LastAnglesTask {
   const FeatureSamples& features;
   const CurveSlides* slides = nullptr;  ///< of these; null: samples on curves stay
   const AngleOptions& angles;
+  LastAnglesGoal goal{};
 };
 
 struct LastAngles {
-  std::size_t bad_before = 0, bad_after = 0;  ///< triangles with an angle below 30 degrees, or that wanted
+  std::size_t bad_before = 0, bad_after = 0;  ///< triangles with an angle below the goal
   std::size_t mended = 0;                     ///< flips and moves that were kept
 };
 
-/// Where triangles have angles below the smaller of 30 degrees and the smallest that is wanted: flips an
-/// edge, or moves a vertex on the surface, on its curve if it is on one, by at most a third of the wanted
-/// length, with flips around it; or one of the vertices around these. Kept if the sum of bad_angles() becomes
-/// smaller, no angle around smaller than it was or than that bound, and no edge of a vertex that is moved
-/// shorter than it was or than .55 wanted lengths. Edges of curves are not flipped, nor edges that the
-/// surface is folded at; corners and points of the user stay. The mesh stays of its topological type; if
-/// nothing is that bad it stays as it is. The worst first, through all of them up to ten times, with at most
-/// 200 + n / 4 attempts, and 1000; each looks for some hundred places on the surface. Deterministic.
+/// Where triangles have angles below the goal: flips an edge, or moves a vertex on the surface, on its curve
+/// if it is on one, by at most a third of the wanted length, with flips around it; or one of the vertices
+/// around these. Kept if the sum of bad_angles() becomes smaller, no angle around smaller than it was or than
+/// the goal, and no edge of a vertex that is moved shorter than it was or than the goal. Edges of curves are
+/// not flipped, nor edges that the surface is folded at; corners and points of the user stay. The mesh stays
+/// of its topological type; if nothing is that bad it stays as it is. The worst first, through all of them up
+/// to ten times, with at most 200 + n / 4 attempts, and 1000; each looks for some hundred places on the
+/// surface. Deterministic.
 LastAngles mend_last_angles(const LastAnglesTask& task, geom::TriMesh& remesh,
                             std::vector<SurfaceSample>& samples);
 

@@ -70,6 +70,10 @@ std::unique_ptr<SurfaceDomain> with_room(std::unique_ptr<SurfaceDomain> domain, 
   return make_room_for_thin_parts(std::move(domain), shared.features, type, room, result.thin_parts);
 }
 
+double delta_to_come_closer(const RemeshOptions& options) {
+  return std::min(ClosenessOptions().enough_delta, options.angles.enough_delta);
+}
+
 struct Improvement {
   const SharedSizing& shared;
   const geom::SurfaceType& type;
@@ -96,7 +100,7 @@ void come_nearer(SurfaceDomain& domain, const Improvement& how, const RemeshOpti
   result.fidelity = improve_fidelity(domain, how.angles, fidelity);
   if (!options.come_closer) return;
   ClosenessOptions closeness;
-  closeness.enough_delta = std::min(closeness.enough_delta, options.angles.enough_delta);
+  closeness.enough_delta = delta_to_come_closer(options);
   closeness.most_moves = least_fidelity_moves + moves_to_come_closer * domain.num_samples();
   closeness.interrupted = options.optimize.interrupted;
   result.closeness = come_closer(domain, how.angles, closeness);
@@ -238,8 +242,12 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
     result.proven_edges = num_proven_edges(domain, task.features, shared.features);
   if (options.mend && options.method == Method::fpo && !interrupted(options))
     result.finish = finish(domain, shared.features, type,
-                           {angle_options(options), options.optimize_angles && !options.maximal,
-                            options.keep_cells, slides ? &*slides : nullptr},
+                           {.angles = angle_options(options),
+                            .mend_angles = options.optimize_angles && !options.maximal,
+                            .all_wanted = options.come_closer,
+                            .least_edge = delta_to_come_closer(options),
+                            .keep_cells = options.keep_cells,
+                            .slides = slides ? &*slides : nullptr},
                            dual);
   result.advice = type_advice(dual, surface, type, sizing);
   take(std::move(dual), result);

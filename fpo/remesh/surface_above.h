@@ -10,7 +10,7 @@
 namespace fpo {
 
 /// Distances of the surface from triangles of samples on it. What belongs to a triangle is what is joined to
-/// a corner within its prism: over the triangle and a fifth of its heights around it, as high above and below
+/// a corner within its prism: over the triangle and .6 of its heights around it, as high above and below
 /// as its longest edge, on facets that are turned as the corners' are. Along a facet the distance from a
 /// triangle is convex, so that what is left of the facets' edges in the prism shows the largest one.
 class SurfaceAbove {

@@ -69,3 +69,16 @@ TEST_CASE("type advice: places and a number where the type is wrong, nothing whe
   for (const Vec3& x : few.places) at_bar |= std::abs(x.z()) < 1.2;
   CHECK(at_bar);
 }
+
+TEST_CASE("type advice: where all is thin the number grows with the square") {
+  const TriMesh mesh = geom::make_shape("dumbbell", 12);
+  const geom::SurfaceType type = geom::surface_type(mesh);
+  const SurfaceDomain domain(mesh, random_samples(mesh, 60, 1));
+  Dual dual = dual_of(domain, type, false);
+  REQUIRE(!dual.type.ok());
+  dual.cell_faults.clear();
+  dual.defects = {{geom::SiteId(0), {}}};  // each asks for twice as many
+  CHECK(type_advice(dual, mesh, type, domain.sizing()).samples == 120);
+  for (std::size_t i = 0; i < 60; i += 2) dual.defects.push_back({geom::SiteId(i), {}});
+  CHECK(type_advice(dual, mesh, type, domain.sizing()).samples == 240);
+}

@@ -53,6 +53,14 @@ double smallest_angle(const TriMesh& mesh) {
   return least;
 }
 
+double shortest_edge(const TriMesh& mesh) {
+  double least = 1e9;
+  for (const TriMesh::Facet& f : mesh.facets())
+    for (std::size_t i = 0; i < 3; ++i)
+      least = std::min(least, (mesh.position(f[i]) - mesh.position(f[(i + 1) % 3])).norm());
+  return least;
+}
+
 }  // namespace
 
 TEST_CASE("last angles: become larger, on the surface, with as many samples and the type as it was") {
@@ -99,4 +107,26 @@ TEST_CASE("last angles: nothing changes where none is below 30 degrees, or below
   CHECK(result.mended == 0);
   CHECK(s.remesh.facets() == before.facets());
   CHECK(s.remesh.vertices() == before.vertices());
+}
+
+TEST_CASE("last angles: a goal of longer edges and larger angles is kept to") {
+  Spoilt s("sphere", 6, 0.35);
+  const double before = smallest_angle(s.remesh);
+  REQUIRE(before < 33);
+  const TriMesh old = s.remesh;
+  const AngleOptions angles;
+  const LastAnglesGoal goal{33, 0.75};
+  const LastAngles result =
+      mend_last_angles({s.surface, s.sizing, s.features, nullptr, angles, goal}, s.remesh, s.samples);
+  CHECK(result.mended > 0);
+  CHECK(result.bad_after < result.bad_before);
+  CHECK(smallest_angle(s.remesh) >= before);
+  for (FacetId t(0); t.index() < s.remesh.num_facets(); t = FacetId(t.value + 1))
+    for (int i = 0; i < 3; ++i) {
+      const VertexId v = s.remesh.facet(t)[i], w = s.remesh.facet(t)[(i + 1) % 3];
+      if (s.remesh.position(v) == old.position(v) && s.remesh.position(w) == old.position(w)) continue;
+      const double wanted = s.sizing.at(s.samples[v.index()]);
+      CHECK((s.remesh.position(v) - s.remesh.position(w)).norm() >=
+            std::min(0.75 * wanted, shortest_edge(old)));
+    }
 }
