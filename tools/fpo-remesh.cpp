@@ -109,7 +109,7 @@ int remesh(tools::CommandLine& cli) {
   a.remesh.optimize.interrupted = &tools::interrupt_flag();
   a.remesh.optimize.on_move = [&](std::size_t move) {
     nothing_to_save.end();
-    tools::print_notes(read);  // now nothing is refused any more
+    if (progress.is_visible()) tools::print_notes(read);  // who waits reads them now
     progress.update(double(move) / total_moves, delta);
   };
   a.remesh.optimize.on_iteration = [&](const fpo::IterationReport& r) {
