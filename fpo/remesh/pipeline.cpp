@@ -166,8 +166,9 @@ bool has_near_sheets(const RemeshTask& task, const SharedSizing& shared, const R
 }
 
 /// No mesh, for that is better made otherwise, with these samples to begin with.
-RemeshResult only_samples(const SurfaceDomain& domain) {
+RemeshResult only_samples(const SurfaceDomain& domain, const ThinParts& thin_parts) {
   RemeshResult result;
+  result.thin_parts = thin_parts;
   result.samples = samples_of(domain);
   while (result.feature_samples < result.samples.size() &&
          domain.is_fixed(geom::SiteId(result.feature_samples)))
@@ -202,7 +203,8 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   std::unique_ptr<SurfaceDomain> samples =
       with_room(std::move(distributed), shared, type, options, result, may_part);
   if (may_part && result.thin_parts.faults_before > 0) {
-    if (has_near_sheets(task, shared, options) && !interrupted(options)) return only_samples(*samples);
+    if (has_near_sheets(task, shared, options) && !interrupted(options))
+      return only_samples(*samples, result.thin_parts);
     samples = with_room(std::move(samples), shared, type, options, result);
   }
   SurfaceDomain& domain = *samples;
@@ -266,7 +268,8 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
   if (parted) {
     const RemeshResult begun = std::move(best);
     best = remesh_with(surface, choice, with_levels, &begun, true);
-    if (!best.has_levels || (!best.type.ok() && !interrupted(options))) {
+    const bool hopeless = is_hopeless(best) && is_hopeless(begun);
+    if (!best.has_levels || (!best.type.ok() && !hopeless && !interrupted(options))) {
       RemeshResult other = remesh_with(surface, choice, together, interrupted(options) ? &begun : nullptr);
       if (!best.has_levels || is_better(other, best)) best = std::move(other);
     }
@@ -274,6 +277,7 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
   if (options.sheets != Sheets::automatic || options.method != Method::fpo || is_fine(best) ||
       best.stood_in || is_remnant(best.mesh))  // all of this was tried on what stood in
     return best;
+  if (is_hopeless(best) || !geom::topology(surface).manifold()) return best;
   const auto attempt = [&](const RemeshOptions& otherwise, bool only_apart, bool anew = false) {
     if (interrupted(options)) return;
     RemeshResult other = remesh_with(surface, choice, otherwise, anew ? nullptr : &best, only_apart);
@@ -329,6 +333,9 @@ RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const Reme
   if (result.crease_curves == 0 || !options.features->yielding || options.method != Method::fpo ||
       result.stood_in || interrupted(options) || !geom::topology(surface).manifold() || is_useful(result))
     return result;
+  const bool has_few_on_curves = 2 * result.feature_samples < options.num_samples;
+  const bool has_other_ways = may_be_smoothed(options) && is_folded(surface);
+  if (is_hopeless(result) && (has_few_on_curves || has_other_ways)) return result;
   return remesh_with_fewer_creases(surface, std::move(result), options);
 }
 
