@@ -9,7 +9,7 @@ namespace geom {
 /// log F).
 std::size_t drop_repeated(Table<FacetId, TriMesh::Facet>& facets);
 
-/// The wall between two bodies that were welded at a common face: a patch of facets, joined by edges, that are
+/// The wall between two bodies that were welded at a common face: facets, joined by edges, that are
 /// there twice, once each way, with two other facets (or four, ...) at each edge of its rim. Both copies are
 /// removed: the bodies become one. (A facet doubled on a surface has one other facet at its edges.) Returns
 /// how many facets are gone. O(F log F).

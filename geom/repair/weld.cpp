@@ -167,6 +167,7 @@ double wider_tolerance(const Table<VertexId, Vec3>& vertices, const Facets& face
   const std::size_t least = left(widest);
   if (2 * least > borders.edges) return 0;
   const double usual = usual_tolerance(vertices, facets);
+  if (2 * left(usual) <= borders.edges) return 0;
   for (double ten = unit * std::pow(10, std::floor(std::log10(usual / unit))); ten <= widest; ten *= 10)
     for (const double tolerance : {ten, 2 * ten, 5 * ten}) {
       if (tolerance <= usual || tolerance > widest) continue;
