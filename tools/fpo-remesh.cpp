@@ -128,10 +128,10 @@ int remesh(tools::CommandLine& cli) {
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   nothing_to_save.end();
   progress.erase();
-  tools::print_notes(read);
 
   write_outputs(a, input, result, log, cli.quiet());
   if (!a.report.empty()) tools::write_remesh_report(a.report, input, result, run);
+  tools::print_notes(read);  // now nothing is refused any more
   for (const std::string& line : tools::type_warnings(input, result, a.remesh)) warn(line);
   for (const std::string& line : tools::shape_warnings(result)) warn(line);
   const bool interrupted = tools::interrupt_flag();  // maybe after the optimization

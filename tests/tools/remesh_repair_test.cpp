@@ -4,6 +4,7 @@
 
 #include "doctest.h"
 #include "geom/mesh/centring.h"
+#include "geom/mesh/scaling.h"
 #include "geom/shapes/shapes.h"
 #include "io/mesh_io.h"
 #include "tests/fixtures/needles.h"
@@ -85,6 +86,13 @@ TEST_CASE("fpo-remesh: what is refused after the work is refused in one line") {
   CHECK(result.lines_on_stderr() == 1);
   CHECK(contains(result.err, "thinner than the spacing of 200 samples"));
   CHECK(contains(result.err, "(--repair mends it)"));
+
+  place.write("small.ply", geom::scaled(fixtures::spoilt(place.torus, 2), 0x1p-200));
+  const ProgramResult small = fixtures::run_program(
+      "fpo-remesh", {"small.ply", "-n", "50", "--iterations", "1", "-o", "out.stl"}, place.folder.path());
+  CHECK(small.code == 2);
+  CHECK(small.lines_on_stderr() == 1);
+  CHECK(contains(small.err, "too small for STL's single precision"));
 }
 
 TEST_CASE("fpo-trace, fpo-spectrum: read files as fpo-remesh does") {
