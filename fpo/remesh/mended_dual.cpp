@@ -18,7 +18,7 @@ std::size_t few_enough(const Dual& dual) {
 Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const geom::SurfaceType& type,
                  const RemeshOptions& options, RemeshResult& counts) {
   const auto next_dual = [&] {
-    if (options.mend) counts.protection += protect_chains(domain, features);
+    if (options.mend) counts.protection += protect_chains(domain, features, options.optimize.interrupted);
     return dual_of(domain, type, options.keep_cells);
   };
   Dual best = next_dual();

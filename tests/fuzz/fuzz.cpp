@@ -77,12 +77,13 @@ class Trial {
   bool refused() const { return refused_; }
   double slowest() const { return slowest_; }  ///< seconds of one run
   void keep(const fs::path& path) const {
-    fs::copy_file(folder_ / mutant_.name, path.string() + fs::path(mutant_.name).extension().string(),
+    fs::copy_file(folder_ / words_.front(), path.string() + fs::path(words_.front()).extension().string(),
                   fs::copy_options::overwrite_existing);
   }
+  /// The last that was run; its input is what is kept.
   std::string command() const {
-    std::string line = "fpo-remesh";
-    for (const std::string& option : options_) line += " " + option;
+    std::string line = program_;
+    for (const std::string& word : words_) line += " " + word;
     return line;
   }
 
@@ -114,6 +115,8 @@ class Trial {
   }
 
   ProgramResult execute(const std::string& program, const std::vector<std::string>& arguments) {
+    program_ = program;
+    words_ = arguments;
     const double wall_time = most_wall_time * static_cast<double>(time_limit_);
     const ProgramResult result =
         fixtures::run_program(program, arguments, folder_.path(), wall_time / fixtures::slowness,
@@ -187,8 +190,8 @@ class Trial {
   fixtures::ScratchFolder folder_;
   fuzz::Mutant mutant_;
   geom::Rng rng_;
-  std::vector<std::string> options_;
-  std::string output_;
+  std::vector<std::string> options_, words_;
+  std::string output_, program_;
   std::size_t count_ = 0;
   bool refused_ = false;
   double slowest_ = 0;
