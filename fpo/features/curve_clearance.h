@@ -32,8 +32,8 @@ struct CurveClearance {
 
 /// The places that are nearer than `reach` to another. What is along the same curve is beside a place, and so
 /// is what is in the cone of a corner of both curves: farther than .7 r sin a, where r is the larger way to
-/// the corner along them and a their angle there, or a right one. If there are more than `most` places it ends
-/// with one more than that: of two bodies on each other there are millions. O(places, by a grid).
+/// the corner along them and a their angle there, or a right one. Of more than `most`
+/// places one more than that: two bodies on each other have millions. O(places, by a grid).
 std::vector<CurveClearance> curve_clearances(const geom::TriMesh& mesh, const Features& features,
                                              double reach, std::size_t most = SIZE_MAX);
 
