@@ -109,7 +109,7 @@ int remesh(tools::CommandLine& cli) {
   a.remesh.optimize.interrupted = &tools::interrupt_flag();
   a.remesh.optimize.on_move = [&](std::size_t move) {
     nothing_to_save.end();
-    tools::print_notes(read);  // now nothing is refused any more
+    if (progress.is_visible()) tools::print_notes(read);  // who waits reads them now
     progress.update(double(move) / total_moves, delta);
   };
   a.remesh.optimize.on_iteration = [&](const fpo::IterationReport& r) {
@@ -128,10 +128,10 @@ int remesh(tools::CommandLine& cli) {
   run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   nothing_to_save.end();
   progress.erase();
-  tools::print_notes(read);
 
   write_outputs(a, input, result, log, cli.quiet());
   if (!a.report.empty()) tools::write_remesh_report(a.report, input, result, run);
+  tools::print_notes(read);  // now nothing is refused any more
   for (const std::string& line : tools::type_warnings(input, result, a.remesh)) warn(line);
   for (const std::string& line : tools::shape_warnings(result)) warn(line);
   const bool interrupted = tools::interrupt_flag();  // maybe after the optimization

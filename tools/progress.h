@@ -15,6 +15,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
+  bool is_visible() const { return visible_; }
   /// The share that is done, in [0, 1], and the delta reached. Cheap enough to be called before every move.
   void update(double done, double delta) {
     if (visible_) show(done, delta);

@@ -12,6 +12,7 @@
 #include "io/attributes.h"
 #include "io/input_file.h"
 #include "io/mesh_io.h"
+#include "tools/interrupt.h"
 #include "tools/own_vertices.h"
 
 namespace tools {
@@ -213,6 +214,7 @@ void write_map(const RemeshArguments& a, const TriMesh& input, const fpo::Remesh
 
 void write_remesh(const RemeshArguments& a, const TriMesh& input, const fpo::RemeshResult& result,
                   std::string& dropped) {
+  if (!a.carry && interrupt_flag()) return io::write_mesh(a.output, result.mesh);  // without a second look
   const io::MeshFormat format = io::mesh_format(a.output);
   const io::Attributes attributes = io::read_attributes(a.input);
   dropped = dropped_in_words(attributes, a.carry, format);

@@ -9,6 +9,7 @@
 #include "geom/repair/repair.h"
 #include "io/input_file.h"
 #include "io/mesh_io.h"
+#include "tools/worded.h"
 
 namespace tools {
 namespace {
@@ -55,13 +56,19 @@ SurfaceInput repaired(const geom::TriMesh& mesh, const std::string& name, std::s
   throw geom::InputError(name + ": " + error.what());
 }
 
+/// What mends the faults.
+std::string advice(const geom::Diagnosis& found, bool is_repaired) {
+  const std::string weld = found.weld_tolerance > 0 ? worded("--weld=%.6g", found.weld_tolerance) : "";
+  if (is_repaired)
+    return " (left by --repair; " + (weld.empty() ? "--weld=TOL" : weld) + " welds within more)";
+  return weld.empty() ? " (--repair mends it)" : " (--repair " + weld + " mends it)";
+}
+
 void diagnose(SurfaceInput& input, bool is_repaired) try {
   geom::Diagnosis found = geom::diagnosis(input.mesh, false);
   if (is_repaired) found.split_vertices = 0;  // repair has set them apart
   const std::string faults = geom::in_words(found);
-  if (!faults.empty())
-    input.faults =
-        faults + (is_repaired ? " (left by --repair; --weld=TOL welds within more)" : " (--repair mends it)");
+  if (!faults.empty()) input.faults = faults + advice(found, is_repaired);
   input.parts = found.parts;
 } catch (const geom::InputError&) {  // who computes with it will say so
 }
@@ -134,6 +141,7 @@ geom::TriMesh read_cleaned(const std::filesystem::path& path) {
 void print_notes(SurfaceInput& input) {
   for (const std::string& note : input.notes) std::fprintf(stderr, "%s\n", note.c_str());
   input.notes.clear();
+  input.faults.clear();
 }
 
 }  // namespace tools

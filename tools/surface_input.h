@@ -46,7 +46,7 @@ SurfaceInput read_surface(const std::filesystem::path& path, const RepairArgumen
 /// Throws geom::InputError.
 geom::TriMesh read_cleaned(const std::filesystem::path& path);
 
-/// Prints the notes on stderr, and forgets them.
+/// Prints the notes on stderr, and forgets them and the faults, which are among them.
 void print_notes(SurfaceInput& input);
 
 }  // namespace tools

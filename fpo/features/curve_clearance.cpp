@@ -62,8 +62,8 @@ struct SharedEnd {
 
 class ClearanceSearch {
  public:
-  ClearanceSearch(const TriMesh& mesh, const Features& features, double reach)
-      : features_(features), reach_(reach), tree_(mesh), grid_((1 + clearance::part) * reach) {
+  ClearanceSearch(const TriMesh& mesh, const Features& features, double reach, std::size_t most)
+      : features_(features), reach_(reach), most_(most), tree_(mesh), grid_((1 + clearance::part) * reach) {
     for (std::size_t c = 0; c < features.curves.size(); ++c)
       lengths_.push_back(cut_curve(mesh, features, c, clearance::part * reach, parts_));
     for (std::size_t i = 0; i < parts_.size(); ++i) grid_.add(parts_[i].middle(), i);
@@ -92,6 +92,7 @@ class ClearanceSearch {
 
   /// p is in the part of that number, which is beside it.
   void look_from(const CurvePiece& p, std::size_t whole, int halvings) {
+    if (result_.size() > most_) return;
     const Vec3 x = p.middle();
     const Place here{x, p.at_middle()};
     double nearest = reach_;
@@ -132,6 +133,7 @@ class ClearanceSearch {
 
   const Features& features_;
   double reach_;
+  std::size_t most_;
   geom::AabbTree tree_;
   std::vector<CurvePiece> parts_;
   std::vector<double> lengths_;
@@ -152,9 +154,10 @@ std::vector<CurveCorner> curve_corners(const TriMesh& mesh, const Features& feat
   return corners;
 }
 
-std::vector<CurveClearance> curve_clearances(const TriMesh& mesh, const Features& features, double reach) {
+std::vector<CurveClearance> curve_clearances(const TriMesh& mesh, const Features& features, double reach,
+                                             std::size_t most) {
   if (features.curves.empty() || !(reach > 0) || !std::isfinite(reach)) return {};
-  return ClearanceSearch(mesh, features, reach).all();
+  return ClearanceSearch(mesh, features, reach, most).all();
 }
 
 }  // namespace fpo

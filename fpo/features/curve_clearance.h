@@ -3,6 +3,7 @@
 // protecting balls are bounded (cf. Cheng, Dey, Levine 2007), with corners told apart, where it is zero.
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "fpo/features/features.h"
@@ -31,8 +32,9 @@ struct CurveClearance {
 
 /// The places that are nearer than `reach` to another. What is along the same curve is beside a place, and so
 /// is what is in the cone of a corner of both curves: farther than .7 r sin a, where r is the larger way to
-/// the corner along them and a their angle there, or a right one. O(places, by a grid).
+/// the corner along them and a their angle there, or a right one. Of more than `most`
+/// places one more than that: two bodies on each other have millions. O(places, by a grid).
 std::vector<CurveClearance> curve_clearances(const geom::TriMesh& mesh, const Features& features,
-                                             double reach);
+                                             double reach, std::size_t most = SIZE_MAX);
 
 }  // namespace fpo

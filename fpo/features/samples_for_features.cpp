@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -25,6 +26,7 @@ constexpr double two_edges = 1.26, three_edges = 2.51, similar_edges = 0.63;
 constexpr double share_of_samples = 4;
 constexpr double rounding = 1e-9;
 constexpr double most_samples = 1e8;
+constexpr std::size_t most_places = 100000;  // where curves are close: more would call for more samples
 constexpr int bisections = 40;
 }  // namespace need
 
@@ -102,7 +104,8 @@ class Bound {
     for (const FeatureCurve& curve : task_.features.curves)
       for (const geom::VertexId v : curve.vertices) longest = std::max(longest, task_.sizing.at(v));
     const double reach = need::growth / need::half_apart * longest / shorter_;
-    places_ = curve_clearances(task_.mesh, task_.features, reach);
+    places_ = curve_clearances(task_.mesh, task_.features, reach, need::most_places);
+    if (places_.size() > need::most_places) return std::numeric_limits<double>::infinity();
     double everywhere = 0;
     for (const CurveClearance& place : places_) {
       wanted_.push_back(task_.sizing.at(place.at));

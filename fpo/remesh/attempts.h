@@ -19,6 +19,11 @@ bool is_useful(const RemeshResult& result);
 /// the smallest between features: then no crease at all is better.
 bool is_useless(const RemeshResult& result);
 
+/// Of another type in so many places, two wanted lengths from each other, that they make a tenth of the
+/// samples, which is a third of the surface; or, before there is a mesh, with as many faults: what helps
+/// single places is not tried.
+bool is_hopeless(const RemeshResult& result);
+
 /// First by the type. Then by the smallest angle, up to 30 degrees, in units of that, less ten times the
 /// share of edges of curves that are lost: a tenth of the edges weighs as much as all angles. Then by the
 /// smallest angle.

@@ -5,18 +5,25 @@
 namespace fpo {
 namespace {
 
-constexpr int futile_mending_rounds = 10;  // in a row, without fewer defects
+constexpr int futile_mending_rounds = 10;  // in a row, without a tenth fewer faults
+
+/// So that it goes on: a bound of the rounds by the logarithm of the faults.
+std::size_t few_enough(const Dual& dual) {
+  const std::size_t faults = dual.num_faults();
+  return faults == 0 ? 0 : faults - 1 - (faults - 1) / 10;
+}
 
 }  // namespace
 
 Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const geom::SurfaceType& type,
                  const RemeshOptions& options, RemeshResult& counts) {
   const auto next_dual = [&] {
-    if (options.mend) counts.protection += protect_chains(domain, features);
+    if (options.mend) counts.protection += protect_chains(domain, features, options.optimize.interrupted);
     return dual_of(domain, type, options.keep_cells);
   };
   Dual best = next_dual();
   std::vector<Defect> defects = best.defects;
+  std::size_t most = few_enough(best);
   for (int futile = 0; futile < futile_mending_rounds && options.mend && !defects.empty() &&
                        !interrupted(options.optimize.interrupted);
        ++futile) {
@@ -27,7 +34,9 @@ Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const ge
     defects = next.defects;
     if (next.num_faults() >= best.num_faults()) continue;
     best = std::move(next);
+    if (best.num_faults() > most) continue;
     futile = 0;
+    most = few_enough(best);
   }
   if (counts.brought == 0 || !best.type.ok() || !options.optimize_angles) return best;
   AngleOptions angles = options.angles;

@@ -33,6 +33,16 @@ constexpr std::array<double, 2> softer = {0.3, 1};  // least lengths in even spa
 
 RemeshResult remesh_smoothed_or_not(const geom::TriMesh& surface, const RemeshOptions& options);
 
+/// Another result where there is one already: nothing if it is interrupted.
+template <class Make>
+std::optional<RemeshResult> unless_interrupted(const RemeshOptions& options, Make make) try {
+  RemeshResult result = make();
+  if (fpo::interrupted(options.optimize.interrupted)) return {};
+  return result;
+} catch (const geom::Interrupted&) {
+  return {};
+}
+
 bool interrupted(const RemeshOptions& options) { return fpo::interrupted(options.optimize.interrupted); }
 
 AngleOptions angle_options(const RemeshOptions& options) {
@@ -59,7 +69,8 @@ std::unique_ptr<SurfaceDomain> with_room(std::unique_ptr<SurfaceDomain> domain, 
                                          const geom::SurfaceType& type, const RemeshOptions& options,
                                          RemeshResult& result, bool only_look = false) {
   if (!options.mend) return domain;
-  if (result.thin_parts.faults_before == 0) result.protection = protect_chains(*domain, shared.features);
+  if (result.thin_parts.faults_before == 0)
+    result.protection = protect_chains(*domain, shared.features, options.optimize.interrupted);
   if (options.method != Method::fpo || !type.manifold || result.stood_in || interrupted(options))
     return domain;
   ThinPartOptions room;
@@ -190,8 +201,9 @@ bool has_near_sheets(const RemeshTask& task, const SharedSizing& shared, const R
 }
 
 /// No mesh, for that is better made otherwise, with these samples to begin with.
-RemeshResult only_samples(const SurfaceDomain& domain) {
+RemeshResult only_samples(const SurfaceDomain& domain, const ThinParts& thin_parts) {
   RemeshResult result;
+  result.thin_parts = thin_parts;
   result.samples = samples_of(domain);
   while (result.feature_samples < result.samples.size() &&
          domain.is_fixed(geom::SiteId(result.feature_samples)))
@@ -204,7 +216,7 @@ RemeshResult only_samples(const SurfaceDomain& domain) {
 RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   RemeshResult result;
   SharedSizing shared = sizing_and_features(task, options);
-  if (interrupted(options)) throw geom::Interrupted();
+  if (interrupted(options) && !task.start) throw geom::Interrupted();
   if (!shared.sizing.is_even() && options.sizing == SizingKind::uniform) optimize_as_adaptive(options);
   if (task.only_apart && has_needles(task.surface(), options.num_samples, even_spacing(task.input, options)))
     return result;  // each cell would be cut to thousands of parts
@@ -226,9 +238,11 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   std::unique_ptr<SurfaceDomain> samples =
       with_room(std::move(distributed), shared, type, options, result, may_part);
   if (may_part && result.thin_parts.faults_before > 0) {
-    if (has_near_sheets(task, shared, options) && !interrupted(options)) return only_samples(*samples);
+    if (has_near_sheets(task, shared, options) && !interrupted(options))
+      return only_samples(*samples, result.thin_parts);
     samples = with_room(std::move(samples), shared, type, options, result);
   }
+  if (interrupted(options) && task.start && task.start->mesh.num_facets() > 0) throw geom::Interrupted();
   SurfaceDomain& domain = *samples;
   const Sizing& sizing = domain.sizing();
   AngleOptions angles = angle_options(options);
@@ -296,19 +310,24 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
   if (parted) {
     const RemeshResult begun = std::move(best);
     best = remesh_with(surface, choice, with_levels, &begun, true);
-    if (!best.has_levels || (!best.type.ok() && !interrupted(options))) {
-      RemeshResult other = remesh_with(surface, choice, together, interrupted(options) ? &begun : nullptr);
-      if (!best.has_levels || is_better(other, best)) best = std::move(other);
+    const bool hopeless = is_hopeless(best) && is_hopeless(begun);
+    if (!best.has_levels || (!best.type.ok() && !hopeless && !interrupted(options))) {
+      std::optional<RemeshResult> other =
+          unless_interrupted(options, [&] { return remesh_with(surface, choice, together); });
+      if (!other && !best.has_levels) other = remesh_with(surface, choice, together, &begun);
+      if (other && (!best.has_levels || is_better(*other, best))) best = std::move(*other);
     }
   }
   if (options.sheets != Sheets::automatic || options.method != Method::fpo || is_fine(best) ||
       best.stood_in || is_remnant(best.mesh))  // all of this was tried on what stood in
     return best;
+  if (is_hopeless(best) || !geom::topology(surface).manifold()) return best;
   const auto attempt = [&](const RemeshOptions& otherwise, bool only_apart, bool anew = false) {
     if (interrupted(options)) return;
-    RemeshResult other = remesh_with(surface, choice, otherwise, anew ? nullptr : &best, only_apart);
-    if (interrupted(options) || (only_apart && !other.has_levels)) return;
-    if (is_better(other, best)) best = std::move(other);
+    std::optional<RemeshResult> other = unless_interrupted(
+        options, [&] { return remesh_with(surface, choice, otherwise, anew ? nullptr : &best, only_apart); });
+    if (!other || (only_apart && !other->has_levels)) return;
+    if (is_better(*other, best)) best = std::move(*other);
   };
   if (!parted) attempt(with_levels, true);
   if (best.broken_feature_edges > 0) {
@@ -336,9 +355,10 @@ RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, RemeshResul
       (result.type.ok() ? "angles would be useless" : "the remesh would be of another type");
   const auto attempt = [&](const RemeshOptions& fewer, const FeatureChoice& choice) {
     if (interrupted(options)) return false;
-    RemeshResult other = remesh_sheets(surface, choice, fewer);
-    if (interrupted(options) || !other.type.ok() || !is_better(other, result)) return false;
-    result = std::move(other);
+    std::optional<RemeshResult> other =
+        unless_interrupted(options, [&] { return remesh_sheets(surface, choice, fewer); });
+    if (!other || !other->type.ok() || !is_better(*other, result)) return false;
+    result = std::move(*other);
     return true;
   };
   RemeshOptions fewer = options;
@@ -359,6 +379,9 @@ RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const Reme
   if (result.crease_curves == 0 || !options.features->yielding || options.method != Method::fpo ||
       result.stood_in || interrupted(options) || !geom::topology(surface).manifold() || is_useful(result))
     return result;
+  const bool has_few_on_curves = 2 * result.feature_samples < options.num_samples;
+  const bool has_other_ways = may_be_smoothed(options) && is_folded(surface);
+  if (is_hopeless(result) && (has_few_on_curves || has_other_ways)) return result;
   return remesh_with_fewer_creases(surface, std::move(result), options);
 }
 
@@ -377,8 +400,9 @@ RemeshResult remesh_smoothed_or_not(const geom::TriMesh& surface, const RemeshOp
   if (!may_be || result.type.ok() || interrupted(options) || !is_folded(surface) ||
       !geom::topology(surface).manifold())
     return result;
-  RemeshResult other = remesh_smoothed(surface, options);
-  return other.type.ok() && !interrupted(options) ? other : result;
+  std::optional<RemeshResult> other =
+      unless_interrupted(options, [&] { return remesh_smoothed(surface, options); });
+  return other && other->type.ok() ? std::move(*other) : result;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fpo/farthest_move.h"
+#include "fpo/interruption.h"
 
 namespace fpo {
 
@@ -82,7 +83,8 @@ bool move_away_from(SurfaceDomain& domain, const geom::Location3& middle) {
 
 }  // namespace
 
-Protection protect_chains(SurfaceDomain& domain, const FeatureSamples& features) {
+Protection protect_chains(SurfaceDomain& domain, const FeatureSamples& features,
+                          const std::atomic<bool>* interrupted) {
   Protection result;
   std::vector<Edge> missing = missing_edges(domain, features);
   if (missing.empty()) return result;
@@ -92,6 +94,7 @@ Protection protect_chains(SurfaceDomain& domain, const FeatureSamples& features)
   for (int round = 0; round < rounds && !missing.empty(); ++round) {
     bool changed = false;
     for (const auto& [a, b] : missing) {
+      if (fpo::interrupted(interrupted)) break;
       const Vec3 from = domain.sample(a).position, to = domain.sample(b).position;
       bool raised = false;
       if (room[a.index()] == 1 && room[b.index()] == 1)
@@ -106,7 +109,7 @@ Protection protect_chains(SurfaceDomain& domain, const FeatureSamples& features)
       result.moved += moved;
       changed |= raised || moved;
     }
-    if (!changed) break;
+    if (!changed || fpo::interrupted(interrupted)) break;
     missing = missing_edges(domain, features);
   }
   result.weighted = weighted.size();

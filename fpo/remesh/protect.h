@@ -4,6 +4,7 @@
 // than the spacing, or with few samples. There samples on curves get protecting weights: their disks, in
 // which they beat any sample of the usual weight, cover the edge between them (cf. Cheng, Dey, Ramos 2010).
 
+#include <atomic>
 #include <cstddef>
 
 #include "fpo/features/feature_samples.h"
@@ -27,6 +28,8 @@ struct Protection {
 /// sample nearest to the edge's middle moves to the farthest point of the surface. Repeats that, up to
 /// ten times, while edges are missing. Nothing changes if none is. The features' samples must be the
 /// fixed ones of the domain. Deterministic. O(features) a round, and O(features^2) if an edge is missing.
-Protection protect_chains(SurfaceDomain& domain, const FeatureSamples& features);
+/// Looks before each edge whether it is `interrupted`.
+Protection protect_chains(SurfaceDomain& domain, const FeatureSamples& features,
+                          const std::atomic<bool>* interrupted = nullptr);
 
 }  // namespace fpo

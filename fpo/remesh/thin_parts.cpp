@@ -109,9 +109,9 @@ bool has_triangle(const SurfaceDomain& domain, SiteId x) {
 
 /// Takes samples without a triangle, one after the other around a horn, to the largest empty circles there
 /// are. How many.
-std::size_t call_back_strays(SurfaceDomain& domain) {
+std::size_t call_back_strays(SurfaceDomain& domain, const std::atomic<bool>* interrupted) {
   std::size_t moved = 0;
-  for (std::size_t i = 0; i < domain.num_samples(); ++i) {
+  for (std::size_t i = 0; i < domain.num_samples() && !fpo::interrupted(interrupted); ++i) {
     const SiteId x(i);
     if (!domain.is_fixed(x) && !has_triangle(domain, x)) moved += move_to_farthest(domain, x);
   }
@@ -154,7 +154,7 @@ class RoomMaker {
     const Sizing sizing = base_.lowered(scale_, spots_, domain.mesh());
     auto result = std::make_unique<SurfaceDomain>(domain.mesh(), sizing, samples, options_.diagram);
     if (without_strays)
-      for (int pass = 0; pass < passes && call_back_strays(*result) > 0; ++pass) {
+      for (int pass = 0; pass < passes && call_back_strays(*result, options_.interrupted) > 0; ++pass) {
       }
     OptimizeOptions optimization;
     optimization.max_iterations = iterations;
@@ -162,7 +162,7 @@ class RoomMaker {
     optimization.order = VisitOrder::in_turn;
     optimization.interrupted = options_.interrupted;
     optimize(*result, optimization);
-    protect_chains(*result, features_);
+    protect_chains(*result, features_, options_.interrupted);
     return result;
   }
 

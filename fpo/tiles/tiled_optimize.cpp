@@ -96,7 +96,7 @@ class TiledRun {
   bool interrupted() const { return fpo::interrupted(options_.interrupted); }
   bool is_fixed(SiteId x) const { return x.index() < task_.surface.num_fixed; }
   void announce_move();
-  bool begin_at_large();
+  bool begin_at_large(SurfaceDomain& domain);
   std::vector<CutCost> cut_costs() const;
   void owe(int moves);
 
@@ -240,8 +240,7 @@ void TiledRun::catch_up(SurfaceDomain& domain) {
 
 /// The first iterations, on the whole surface. They even out the density of the samples at large, which tiles
 /// would do slowly: without them delta ends lower. False if that was all.
-bool TiledRun::begin_at_large() {
-  SurfaceDomain domain = samples_.domain();
+bool TiledRun::begin_at_large(SurfaceDomain& domain) {
   OptimizeOptions first = options_;
   first.max_iterations = std::min(iterations_at_large, options_.max_iterations);
   first.on_iteration = [&](const IterationReport& now) {
@@ -272,7 +271,8 @@ StopReason TiledRun::rounds() {
 SurfaceDomain TiledRun::take() {
   geom::require(samples_.size() > 0, "there must be at least one sample");
   if (options_.scope == Scope::global && options_.max_iterations > 0) {
-    if (!begin_at_large()) return samples_.domain();
+    std::optional<SurfaceDomain> whole = samples_.domain();
+    if (!begin_at_large(*whole)) return interrupted() ? std::move(*whole) : samples_.domain();
   } else {
     report(samples_.measured(tile_options_.threads));
   }

@@ -15,6 +15,7 @@
 #include "geom/repair/repair.h"
 #include "geom/repair/repeated.h"
 #include "geom/repair/spikes.h"
+#include "geom/repair/weld.h"
 
 namespace geom {
 namespace {
@@ -29,6 +30,8 @@ void look_at_borders(const TriMesh& unit, double factor, Diagnosis& found) {
     found.border_lengths.push_back(loop.length / factor);
     found.holes += is_hole(loop, limits);
   }
+  if (!found.border_lengths.empty())
+    found.weld_tolerance = wider_tolerance(unit.vertices(), unit.facets(), factor) / factor;
   std::ranges::sort(found.border_lengths, std::greater());
 }
 
@@ -90,6 +93,7 @@ std::string in_words(const Diagnosis& found) {
   const bool in_pieces = found.stray_facets > 1 && 2 * found.stray_facets > t.facets;
   if (in_pieces) add(found.stray_facets, "facet without a neighbour", "facets without a neighbour");
   if (!in_pieces) add(found.holes, "hole", "holes");
+  if (found.weld_tolerance > 0) text += (text.empty() ? "" : ", ") + std::string("borders that nearly meet");
   add(found.split_vertices, "split vertex", "split vertices");
   add(found.tiny_parts, "crumb", "crumbs");
   add(found.copies, "part that lies on another", "parts that lie on another");

@@ -24,6 +24,7 @@ struct Diagnosis {
   std::size_t stray_facets = 0;                ///< without a neighbour
   std::size_t tiny_parts = 0;                  ///< that --repair would drop (parts.h)
   std::size_t copies = 0;                      ///< parts that lie on another one (copies.h)
+  double weld_tolerance = 0;                   ///< that joins most borders, if the usual one does not
   std::size_t spikes = 0;                      ///< vertices far out of the surface (spikes.h)
   std::optional<Intersections> intersections;  ///< if they were asked for
 };

@@ -162,12 +162,17 @@ RepairSteps all_steps() { return {-1, true, -1, true, true, -1, true, true}; }
 
 Repaired repaired(const TriMesh& mesh, const RepairSteps& steps) {
   const double factor = factor_to_unit_box(mesh);
-  const Cleaned clean = cleaned(mesh);
+  Table<FacetId, TriMesh::Facet> facets = mesh.facets();
+  const std::size_t walls = steps.split ? drop_walls(facets) : 0;
+  require(!facets.empty(), "nothing is left of the surface when it is repaired");
+  const Cleaned clean = cleaned(walls > 0 ? TriMesh(mesh.vertices(), std::move(facets)) : mesh);
   const TriMesh unit = scaled(clean.mesh, factor);
   Work work(unit, factor);
+  if (walls > 0)
+    work.lines.push_back("dropped " + counted(walls, "facet", "facets") + " between bodies welded together");
   if (clean.done.any()) work.lines.push_back(in_words(clean.done));
   work.run(steps);
-  if (!clean.done.any() && !work.changed(unit)) return {mesh, std::move(work.lines)};
+  if (walls == 0 && !clean.done.any() && !work.changed(unit)) return {mesh, std::move(work.lines)};
   Repaired result{work.take(), std::move(work.lines)};
   require(result.mesh.num_facets() > 0, "nothing is left of the surface when it is repaired");
   return result;

@@ -43,7 +43,49 @@ Table<FacetId, FacetId> parts(const Facets& facets) {
   return result;
 }
 
+bool is_even(const TriMesh::Facet& f) { return (f[0] < f[1]) + (f[1] < f[2]) + (f[2] < f[0]) == 2; }
+
+/// Those that are there twice, once each way.
+Table<FacetId, char> facets_both_ways(const Facets& facets) {
+  const std::vector<Keyed> sorted = by_corners(facets, [](VertexId v) { return v; });
+  Table<FacetId, char> both(facets.size(), 0);
+  for (std::size_t i = 0, next = 0; i < sorted.size(); i = next) {
+    while (next < sorted.size() && sorted[next].key == sorted[i].key) ++next;
+    if (next - i == 2 && is_even(facets[sorted[i].facet]) != is_even(facets[sorted[i + 1].facet]))
+      both[sorted[i].facet] = both[sorted[i + 1].facet] = 1;
+  }
+  return both;
+}
+
 }  // namespace
+
+std::size_t drop_walls(Facets& facets) {
+  Table<FacetId, char> marked = facets_both_ways(facets);
+  if (std::ranges::count(marked, 1) == 0) return 0;
+  DisjointSets patches(facets.size());
+  const std::vector<HalfEdge> half_edges = sorted_half_edges(facets);
+  const auto in_patch = [&](const HalfEdge& h) { return marked[h.facet] != 0; };
+  for_each_edge(half_edges, [&](auto first, auto last) {
+    const auto one = std::find_if(first, last, in_patch);
+    for (auto h = one; h != last; ++h)
+      if (in_patch(*h)) patches.merge_to_least(one->facet.index(), h->facet.index());
+  });
+  std::vector<char> has_rim(facets.size(), 0), is_none(facets.size(), 0);  // by the first facet of a patch
+  for_each_edge(half_edges, [&](auto first, auto last) {
+    const auto members = std::count_if(first, last, in_patch), others = last - first - members;
+    if (members == 0 || (members > 2 && others == 0)) return;
+    const std::size_t patch = patches.find(std::find_if(first, last, in_patch)->facet.index());
+    has_rim[patch] = 1;
+    if (members != 2 || others < 2 || others % 2 != 0) is_none[patch] = 1;
+  });
+  for (std::size_t t = 0; t < facets.size(); ++t) {
+    const std::size_t patch = patches.find(t);
+    if (marked[FacetId(t)] && (!has_rim[patch] || is_none[patch])) marked[FacetId(t)] = 0;
+  }
+  const auto count = static_cast<std::size_t>(std::ranges::count(marked, 1));
+  if (count > 0) drop_marked(marked, facets);
+  return count;
+}
 
 std::size_t drop_repeated(Facets& facets) {
   const std::vector<Keyed> sorted = by_corners(facets, [](VertexId v) { return v; });

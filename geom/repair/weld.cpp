@@ -1,6 +1,7 @@
 #include "geom/repair/weld.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <span>
 
@@ -155,6 +156,26 @@ double usual_tolerance(const Table<VertexId, Vec3>& vertices, const Facets& face
   } catch (const InputError&) {  // it reaches over most vertices
   }
   return tolerance;
+}
+
+double wider_tolerance(const Table<VertexId, Vec3>& vertices, const Facets& facets, double unit) try {
+  constexpr std::size_t few = 8;
+  const Borders borders = borders_of(vertices, facets);
+  if (borders.edges < few) return 0;
+  const auto left = [&](double tolerance) { return borders_left(vertices, facets, tolerance); };
+  const double widest = 0.2 * borders.median;
+  const std::size_t least = left(widest);
+  if (2 * least > borders.edges) return 0;
+  const double usual = usual_tolerance(vertices, facets);
+  if (2 * left(usual) <= borders.edges) return 0;
+  for (double ten = unit * std::pow(10, std::floor(std::log10(usual / unit))); ten <= widest; ten *= 10)
+    for (const double tolerance : {ten, 2 * ten, 5 * ten}) {
+      if (tolerance <= usual || tolerance > widest) continue;
+      if (10 * left(tolerance) <= 10 * least + borders.edges) return tolerance;
+    }
+  return 0;
+} catch (const InputError&) {  // it reaches over most vertices
+  return 0;
 }
 
 }  // namespace geom

@@ -25,4 +25,9 @@ Welding weld_borders(const Places& places, Table<FacetId, TriMesh::Facet>& facet
 /// which halves them last, below a tenth of the median border edge. O(F log F).
 double usual_tolerance(const Table<VertexId, Vec3>& vertices, const Table<FacetId, TriMesh::Facet>& facets);
 
+/// A larger one that leaves at most half of the borders where the usual one leaves more, below a fifth of the
+/// median border edge: 1, 2 or 5 times a power of ten of `unit`; 0 if there is none. O(F log F).
+double wider_tolerance(const Table<VertexId, Vec3>& vertices, const Table<FacetId, TriMesh::Facet>& facets,
+                       double unit);
+
 }  // namespace geom

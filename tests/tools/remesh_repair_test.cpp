@@ -4,6 +4,7 @@
 
 #include "doctest.h"
 #include "geom/mesh/centring.h"
+#include "geom/mesh/scaling.h"
 #include "geom/shapes/shapes.h"
 #include "io/mesh_io.h"
 #include "tests/fixtures/needles.h"
@@ -73,6 +74,25 @@ TEST_CASE("fpo-remesh: a surface thinner than the spacing is refused, for little
   CHECK(result.lines_on_stderr() == 1);
   CHECK(contains(result.err, "thinner than the spacing of 200 samples"));
   CHECK(!std::filesystem::exists(place.folder / "out.obj"));
+}
+
+TEST_CASE("fpo-remesh: what is refused after the work is refused in one line") {
+  const RemeshRepairPlace place;
+  place.folder.write("fan.obj",  // needles at a corner of a cube
+                     "v 0 0 0\nv .39 .28 -.15\nv 69.8 .5 .045\nv .78 .55 -.29\nv .38 .77 -.1\n"
+                     "f 1 2 3\nf 1 4 5\nf 2 4 3\nf 2 5 3\n");
+  const ProgramResult result = place.remesh("fan.obj", {"--iterations", "1"});
+  CHECK(result.code == 2);
+  CHECK(result.lines_on_stderr() == 1);
+  CHECK(contains(result.err, "thinner than the spacing of 200 samples"));
+  CHECK(contains(result.err, "(--repair mends it)"));
+
+  place.write("small.ply", geom::scaled(fixtures::spoilt(place.torus, 2), 0x1p-200));
+  const ProgramResult small = fixtures::run_program(
+      "fpo-remesh", {"small.ply", "-n", "50", "--iterations", "1", "-o", "out.stl"}, place.folder.path());
+  CHECK(small.code == 2);
+  CHECK(small.lines_on_stderr() == 1);
+  CHECK(contains(small.err, "too small for STL's single precision"));
 }
 
 TEST_CASE("fpo-trace, fpo-spectrum: read files as fpo-remesh does") {

@@ -32,6 +32,8 @@ TEST_CASE(
     const Features features = find_features(slab);
     CHECK(curve_clearances(slab, features, 0.99 * height).empty());
     const std::vector<CurveClearance> places = curve_clearances(slab, features, 1.5 * height);
+    CHECK(curve_clearances(slab, features, 1.5 * height, places.size()).size() == places.size());
+    CHECK(curve_clearances(slab, features, 1.5 * height, 7).size() == 8);
     REQUIRE(!places.empty());
     CHECK(nearest(places) == doctest::Approx(height));
     double length = 0;

@@ -65,3 +65,22 @@ TEST_CASE("attempts: fine is what has it all; corners or lost edges alone leave 
   CHECK(!is_useful(measured(true, 2, 1)));
   CHECK(!is_useful(measured(false, 40, 0)));
 }
+
+TEST_CASE(
+    "attempts: hopeless is what is at fault at every tenth sample; before there is a mesh, as many faults") {
+  RemeshResult result = measured(false, 0, 0);
+  result.mesh = geom::make_shape("cube");
+  result.samples.resize(50);
+  result.advice.places.resize(5);
+  CHECK(!is_hopeless(result));
+  result.advice.places.resize(6);
+  CHECK(is_hopeless(result));
+  result.type.bare_samples = 0;
+  CHECK(!is_hopeless(result));
+  RemeshResult begun;
+  begun.samples.resize(50);
+  begun.thin_parts.faults_before = 5;
+  CHECK(!is_hopeless(begun));
+  begun.thin_parts.faults_before = 6;
+  CHECK(is_hopeless(begun));
+}

@@ -7,6 +7,7 @@
 #include "geom/mesh/scaling.h"
 #include "geom/repair/diagnosis.h"
 #include "geom/repair/parts.h"
+#include "geom/repair/repeated.h"
 #include "geom/repair/t_junctions.h"
 #include "geom/shapes/shapes.h"
 #include "tests/fixtures/spoilt.h"
@@ -99,6 +100,55 @@ TEST_CASE("repair: wide gaps are welded within the tolerance asked for, and no f
   CHECK(t.euler == 2);
   CHECK(t.boundary_edges == 0);
   CHECK(t.facets == mesh.num_facets());
+}
+
+TEST_CASE("repair: bodies welded at a common face become one, doubled facets do not open the surface") {
+  const TriMesh a = fixtures::box(Vec3(1, 1, 1), 3);
+  const auto moved = [&](const Vec3& by) {
+    return geom::mapped(a, [&](const Vec3& p) { return Vec3(p + by); });
+  };
+  const TriMesh row = geom::joined(geom::joined(a, moved({1, 0, 0})), moved({2, 0, 0}));
+  const geom::Repaired result = repaired(fixtures::weld(row.vertices(), row.facets()));
+  const geom::Topology t = geom::topology(result.mesh);
+  CHECK(t.manifold());
+  CHECK(t.components == 1);
+  CHECK(t.euler == 2);
+  CHECK(t.boundary_edges == 0);
+  CHECK(result.mesh.area() == doctest::Approx(14));
+  CHECK(result.lines == std::vector<std::string>{"dropped 72 facets between bodies welded together"});
+
+  // A corner only, all of it and nothing of it: no wall.
+  const TriMesh corner = geom::joined(a, moved({1, 1, 1}));
+  geom::Table<geom::FacetId, TriMesh::Facet> facets =
+      fixtures::weld(corner.vertices(), corner.facets()).facets();
+  CHECK(geom::drop_walls(facets) == 0);
+  facets = a.facets();
+  for (const TriMesh::Facet& f : a.facets()) facets.push_back({f[1], f[0], f[2]});
+  CHECK(geom::drop_walls(facets) == 0);
+  facets = a.facets();
+  for (std::size_t i = 0; i < 5; ++i) {  // some of them neighbours
+    const TriMesh::Facet f = facets[FacetId(i)];
+    facets.push_back({f[1], f[0], f[2]});
+  }
+  CHECK(geom::drop_walls(facets) == 0);
+}
+
+TEST_CASE("diagnosis: a tolerance is named where borders nearly meet, and welds them") {
+  const TriMesh tube = geom::make_shape("tube", 24);  // two borders, a hundredth of the edges
+  CHECK(geom::diagnosis(tube, false).weld_tolerance == 0);
+  for (const double gap : {3e-4, 4e-3, 0.012}) {
+    CAPTURE(gap);
+    const TriMesh tubes =
+        geom::joined(tube, geom::mapped(tube, [&](const Vec3& p) { return Vec3(p + Vec3(0, 0, gap)); }));
+    const double tolerance = geom::diagnosis(tubes, false).weld_tolerance;
+    CHECK(tolerance >= gap);
+    CHECK(tolerance <= 5 * gap);
+    geom::RepairSteps weld;
+    weld.weld = tolerance;
+    const geom::Topology t = geom::topology(geom::repaired(tubes, weld).mesh);
+    CHECK(t.euler == 0);
+    CHECK(t.boundary_edges == 0);
+  }
 }
 
 TEST_CASE("t-junctions: several on one edge, on all edges of a facet, and none where nothing is near") {
