@@ -13,6 +13,8 @@
 namespace tools {
 namespace {
 
+constexpr double uneven = 0.999;  // the shortest of lengths over the longest
+
 const char* name_of(fpo::StopReason reason, const RemeshRun& run) {
   switch (reason) {
     case fpo::StopReason::target_reached:
@@ -111,10 +113,24 @@ void add_features(Summary& s, const RemeshArguments& a, const fpo::RemeshResult&
                 result.crease_curves, result.crease_edges));
 }
 
+/// Where lengths that were to be even are not.
+void add_uneven_lengths(Summary& s, const fpo::RemeshResult& result) {
+  const auto [least, most] = std::ranges::minmax(result.wanted);
+  if (!(least < uneven * most)) return;
+  s.number("wanted_length_ratio", least / most, 4);
+  s.line(worded(
+      "lengths   down to %.2f of the others on blends, beside close curves and on thin parts; delta is "
+      "in even spacings",
+      least / most));
+}
+
 void add_rest(Summary& s, const RemeshArguments& a, const fpo::RemeshResult& result) {
   if (result.radius_factor > 0) s.number("disk_radius_over_h", result.radius_factor, 6);
   for (const fpo::Reached& r : result.reached) s.number(r.name, r.value, -1);
-  if (a.remesh.sizing != fpo::SizingKind::uniform) add_sizing(s, result);
+  if (a.remesh.sizing != fpo::SizingKind::uniform)
+    add_sizing(s, result);
+  else if (!result.wanted.empty())
+    add_uneven_lengths(s, result);
   if (result.least_length > 0) {
     s.number("least_length", result.least_length, 1);
     s.line(worded("lengths   none below %.1f even spacings: there are too few samples for those asked for",

@@ -15,7 +15,7 @@ namespace {
 
 struct RemeshFeaturesPlace {
   RemeshFeaturesPlace() {
-    for (const char* name : {"cube", "thin-plate"})
+    for (const char* name : {"cube", "thin-plate", "shaft"})
       io::write_mesh(folder / (std::string(name) + ".obj"), geom::make_shape(name));
   }
   ProgramResult run(std::vector<std::string> arguments) const {
@@ -93,4 +93,12 @@ TEST_CASE("fpo-remesh: another topology is a warning, with --strict exit code 3;
   const ProgramResult good = place.run({"cube.obj", "-n", "60", "--strict"});
   CHECK(good.code == 0);
   CHECK(good.err == "");
+}
+
+TEST_CASE("fpo-remesh: lengths that are not even although they were to be are told") {
+  const RemeshFeaturesPlace place;
+  CHECK(place.run({"shaft.obj", "-n", "600"}).out.find("wanted_length_ratio 0.") != std::string::npos);
+  CHECK(place.run({"shaft.obj", "-n", "600", "--features", "none"}).out.find("wanted_length") ==
+        std::string::npos);
+  CHECK(place.run({"cube.obj", "-n", "100"}).out.find("wanted_length") == std::string::npos);
 }
