@@ -93,7 +93,8 @@ TEST_CASE("fpo-remesh --method: interrupted, each writes a mesh, or says that th
     if (result.code == 0 && disks) continue;  // the number came out at once
     CHECK(result.code == 130);
     if (disks && result.err.find("before there was a result") != std::string::npos) continue;
-    CHECK(result.out.find("stopped interrupted") != std::string::npos);
+    if (!disks)  // these may have been drawn by then: what follows is interrupted
+      CHECK(result.out.find("stopped interrupted") != std::string::npos);
     CHECK(io::read_mesh(place.folder / "out.ply").num_facets() > 0);
   }
 }
