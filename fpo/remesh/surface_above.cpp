@@ -33,13 +33,6 @@ class Prism {
 
   const Vec3& up() const { return up_; }
 
-  /// How far x is over the triangle or below; none if it is beside it.
-  std::optional<double> height(const Vec3& x) const {
-    for (std::size_t i = 0; i < 3; ++i)
-      if (sides_[i].inside(x) < prism_margin) return {};
-    return up_.dot(x) - height_of_triangle_;
-  }
-
   /// The share [from, to] of a segment that lies within.
   std::optional<std::pair<double, double>> share(const Vec3& a, const Vec3& b) const {
     double from = 0, to = 1;
@@ -60,8 +53,7 @@ class Prism {
     double inside(const Vec3& x) const { return inward.dot(x) + offset; }
   };
 
-  Prism(const std::array<Vec3, 3>& corners, const Vec3& up, double area2)
-      : up_(up), height_of_triangle_(up.dot(corners[0])) {
+  Prism(const std::array<Vec3, 3>& corners, const Vec3& up, double area2) : up_(up) {
     double longest = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 &a = corners[(i + 1) % 3], &b = corners[(i + 2) % 3];
@@ -70,12 +62,11 @@ class Prism {
       sides_[i] = {inward, prism_margin - inward.dot(a)};
       longest = std::max(longest, (b - a).norm());
     }
-    sides_[3] = {up, longest - height_of_triangle_};
-    sides_[4] = {-up, longest + height_of_triangle_};
+    sides_[3] = {up, longest - up.dot(corners[0])};
+    sides_[4] = {-up, longest + up.dot(corners[0])};
   }
 
   Vec3 up_;
-  double height_of_triangle_;
   std::array<Side, 5> sides_;
 };
 
@@ -106,10 +97,6 @@ FarPoint SurfaceAbove::farthest(const std::array<SurfaceSample, 3>& corners, dou
   };
   for (const SurfaceSample& x : corners) reach(x.facet);
   double most2 = enough * enough;
-  const auto is_near = [&](const Vec3& x) {
-    const std::optional<double> height = prism->height(x);
-    return (height ? *height * *height : geom::closest_point(x, triangle).distance2) <= most2;
-  };
   for (std::size_t k = 0; k < facets_.size(); ++k)
     for (int e = 0; e < 3; ++e) {
       const FacetId t = facets_[k], other = mesh_.across(t, e);
@@ -119,13 +106,9 @@ FarPoint SurfaceAbove::farthest(const std::array<SurfaceSample, 3>& corners, dou
       const auto share = prism->share(a, b);
       if (!share) continue;
       reach(other);
-      const auto point = [&](double way) -> Vec3 {
-        const double s = share->first + (share->second - share->first) * way;
-        return s == 0 ? a : s == 1 ? b : Vec3(a + s * (b - a));
-      };
-      if (is_near(point(0)) && is_near(point(1))) continue;  // the distance is convex in between
       const auto attempt = [&](double way) {
-        const Vec3 x = point(way);
+        const double s = share->first + (share->second - share->first) * way;
+        const Vec3 x = s == 0 ? a : s == 1 ? b : Vec3(a + s * (b - a));
         const double distance2 = geom::closest_point(x, triangle).distance2;
         if (distance2 <= most2 || nearer_to_others(x, distance2)) return false;
         most2 = distance2;
