@@ -86,7 +86,7 @@ TriMesh smoothed(const TriMesh& surface, std::size_t n) {
       if (counts[v] > 0) positions[v] = 0.5 * positions[v] + 0.5 * sums[v] / counts[v];
   }
   for (Vec3& p : positions) p = geom::snapped(p);
-  return TriMesh(std::move(positions), surface.facets());
+  return surface.with_vertices(std::move(positions));
 }
 
 RemeshResult on_noise(RemeshResult remesh, const TriMesh& smooth, const TriMesh& surface,

@@ -12,16 +12,31 @@ void KnownCells::set(SiteId x, const geom::RestrictedDual& dual, SiteId here, co
   if (!(sheet.radius() < guard.room_around(sheet.center))) sheet = {};
 }
 
-geom::KnownCell KnownCells::of(SiteId x, const geom::WeightedPoint3& site, const TileGuard& guard) const {
+void KnownCells::set(SiteId x, const geom::RestrictedDual& whole) {
+  cells_[x.index()] = {whole.known_cell(x), std::numeric_limits<double>::infinity()};
+}
+
+/// Is its cell known, and all of it in a part of the surface that has so much room around the site?
+bool KnownCells::is_known(SiteId x, const geom::WeightedPoint3& site, double room) const {
   const auto& [known, room_before] = cells_[x.index()];
-  geom::KnownCell result = known;
   const double distance = std::sqrt(std::max(power_ + site.weight, 0.0)) * (1 + 1e-9);
+  return known.shape == geom::CellShape::regular && distance < std::min(room, room_before);
+}
+
+geom::KnownCell KnownCells::of(SiteId x, const geom::WeightedPoint3& site, const TileGuard& guard) const {
+  geom::KnownCell result = cells_[x.index()].known;
   const double room = guard.room_around(site.position);
   if (room < 0)
     result.shape = geom::CellShape::irregular;  // it is not moved
-  else if (known.shape != geom::CellShape::regular || !(distance < std::min(room, room_before)))
+  else if (!is_known(x, site, room))
     result.shape = geom::CellShape::unknown;
   if (!(result.sheet.radius() < guard.room_around(result.sheet.center))) result.sheet = {};
+  return result;
+}
+
+geom::KnownCell KnownCells::of(SiteId x, const geom::WeightedPoint3& site) const {
+  geom::KnownCell result = cells_[x.index()].known;
+  if (!is_known(x, site, std::numeric_limits<double>::infinity())) result.shape = geom::CellShape::unknown;
   return result;
 }
 

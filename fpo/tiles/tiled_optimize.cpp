@@ -42,8 +42,10 @@ class TiledSamples {
   IterationReport measured(int threads) const {
     return measure_positions(samples_, sizing_, task_.surface.num_fixed, threads);
   }
-  SurfaceDomain domain() const { return SurfaceDomain(task_.mesh, task_.sizing, samples_, task_.surface); }
+  /// Of what was given, with what is known of the cells there.
+  SurfaceDomain domain(const std::optional<KnownCells>& known = {}) const;
 
+  bool is_split() const { return split_.has_value(); }
   void split();    ///< from now on mesh() has no large facets, unless these are needles by the thousand
   void unsplit();  ///< from now on it is what was given
 
@@ -53,6 +55,18 @@ class TiledSamples {
   std::optional<SplitSurface> split_;  ///< if there are large facets
   Sizing sizing_;                      ///< on mesh()
 };
+
+SurfaceDomain TiledSamples::domain(const std::optional<KnownCells>& known) const {
+  SurfaceOptions options = task_.surface;
+  std::vector<geom::KnownCell> cells;
+  if (known) {
+    const WeightedSamples weighted(task_.sizing, samples_, options);
+    for (SiteId x(0); x.index() < samples_.size(); x = SiteId(x.value + 1))
+      cells.push_back(known->of(x, {samples_[x.index()].position, weighted.weight(x)}));
+    options.known_cells = cells;
+  }
+  return SurfaceDomain(task_.mesh, task_.sizing, samples_, options);
+}
 
 void TiledSamples::split() {
   if (!has_long_edges(task_.mesh, task_.sizing, longest_edge)) return;
@@ -91,6 +105,7 @@ class TiledRun {
   };
   void work_on(const TiledSurface& whole, std::size_t tile, std::uint64_t seed, RoundEnd& end);
   void catch_up(SurfaceDomain& domain);
+  void take_known(const SurfaceDomain& whole);
   void report(IterationReport report);
 
   bool interrupted() const { return fpo::interrupted(options_.interrupted); }
@@ -109,7 +124,7 @@ class TiledRun {
   geom::Rng rng_;
   int iteration_ = 0, round_ = 0, sweeps_ = 0;
   std::size_t moved_ = 0;            ///< in the round
-  std::optional<KnownCells> known_;  ///< to the end of the last round
+  std::optional<KnownCells> known_;  ///< of the cells at the end of the last round
   std::mutex access_;                ///< to the callbacks, the result and moved_
   Stopwatch watch_;
 };
@@ -268,18 +283,29 @@ StopReason TiledRun::rounds() {
   return StopReason::iteration_cap;
 }
 
+void TiledRun::take_known(const SurfaceDomain& whole) {
+  known_.emplace(samples_.size());
+  for (SiteId x(0); x.index() < samples_.size(); x = SiteId(x.value + 1)) {
+    known_->set(x, whole.dual());
+    known_->raise_power(whole.dual().reach_bound(x));
+  }
+}
+
 SurfaceDomain TiledRun::take() {
   geom::require(samples_.size() > 0, "there must be at least one sample");
   if (options_.scope == Scope::global && options_.max_iterations > 0) {
     std::optional<SurfaceDomain> whole = samples_.domain();
     if (!begin_at_large(*whole)) return interrupted() ? std::move(*whole) : samples_.domain();
+    take_known(*whole);
   } else {
     report(samples_.measured(tile_options_.threads));
   }
   samples_.split();
+  if (samples_.is_split()) known_.reset();  // facets are others
   result_.reason = rounds();
+  if (samples_.is_split() || result_.reason == StopReason::interrupted) known_.reset();
   samples_.unsplit();
-  SurfaceDomain domain = samples_.domain();
+  SurfaceDomain domain = samples_.domain(known_);
   if (iteration_ == 0) return domain;
   if (result_.reason == StopReason::iteration_cap) catch_up(domain);
   report(measure(domain));

@@ -26,7 +26,7 @@ Vec3 far_middle(const TriMesh& mesh) {
 TriMesh moved_by(const TriMesh& mesh, const Vec3& by) {
   Table<VertexId, Vec3> vertices = mesh.vertices();
   for (Vec3& v : vertices) v += by;
-  return {std::move(vertices), mesh.facets()};
+  return mesh.with_vertices(std::move(vertices));
 }
 
 }  // namespace geom

@@ -26,7 +26,7 @@ template <class Map>
 TriMesh mapped_vertices(const TriMesh& mesh, const Map& map) {
   Table<VertexId, Vec3> vertices = mesh.vertices();
   for (Vec3& v : vertices) v = map(v);
-  return TriMesh(std::move(vertices), mesh.facets());
+  return mesh.with_vertices(std::move(vertices));
 }
 
 }  // namespace

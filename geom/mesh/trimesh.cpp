@@ -18,21 +18,9 @@ TriMesh::TriMesh(Table<VertexId, Vec3> vertices, Table<FacetId, Facet> facets)
     : vertices_(std::move(vertices)), facets_(std::move(facets)) {
   require(vertices_.size() <= max_elements && facets_.size() <= max_elements,
           "the mesh has more than 2^30 elements");
-  for (std::size_t i = 0; i < vertices_.size(); ++i)
-    require(vertices_[VertexId(i)].allFinite(),
-            "vertex " + std::to_string(i) + " has a coordinate that is not finite");
-  for (std::size_t i = 0; i < facets_.size(); ++i) {
-    const Facet& f = facets_[FacetId(i)];
-    for (const VertexId v : f)
-      require(v.valid() && v.index() < vertices_.size(), "facet " + std::to_string(i) + " names vertex " +
-                                                             std::to_string(v.value) +
-                                                             ", which does not exist");
-    require(f[0] != f[1] && f[1] != f[2] && f[2] != f[0],
-            "facet " + std::to_string(i) + " names a vertex twice");
-  }
-  for (const Facet& f : facets_)
-    for (const VertexId v : f) box_.extend(vertices_[v]);
-
+  check_vertices();
+  check_facets();
+  find_box();
   across_.resize(facets_.size());
   for_each_edge(sorted_half_edges(facets_), [&](auto first, auto last) {
     if (last - first != 2) return;
@@ -40,6 +28,39 @@ TriMesh::TriMesh(Table<VertexId, Vec3> vertices, Table<FacetId, Facet> facets)
     across_[a.facet][static_cast<std::size_t>(a.edge)] = b.facet;
     across_[b.facet][static_cast<std::size_t>(b.edge)] = a.facet;
   });
+}
+
+void TriMesh::check_vertices() const {
+  for (VertexId v(0); v.index() < vertices_.size(); v = VertexId(v.value + 1))
+    if (!vertices_[v].allFinite())
+      throw InputError("vertex " + std::to_string(v.value) + " has a coordinate that is not finite");
+}
+
+void TriMesh::check_facets() const {
+  for (FacetId t(0); t.index() < facets_.size(); t = FacetId(t.value + 1)) {
+    const Facet& f = facets_[t];
+    const auto fault = [&](const std::string& what) {
+      return InputError("facet " + std::to_string(t.value) + " names " + what);
+    };
+    for (const VertexId v : f)
+      if (!v.valid() || v.index() >= vertices_.size())
+        throw fault("vertex " + std::to_string(v.value) + ", which does not exist");
+    if (f[0] == f[1] || f[1] == f[2] || f[2] == f[0]) throw fault("a vertex twice");
+  }
+}
+
+void TriMesh::find_box() {
+  box_.setEmpty();
+  for (const Facet& f : facets_)
+    for (const VertexId v : f) box_.extend(vertices_[v]);
+}
+
+TriMesh TriMesh::with_vertices(Table<VertexId, Vec3> vertices) const {
+  ensure(vertices.size() == num_vertices(), "vertices elsewhere: as many");
+  TriMesh result(std::move(vertices), facets_, across_, box_);
+  result.check_vertices();
+  result.find_box();
+  return result;
 }
 
 TriMesh TriMesh::with_levels(Table<VertexId, double> levels) const {

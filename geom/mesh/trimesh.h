@@ -41,6 +41,9 @@ class TriMesh {
   /// The facet across edge e of t, or none: border, or more than two facets at that edge.
   FacetId across(FacetId t, int e) const { return across_[t][static_cast<std::size_t>(e)]; }
 
+  /// The same facets with vertices elsewhere, as many; all levels 0. Throws InputError on a coordinate that is not
+  /// finite. O(V + F): what is across an edge stays.
+  TriMesh with_vertices(Table<VertexId, Vec3> vertices) const;
   /// The same mesh with these levels, finite, one a vertex; none: all 0.
   TriMesh with_levels(Table<VertexId, double> levels) const;
 
@@ -51,6 +54,10 @@ class TriMesh {
   double diagonal() const { return box_.isEmpty() ? 0 : box_.diagonal().norm(); }
 
  private:
+  void check_vertices() const;
+  void check_facets() const;
+  void find_box();
+
   Table<VertexId, Vec3> vertices_;
   Table<VertexId, double> levels_;
   Table<FacetId, Facet> facets_;

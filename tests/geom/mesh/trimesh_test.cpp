@@ -191,6 +191,27 @@ TEST_CASE("trimesh: areas, normals, box") {
   CHECK(TriMesh().diagonal() == 0);
 }
 
+TEST_CASE("trimesh: with vertices elsewhere it is the one made of them anew") {
+  for (const auto& [name, mesh] : fixtures::surfaces()) {
+    CAPTURE(name);
+    Table<VertexId, Vec3> moved = mesh.vertices();
+    for (Vec3& v : moved) v = Vec3(2 * v.y(), 1 - v.x(), v.z() / 3);
+    const TriMesh found = mesh.with_vertices(moved), anew(moved, mesh.facets());
+    CHECK(found.facets() == anew.facets());
+    CHECK(found.box().min() == anew.box().min());
+    CHECK(found.box().max() == anew.box().max());
+    std::size_t different = 0;
+    for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
+      for (int e = 0; e < 3; ++e) different += found.across(t, e) != anew.across(t, e);
+    for (VertexId v(0); v.index() < mesh.num_vertices(); v = VertexId(v.value + 1))
+      different += found.position(v) != moved[v];
+    CHECK(different == 0);
+  }
+  const TriMesh triangle({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {{VertexId(0), VertexId(1), VertexId(2)}});
+  const double infinite = std::numeric_limits<double>::infinity();
+  CHECK_THROWS_AS(triangle.with_vertices({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, infinite, 0)}), geom::InputError);
+}
+
 TEST_CASE("trimesh: bad arrays are refused") {
   const Table<VertexId, Vec3> corners{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
   const auto make = [&](int a, int b, int c) {
