@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
 #include <set>
 #include <tuple>
 
@@ -53,22 +52,22 @@ struct LinkShape {
 
 LinkShape shape_of(const Link& link) {
   if (link.empty()) return {false, VertexId()};
-  std::map<VertexId, std::vector<VertexId>> next;
-  for (const auto& [a, b] : link) {
-    next[a].push_back(b);
-    next[b].push_back(a);
+  std::vector<std::array<VertexId, 2>> sides;  // both ways, those that begin at a vertex next to each other
+  for (const auto& [a, b] : link) sides.insert(sides.end(), {{a, b}, {b, a}});
+  std::ranges::sort(sides);
+  const auto from = [](const std::array<VertexId, 2>& side) { return side[0]; };
+  const auto sides_of = [&](VertexId v) { return std::ranges::equal_range(sides, v, {}, from); };
+  std::size_t num_vertices = 0;
+  for (auto side = sides.begin(); side != sides.end(); ++num_vertices) {
+    const auto others = sides_of(from(*side));
+    if (others.size() > 2 || (others.size() == 2 && others[0] == others[1])) return {false, from(*side)};
+    side = others.end();
   }
-  for (const auto& [v, others] : next)
-    if (others.size() > 2 || (others.size() == 2 && others[0] == others[1])) return {false, v};
-  std::set<VertexId> reached;
-  std::vector<VertexId> todo{link.front()[0]};
-  while (!todo.empty()) {
-    const VertexId v = todo.back();
-    todo.pop_back();
-    if (!reached.insert(v).second) continue;
-    for (const VertexId w : next[v]) todo.push_back(w);
-  }
-  return {reached.size() == next.size(), VertexId()};
+  std::vector<VertexId> reached{link.front()[0]};
+  for (std::size_t i = 0; i < reached.size(); ++i)
+    for (const auto& [v, w] : sides_of(reached[i]))
+      if (std::ranges::find(reached, w) == reached.end()) reached.push_back(w);
+  return {reached.size() == num_vertices, VertexId()};
 }
 
 }  // namespace

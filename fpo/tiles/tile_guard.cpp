@@ -18,11 +18,11 @@ double root(double x) { return x > 0 ? std::sqrt(x) : 0; }
 /// No location of a cell with that reach is farther from its site.
 double radius(const WeightedPoint3& site, double reach) { return root(reach + site.weight); }
 
-/// Is that held whose size follows from the reach of x? The least reach is asked for where a bound is too
-/// large.
+/// Is that held whose size grows with the reach of x? That is asked for only where bounds cannot tell.
 template <class Holds>
 bool holds_by_reach(SurfaceDomain& domain, SiteId x, Holds holds) {
-  return holds(domain.dual().reach_bound(x)) || holds(domain.reach(x));
+  const geom::RestrictedDual& dual = domain.dual();
+  return holds(dual.reach_bound(x)) || (holds(dual.least_reach(x)) && holds(domain.reach(x)));
 }
 
 }  // namespace

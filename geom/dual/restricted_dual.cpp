@@ -29,6 +29,16 @@ void RestrictedDual::link(SiteId p, std::vector<SiteId>& out) const {
   out.erase(std::unique(out.begin(), out.end()), out.end());
 }
 
+// A center is in the cell, and at most twice most_tolerance() off. (a - b)^2 >= a^2 (1 - e) - b^2 / e.
+double RestrictedDual::least_reach(SiteId p) const {
+  constexpr double e = 1e-6;
+  const double off = 2 * state_.clipper.most_tolerance();
+  double far2 = -off * off / e;
+  for (const CircleId c : circles_of(p))
+    far2 = std::max(far2, (circle(c).center - site(p).position).squaredNorm() * (1 - e) - off * off / e);
+  return circles_of(p).empty() ? Reaches::of_nothing : far2 - site(p).weight;
+}
+
 double RestrictedDual::reach(SiteId p) {
   if (!has_cell(p)) return state_.reach[p];
   const double reach = redivision_.reach(p);

@@ -63,6 +63,8 @@ class RestrictedDual {
   KnownCell known_cell(SiteId p) const { return updates_.known_cell(p); }
   /// An upper bound of the power of the locations in p's cell; -infinity if that is empty.
   double reach_bound(SiteId p) const { return state_.reach[p]; }
+  /// A lower bound of what reach() gives, from the circles. Cost: those of p.
+  double least_reach(SiteId p) const;
   /// The least such bound, which then is reach_bound() too. Cost: the facets around p.
   double reach(SiteId p);
   /// The polygons of p's cell, ascending by facet. Cost: the facets around p.

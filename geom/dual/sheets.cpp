@@ -15,7 +15,7 @@ constexpr int axis_rounds = 8;
 
 /// Does the triangle come within that distance of the origin? Rounded.
 bool comes_within(double limit2, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) {
-  if (a.squaredNorm() <= limit2) return true;
+  if (a.squaredNorm() <= limit2 || b.squaredNorm() <= limit2 || c.squaredNorm() <= limit2) return true;
   const double height = normal.dot(a);
   if (height * height > limit2 * normal.squaredNorm() * (1 + 1e-9)) return false;
   const auto beside = [&](const Vec3& from, const Vec3& to) { return from.cross(to).dot(normal) < 0; };
@@ -87,43 +87,56 @@ Sheet Sheets::sheet_among_gathered(const Location3& center, double radius) {
   Sheet place;
   place.center = center.position;
   place.level = center.level;
-  near_.clear();
-  normals_.clear();
-  Vec3 axis(0, 0, 0);
-  for (const FacetId t : gathered_) {
-    const Vec3 a = mesh_.corner(t, 0) - place.center, b = mesh_.corner(t, 1) - place.center,
-               c = mesh_.corner(t, 2) - place.center;
-    const Vec3 ab = b - a, ac = c - a, n = ab.cross(ac);
-    if (!comes_within(radius * radius * ample, a, b, c, n) || levels_.gap(t, center.level) > radius * ample)
-      continue;
-    if (!levels_.is_flat_at(t, center.level)) return place;
-    const double length2 = n.squaredNorm();
-    if (!(length2 > 1e-16 * ab.squaredNorm() * ac.squaredNorm()))
-      return place;  // a needle: its normal is off by more than 1e-7
-    normals_.push_back(n / std::sqrt(length2));
-    if (normals_.back().dot(normals_.front()) < 0)
-      return place;  // more than 45 degrees from any axis, one of them
-    axis += normals_.back();
-    near_.push_back(t);
-  }
-  if (normals_.empty() || !(axis.norm() > 1e-9)) return place;
-  axis.normalize();
-  double cosine = -1;  // towards the middle of the smallest cone about the normals
-  for (int round = 1; round <= axis_rounds; ++round) {
-    const auto far = std::ranges::min_element(normals_, {}, [&](const Vec3& n) { return n.dot(axis); });
-    if (far->dot(axis) > cosine) {
-      cosine = far->dot(axis);
-      place.axis = axis;
-    }
-    if (cosine > flat_enough) break;
-    const Vec3 turned = axis + (*far - axis) / (round + 1);
-    if (!(turned.norm() > 1e-9)) break;
-    axis = turned.normalized();
-  }
-  if (!(cosine > steepest)) return place;
+  if (!keep_near(center, radius) || !find_axis(place)) return place;
   find_slopes(place, radius);
   if (!hangs_together(place.center, radius)) place.width = -1;
   return place;
+}
+
+/// Sets near_ and normals_, of the facets that were gathered. False: no sheet.
+bool Sheets::keep_near(const Location3& center, double radius) {
+  const double limit2 = radius * radius * ample;
+  near_.clear();
+  normals_.clear();
+  for (const FacetId t : gathered_) {
+    const Vec3 a = mesh_.corner(t, 0) - center.position, b = mesh_.corner(t, 1) - center.position,
+               c = mesh_.corner(t, 2) - center.position;
+    const Vec3 ab = b - a, ac = c - a, n = ab.cross(ac);
+    if (!comes_within(limit2, a, b, c, n) || levels_.gap(t, center.level) > radius * ample) continue;
+    if (!levels_.is_flat_at(t, center.level)) return false;
+    const double length2 = n.squaredNorm();
+    if (!(length2 > 1e-16 * ab.squaredNorm() * ac.squaredNorm()))
+      return false;  // a needle: its normal is off by more than 1e-7
+    normals_.push_back(n / std::sqrt(length2));
+    if (normals_.back().dot(normals_.front()) < 0)
+      return false;  // more than 45 degrees from any axis, one of them
+    near_.push_back(t);
+  }
+  return !normals_.empty();
+}
+
+/// Towards the middle of the smallest cone about the normals. False: they do not have one that is narrow enough.
+bool Sheets::find_axis(Sheet& sheet) const {
+  Vec3 axis(0, 0, 0);
+  for (const Vec3& n : normals_) axis += n;
+  if (!(axis.norm() > 1e-9)) return false;
+  axis.normalize();
+  double cosine = -1;
+  for (int round = 1; round <= axis_rounds; ++round) {
+    Vec3 far = normals_.front();
+    double least = 2;
+    for (const Vec3& n : normals_)
+      if (const double here = n.dot(axis); here < least) least = here, far = n;
+    if (least > cosine) {
+      cosine = least;
+      sheet.axis = axis;
+    }
+    if (cosine > flat_enough) break;
+    const Vec3 turned = axis + (far - axis) / (round + 1);
+    if (!(turned.norm() > 1e-9)) break;
+    axis = turned.normalized();
+  }
+  return cosine > steepest;
 }
 
 /// The rest, of the facets in near_ and their normals, given the axis.
@@ -143,7 +156,7 @@ void Sheets::find_slopes(Sheet& sheet, double radius) {
   sheet.slope_u = sheet.slope_v = sheet.slope = sheet.height = 0;
   for (std::size_t i = 0; i < normals_.size(); ++i) {
     const Vec3& n = normals_[i];
-    const double z = 1 / n.dot(m), x = n.dot(sheet.u) * z, y = n.dot(w) * z, slope = std::hypot(x, y);
+    const double z = 1 / n.dot(m), x = n.dot(sheet.u) * z, y = n.dot(w) * z, slope = std::sqrt(x * x + y * y);
     sheet.slope_u = std::max(sheet.slope_u, std::abs(x));
     sheet.slope_v = std::max(sheet.slope_v, std::abs(y));
     sheet.slope = std::max(sheet.slope, slope);
@@ -171,6 +184,10 @@ bool Sheets::hangs_together(const Vec3& center, double radius) {
     stamp_of_[t] = 2 * stamp_ + 1;
     stack_.push_back(t);
   };
+  const auto meets_ball = [&](FacetId t, int e) {
+    const Vec3 &from = mesh_.corner(t, e), &to = mesh_.corner(t, e == 2 ? 0 : e + 1);
+    return (from - center).squaredNorm() <= radius * radius || distance2(center, from, to) <= radius * radius;
+  };
   stack_.clear();
   reach(near_.front());
   std::size_t count = 0;
@@ -181,9 +198,7 @@ bool Sheets::hangs_together(const Vec3& center, double radius) {
     for (int e = 0; e < 3; ++e) {
       const FacetId across = mesh_.across(t, e);
       const bool is_reached = across.valid() && stamp_of_[across] == 2 * stamp_ + 1;
-      if (is_reached ||
-          distance2(center, mesh_.corner(t, e), mesh_.corner(t, e == 2 ? 0 : e + 1)) > radius * radius)
-        continue;
+      if (is_reached || !meets_ball(t, e)) continue;
       if (!across.valid()) return false;
       if (stamp_of_[across] == 2 * stamp_) reach(across);
     }

@@ -105,6 +105,8 @@ class Sheets {
     double failed_level = 0;
   };
   Sheet sheet_among_gathered(const Location3& center, double radius);
+  bool keep_near(const Location3& center, double radius);
+  bool find_axis(Sheet& sheet) const;
   void find_slopes(Sheet& sheet, double radius);
   bool hangs_together(const Vec3& center, double radius);
 
