@@ -57,9 +57,10 @@ void FacetTree::near_but(const Vec3& x, double distance, const OfNoUse& is_of_no
                          std::vector<FacetId>& out) const {
   if (!(distance >= 0)) return;
   const double limit2 = distance * distance * (1 + 1e-9);
-  const auto is_box_of_no_use = [&](const Box& box) {
+  const auto is_box_of_no_use = [&](const Box& box) {  // not of large ones, for which that is hardly so
     const Vec3 low(box.low[0], box.low[1], box.low[2]), high(box.high[0], box.high[1], box.high[2]);
-    return is_of_no_use(0.5 * (low + high), 0.5 * (high - low).norm() * (1 + 1e-9));
+    const double radius = 0.5 * (high - low).norm() * (1 + 1e-9);
+    return radius <= distance && is_of_no_use(0.5 * (low + high), radius);
   };
   descend(levels_.size() - 1, 0, limit2, x, is_box_of_no_use, out);
 }
