@@ -16,6 +16,7 @@ constexpr double radius_guess = 1.25;  // in radii of the fragment before, or di
 constexpr double radius_memory = 0.9;  // a guess is at least so much of the guess before
 constexpr double radius_step = 1.5;
 constexpr int most_steps = 6;  // from the nearest site of one facet to that of the next
+constexpr double far_away = 2;  // in likely radii: a facet so far from its site is not the next one
 
 double root(double x) { return x > 0 ? std::sqrt(x) : 0; }
 
@@ -64,7 +65,7 @@ std::span<const FacetPolygon> FacetCells::divide(FacetId t) {
 
 /// Facets come one after the other: from the nearest of the one before to whoever is nearer among those
 /// around it, and so on. The nearest of all is known where somebody's power is one whose surroundings are
-/// known: it is among these. After too many steps the search tells.
+/// known: it is among these. After too many steps, or too long ones, the search tells.
 SiteId FacetCells::nearest(const Location3& x) {
   SiteId at = last_;
   for (int step = 0; at.valid() && step < most_steps; ++step) {
@@ -80,6 +81,7 @@ SiteId FacetCells::nearest(const Location3& x) {
       if (other < radius2 || (other == radius2 && j.site < best)) best = j.site, radius2 = other;
     }
     if (bound <= around.power) return best;
+    if (best == at && needed > far_away * likely_radius_) break;
     if (best == at) look_around(around, needed);
     at = best;
   }
