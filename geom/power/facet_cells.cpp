@@ -168,17 +168,17 @@ void FacetCells::look_around(Surroundings& around, double radius) {
   search_.heirs({around.owner, owner.position, distance_at(around.power, owner.weight), around.power},
                 candidates_);
   sites_looked_at_ += candidates_.size();
-  around.sites.clear();
+  by_distance_.clear();
   around.heaviest = owner.weight;
   for (const SiteId j : candidates_) {
     if (j == around.owner) continue;
-    const double distance = (sites_[j].position - owner.position).norm();
-    around.sites.push_back({distance, j, clipper_.bisector_of(around.owner, j)});
+    by_distance_.emplace_back((sites_[j].position - owner.position).norm(), j);
     around.heaviest = std::max(around.heaviest, sites_[j].weight);
   }
-  std::ranges::sort(around.sites, [](const Near& a, const Near& b) {
-    return a.distance < b.distance || (a.distance == b.distance && a.site < b.site);
-  });
+  std::ranges::sort(by_distance_);
+  around.sites.clear();
+  for (const auto& [distance, j] : by_distance_)
+    around.sites.push_back({distance, j, clipper_.bisector_of(around.owner, j)});
 }
 
 /// All that can own anything of the facet: nowhere there has the owner more power than the farthest corner

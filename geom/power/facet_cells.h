@@ -9,6 +9,7 @@
 //        \_/_______/         takes nothing of it.
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geom/power/clip.h"
@@ -67,6 +68,7 @@ class FacetCells {
   std::size_t num_found_ = 0;
   std::vector<SiteId> waiting_;            ///< owners, perhaps, to be looked at
   std::vector<SiteId> candidates_;         // workspace of a search
+  std::vector<std::pair<double, SiteId>> by_distance_;  // workspace
   std::vector<SiteId> may_own_;            // workspace of divide()
   Table<SiteId, std::uint32_t> stamp_of_;  ///< of the last facet where the site was met
   std::uint32_t stamp_ = 0;
