@@ -211,7 +211,8 @@ fpo_result result_of(const fpo::Remesh& remesh) {
 }
 
 /// Returns whether the run was stopped.
-bool remesh(Rows<double> vertices, Rows<std::int32_t> facets, const fpo_options& given, fpo_result& result) {
+bool remesh(const Rows<double>& vertices, const Rows<std::int32_t>& facets, const fpo_options& given,
+            fpo_result& result) {
   fpo::Options options = options_of(given, vertices.rows());
   const Reporter reporter(given, options);
   result = result_of(fpo::remesh(vertices, facets, options));

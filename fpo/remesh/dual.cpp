@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <span>
 #include <tuple>
 
 #include "geom/check.h"
@@ -52,16 +53,21 @@ struct LinkShape {
 
 LinkShape shape_of(const Link& link) {
   if (link.empty()) return {false, VertexId()};
-  std::vector<std::array<VertexId, 2>> sides;  // both ways, those that begin at a vertex next to each other
+  using Side = std::array<VertexId, 2>;
+  std::vector<Side> sides;  // both ways, those that begin at a vertex next to each other
   for (const auto& [a, b] : link) sides.insert(sides.end(), {{a, b}, {b, a}});
   std::ranges::sort(sides);
-  const auto from = [](const std::array<VertexId, 2>& side) { return side[0]; };
-  const auto sides_of = [&](VertexId v) { return std::ranges::equal_range(sides, v, {}, from); };
+  const auto sides_of = [&](VertexId v) {
+    const auto first = std::ranges::lower_bound(sides, v, {}, [](const Side& side) { return side[0]; });
+    auto last = first;
+    while (last != sides.end() && last->front() == v) ++last;
+    return std::span(first, last);
+  };
   std::size_t num_vertices = 0;
-  for (auto side = sides.begin(); side != sides.end(); ++num_vertices) {
-    const auto others = sides_of(from(*side));
-    if (others.size() > 2 || (others.size() == 2 && others[0] == others[1])) return {false, from(*side)};
-    side = others.end();
+  for (std::size_t i = 0; i < sides.size(); ++num_vertices) {
+    const std::span<const Side> others = sides_of(sides[i].front());
+    if (others.size() > 2 || (others.size() == 2 && others[0] == others[1])) return {false, sides[i].front()};
+    i += others.size();
   }
   std::vector<VertexId> reached{link.front()[0]};
   for (std::size_t i = 0; i < reached.size(); ++i)

@@ -122,7 +122,7 @@ class LocalResampling {
   bool can_move(SiteId x) const { return !domain_.is_fixed(x) || can_slide(x); }
   /// Are the samples of curves around it still joined to those before and after them?
   bool is_joined(SiteId x) const { return !slides_ || slides_->has_its_edges(domain_, x); }
-  std::vector<SurfaceSample> places_around(SiteId x);
+  std::vector<SurfaceSample> places_around(SiteId site);
 
   SurfaceDomain& domain_;
   std::vector<Flaws*> flaws_;

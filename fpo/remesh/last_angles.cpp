@@ -61,6 +61,7 @@ class AngleMender {
       if (const double least = least_angle(mesh_, t); least < good_) found.emplace_back(least, t);
     std::ranges::sort(found);
     std::vector<FacetId> result;
+    result.reserve(found.size());
     for (const auto& [least, t] : found) result.push_back(t);
     return result;
   }

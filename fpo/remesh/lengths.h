@@ -35,6 +35,6 @@ VertexField error_size(const geom::TriMesh& surface, const Features& features, d
 /// take. Without an edge length an error's lengths are at most a tenth of the diagonal. Features, fixed
 /// points and limits must be set. Throws InputError on lengths that are not positive, that take more than 20
 /// million samples, or that are missing or of no use together; a radius is for uniform sizing. O(F log F).
-void set_number_of_samples(const geom::TriMesh& surface, const Lengths& lengths, RemeshOptions& options);
+void set_number_of_samples(const geom::TriMesh& surface, const Lengths& given, RemeshOptions& options);
 
 }  // namespace fpo

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "fpo/measure/covering.h"
+#include "fpo/remesh/dual.h"
 #include "geom/sites/site_tree.h"
 
 namespace fpo {

@@ -115,7 +115,7 @@ bool Sheets::keep_near(const Location3& center, double radius) {
   return !normals_.empty();
 }
 
-/// Towards the middle of the smallest cone about the normals. False: they do not have one that is narrow enough.
+/// Towards the middle of the smallest cone about the normals. False: they have none that is narrow enough.
 bool Sheets::find_axis(Sheet& sheet) const {
   Vec3 axis(0, 0, 0);
   for (const Vec3& n : normals_) axis += n;

@@ -41,8 +41,8 @@ class TriMesh {
   /// The facet across edge e of t, or none: border, or more than two facets at that edge.
   FacetId across(FacetId t, int e) const { return across_[t][static_cast<std::size_t>(e)]; }
 
-  /// The same facets with vertices elsewhere, as many; all levels 0. Throws InputError on a coordinate that is not
-  /// finite. O(V + F): what is across an edge stays.
+  /// The same facets with vertices elsewhere, as many; all levels 0. Throws InputError on a coordinate that
+  /// is not finite. O(V + F): what is across an edge stays.
   TriMesh with_vertices(Table<VertexId, Vec3> vertices) const;
   /// The same mesh with these levels, finite, one a vertex; none: all 0.
   TriMesh with_levels(Table<VertexId, double> levels) const;

@@ -15,7 +15,7 @@ constexpr double more = 1 + 1e-9;      // for the rounding of distances and powe
 constexpr double radius_guess = 1.25;  // in radii of the fragment before, or distances to the nearest site
 constexpr double radius_memory = 0.9;  // a guess is at least so much of the guess before
 constexpr double radius_step = 1.5;
-constexpr int most_steps = 6;  // from the nearest site of one facet to that of the next
+constexpr int most_steps = 6;   // from the nearest site of one facet to that of the next
 constexpr double far_away = 2;  // in likely radii: a facet so far from its site is not the next one
 
 double root(double x) { return x > 0 ? std::sqrt(x) : 0; }

@@ -66,11 +66,11 @@ class FacetCells {
   std::size_t sites_looked_at_ = 0;
   std::vector<FacetPolygon> found_;
   std::size_t num_found_ = 0;
-  std::vector<SiteId> waiting_;            ///< owners, perhaps, to be looked at
-  std::vector<SiteId> candidates_;         // workspace of a search
+  std::vector<SiteId> waiting_;                         ///< owners, perhaps, to be looked at
+  std::vector<SiteId> candidates_;                      // workspace of a search
   std::vector<std::pair<double, SiteId>> by_distance_;  // workspace
-  std::vector<SiteId> may_own_;            // workspace of divide()
-  Table<SiteId, std::uint32_t> stamp_of_;  ///< of the last facet where the site was met
+  std::vector<SiteId> may_own_;                         // workspace of divide()
+  Table<SiteId, std::uint32_t> stamp_of_;               ///< of the last facet where the site was met
   std::uint32_t stamp_ = 0;
 };
 

@@ -207,9 +207,11 @@ TEST_CASE("trimesh: with vertices elsewhere it is the one made of them anew") {
       different += found.position(v) != moved[v];
     CHECK(different == 0);
   }
-  const TriMesh triangle({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {{VertexId(0), VertexId(1), VertexId(2)}});
+  const TriMesh triangle({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)},
+                         {{VertexId(0), VertexId(1), VertexId(2)}});
   const double infinite = std::numeric_limits<double>::infinity();
-  CHECK_THROWS_AS(triangle.with_vertices({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, infinite, 0)}), geom::InputError);
+  CHECK_THROWS_AS(triangle.with_vertices({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, infinite, 0)}),
+                  geom::InputError);
 }
 
 TEST_CASE("trimesh: bad arrays are refused") {
