@@ -74,9 +74,10 @@ RoundedPoint CellCorners::corner(FacetId facet, EdgeLabel label, SiteId owner, S
                                  const Bisector& b) const {
   const double uncertain = most_tolerance();
   if (!label.is_site()) {
-    const auto [s, e] = edge_ends(mesh_.facet(facet), label.edge());
-    const FacetCorners q = corners_of(facet);
-    const Location3 ps = q.at(static_cast<std::size_t>(s)), pe = q.at(static_cast<std::size_t>(e));
+    const TriMesh::Facet& corners = mesh_.facet(facet);
+    const auto [s, e] = edge_ends(corners, label.edge());
+    const Location3 ps = at(corners[static_cast<std::size_t>(s)]),
+                    pe = at(corners[static_cast<std::size_t>(e)]);
     const RoundedPoint point = corner_on_edge(ps.position, pe.position, b(ps), b(pe), b.error, extent_);
     if (point.tolerance <= uncertain) return point;
     return exact_corner_on_edge(ps, pe, ranked(std::min(owner, j)), ranked(std::max(owner, j)), extent_);

@@ -135,7 +135,8 @@ bool FacetCells::clip(FacetPolygon& polygon, const Surroundings& around, double&
   double security = 0;
   const auto measure = [&] {
     bound = clipper_.bound_power(polygon);
-    security = distance_at(bound, weight) + distance_at(bound, around.heaviest);
+    const double own = distance_at(bound, weight);
+    security = own + (around.heaviest == weight ? own : distance_at(bound, around.heaviest));
   };
   measure();
   for (const Near& j : around.sites) {
