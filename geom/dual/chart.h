@@ -64,10 +64,10 @@ class Chart {
 
   /// (1) and (2) for all pairs and triples with that site and those before it. `radius`: all that is spoken
   /// of is that near to the origin.
-  bool is_simple_with(int k, double radius) const;
+  bool is_simple_with(int last, double radius) const;
   /// (1) for two, and (2) for three of the sites.
-  bool is_monotone(int i, int j) const;
-  bool meets_axis_once(int i, int j, int k, double radius) const;
+  bool is_monotone(int first, int second) const;
+  bool meets_axis_once(int first, int second, int third, double radius) const;
   /// Of the sites before the last, in counterclockwise order around that one, the origin, whose cell is in
   /// the ball of that radius: bounds of the power to the nearest of them there, and of the distance of a site
   /// that may be nearer there, if its weight is at most that of the heaviest. Infinite if they do not
@@ -76,13 +76,13 @@ class Chart {
     double power, range;
   };
   Gain most_gain(int count, double radius, double weight, double heaviest) const;
-  /// A bound, squared, of the distance of an edge of i and j from the origin of two locations on it. Infinite
+  /// A bound, squared, of the distance of an edge of two sites from the origin of two locations on it. Infinite
   /// unless s|a| < |e_h|, which is a little more than (1) asks.
-  double farthest2(int i, int j, const Vec3& from, const Vec3& to) const;
+  double farthest2(int first, int second, const Vec3& from, const Vec3& to) const;
 
  private:
   void set(int i, const Vec3& d, double c);
-  bool is_far(int i, int j, int k, double radius) const;
+  bool is_far(int first, int second, int third, double radius) const;
 
   Vec3 u_{1, 0, 0}, v_{0, 1, 0}, m_{0, 0, 1};
   double slope_u_ = 0, slope_v_ = 0, slope2_ = 0;

@@ -69,7 +69,7 @@ class FastWay {
   bool move_in_place(std::size_t circle, const WeightedPoint3& point, DualChange& change);
 
   /// p, which is out, to the center of an empty circle.
-  bool insert(SiteId p, const WeightedPoint3& point, FacetId home, CircleId at, DualChange& change);
+  bool insert(SiteId p, const WeightedPoint3& point, FacetId home, CircleId first, DualChange& change);
 
   /// Finds out whether p is regular, and what the power in its cell is at most.
   void certify(SiteId p);

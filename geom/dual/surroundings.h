@@ -23,7 +23,7 @@ constexpr double widest = 1.35;    ///< in radii of a cell: the distance for whi
 
 struct Surroundings {
   /// Keeps a reference.
-  explicit Surroundings(DualState& state);
+  explicit Surroundings(DualState& whole);
   Surroundings(const Surroundings&) = delete;
 
   /// Nothing is known of the sheet, the strangers and the facets.
@@ -31,7 +31,7 @@ struct Surroundings {
   /// Sees the rim from where p is; p itself has no number.
   void see_rim();
   /// Puts the rim and p into a chart.
-  void chart_sites(const Sheet& sheet);
+  void chart_sites(const Sheet& found);
   /// The same on a sheet that covers that distance around p, if there is one; sets on_sheet.
   bool chart_around(double distance);
 

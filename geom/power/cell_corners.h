@@ -77,8 +77,8 @@ class CellCorners {
   }
   /// The corner of the owner's polygon between edges with these labels: what a clipper computes there.
   RoundedPoint corner_between(FacetId facet, SiteId owner, EdgeLabel before, EdgeLabel after) const;
-  /// An upper bound of the power, to the owner, of the locations in the polygon.
-  double bound_power(FacetId facet, SiteId owner, std::span<const PolygonCorner> corners) const;
+  /// An upper bound of the power, to the site, of the locations in the polygon.
+  double bound_power(FacetId facet, SiteId site, std::span<const PolygonCorner> corners) const;
   double bound_power(const FacetPolygon& polygon) const {
     return bound_power(polygon.facet, polygon.owner, polygon.corners);
   }

@@ -100,7 +100,7 @@ RoundedPoint corner_in_facet(const Vec3& q0, const Vec3& q1, const Vec3& q2, con
 /// error is a few units in the last place of the facet's coordinates. Slow.
 RoundedPoint exact_corner_on_edge(const Location3& a, const Location3& b, const RankedPoint3& owner,
                                   const RankedPoint3& j, double extent);
-RoundedPoint exact_corner_in_facet(const Location3& q0, const Location3& q1, const Location3& q2,
+RoundedPoint exact_corner_in_facet(const Location3& at0, const Location3& at1, const Location3& at2,
                                    const RankedPoint3& owner, const RankedPoint3& first,
                                    const RankedPoint3& second, double extent);
 

@@ -104,7 +104,7 @@ struct Triangulation2 {
 void start_with_lattice(Triangulation2& t, std::size_t first_id, double weight);
 
 /// Verifies all that Regular2 promises; throws Bug. O(n).
-void check(const Triangulation2& t);
+void check(const Triangulation2& m);
 
 template <class Visit>
 void Triangulation2::visit_star(SiteId id, Visit&& visit) const {

@@ -86,6 +86,6 @@ void unhide(Triangulation3& t, SiteId id);
 void append_hidden(const Triangulation3& t, SimplexId witness, std::vector<SiteId>& out);
 
 /// Verifies all that Regular3 promises; throws Bug. O(n).
-void check(const Triangulation3& t);
+void check(const Triangulation3& m);
 
 }  // namespace geom
