@@ -76,7 +76,7 @@ class Chart {
     double power, range;
   };
   Gain most_gain(int count, double radius, double weight, double heaviest) const;
-  /// A bound, squared, of the distance of an edge of two sites from the origin of two locations on it. Infinite
+  /// A bound, squared, of how far an edge of two sites is from the origin of two locations on it. Infinite
   /// unless s|a| < |e_h|, which is a little more than (1) asks.
   double farthest2(int first, int second, const Vec3& from, const Vec3& to) const;
 

@@ -76,8 +76,8 @@ class Sheets {
   Sheets(const TriMesh& mesh, const FacetTree& facets, const FacetLevels& levels)
       : mesh_(mesh), facets_(facets), levels_(levels), stamp_of_(mesh.num_facets(), 0) {}
 
-  /// A sheet that covers that distance about a location, the place of the site, on the surface; null if there is none,
-  /// or was none when the site was nearly there. Valid until the next call.
+  /// A sheet that covers that distance about the place of the site, on the surface; null if there is none, or
+  /// was none when the site was nearly there. Valid until the next call.
   const Sheet* around(SiteId site, const Location3& at, double distance);
   /// The one that is kept, of that level, or null.
   const Sheet* known(SiteId site, double level) const {

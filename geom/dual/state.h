@@ -32,9 +32,9 @@ std::span<const CircleId> create_all(std::span<const EmptyCircle> found, EmptyCi
                                      DualChange& change);
 
 struct DualState {
-  /// Without sites. Keeps a reference to the surface. Throws InputError if it has no facet. `source`: if given,
-  /// it holds the same sites and names those that can matter to each other; else the tree does. If the mesh
-  /// has levels there must be none.
+  /// Without sites. Keeps a reference to the surface. Throws InputError if it has no facet. `source`: if
+  /// given, it holds the same sites and names those that can matter to each other; else the tree does. If the
+  /// surface has levels there must be none.
   DualState(const TriMesh& surface, CornerTypes types, NeighbourOracle* source);
   DualState(const DualState&) = delete;
 
