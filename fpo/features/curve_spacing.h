@@ -25,7 +25,7 @@ struct NarrowPlace {
 };
 
 /// Those with a width below narrow_width times the spacing, some five a spacing or, if less, a width; one
-/// for each curve that a place faces. Two places face each other if the middle between them is near the
+/// for each curve that a place faces, of the twelve nearest. Two places face each other if the middle between them is near the
 /// surface, and if they are not beside each other on one curve or at a corner where both curves begin.
 /// Ascending along the curves. None if curves are longer than sixty spacings a sample: most strips are too
 /// narrow for any help.

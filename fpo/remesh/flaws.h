@@ -114,6 +114,7 @@ class LocalResampling {
   Backup backup(SiteId x) const { return {x, domain_.sample(x), domain_.weight_share(x)}; }
   std::vector<Backup> backups_of(std::span<const SiteId> samples) const;
   void move(const Backup& x);
+  bool resample(SiteId x);  ///< whether it moved
   bool settle(std::span<const Backup> samples, std::span<const Backup> moving);
   bool better() const;
   bool others_no_worse() const;

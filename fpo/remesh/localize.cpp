@@ -1,6 +1,7 @@
 #include "fpo/remesh/localize.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -124,9 +125,9 @@ Localization localize(geom::RestrictedPower& diagram, std::span<const SurfaceSam
   Localization result;
   geom::SiteTree sites;
   Excluded excluded;
-  for (int round = 0; round < max_rounds; ++round) {
-    result.remaining = 0;
-    std::size_t given = 0;
+  std::size_t given = 0, given_before = std::numeric_limits<std::size_t>::max();
+  for (int round = 0; round < max_rounds; ++round, given_before = given) {
+    result.remaining = given = 0;
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const SiteId p(i);
       const std::vector<Component> components = cell_components(diagram, p, samples[i].facet);
@@ -141,9 +142,9 @@ Localization localize(geom::RestrictedPower& diagram, std::span<const SurfaceSam
       }
     }
     result.orphans += given;
-    if (given == 0) break;
+    if (given == 0 || given >= given_before) break;  // they are handed on, and do not become fewer
   }
-  if (result.remaining > 0) merge_orphans(diagram, samples, result);
+  if (result.remaining > 0 || given > 0) merge_orphans(diagram, samples, result);
   return result;
 }
 
