@@ -27,9 +27,9 @@ constexpr double most_growth = 1.35;  // of the lengths elsewhere
 constexpr double smallest = 0.1, largest = 0.8;  // of the least length in narrow places, in other lengths
 constexpr double least_help = 0.5;  // the length that is wanted over the least one, where that is of use
 constexpr double split_slope = 0.3, split_length = 1.5;
-constexpr double most_facets = 60;  // of the split surface, a sample
+constexpr double most_facets = 60;       // of the split surface, a sample
 constexpr std::size_t most_facing = 12;  // curves that a place is asked to face: the nearest
-constexpr int most_passes = 60;     // of splitting: needles never come to an end
+constexpr int most_passes = 60;          // of splitting: needles never come to an end
 constexpr double most_curves = 60;  // spacings of curves a sample: most strips are too narrow to be helped
 
 class FacingCurves {

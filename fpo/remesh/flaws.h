@@ -100,7 +100,8 @@ class LocalResampling {
              double least);
   /// Gives x its full weight back unless that makes the first flaws worse. Whether it has it now.
   bool restore_weight(SiteId x);
-  /// Removals with an insertion so far: what it has cost.
+  /// Removals with an insertion so far, and samples found in their places when all was put back: a bound of
+  /// what it has cost.
   std::size_t moves() const { return moves_; }
 
  private:

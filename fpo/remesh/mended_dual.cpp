@@ -26,7 +26,7 @@ Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const ge
                  const RemeshOptions& options, RemeshResult& counts) {
   const auto next_dual = [&] {
     if (options.mend) counts.protection += protect_chains(domain, features, options.optimize.interrupted);
-    return dual_of(domain, type, options.keep_cells);
+    return dual_of(domain, type, options.keep_cells, options.optimize.interrupted);
   };
   Dual best = next_dual();
   std::vector<Defect> defects = best.defects;
