@@ -32,12 +32,11 @@ bool mend(const SurfaceDomain& domain, LocalResampling& resampling, CircleId tri
   const auto worst = static_cast<std::size_t>(std::ranges::min_element(angles) - angles.begin());
   const std::array<SiteId, 3> corners{circle.sites[worst], circle.sites[(worst + 1) % 3],
                                       circle.sites[(worst + 2) % 3]};
-  const bool weighs = !domain.is_fixed(corners[1]) || !domain.is_fixed(corners[2]);
   if (in_growing_sets(domain, corners, [&](std::span<const SiteId> samples) {
         if (interrupted(options.interrupted)) return false;
-        return resampling.attempt(samples, 1) ||
-               (weighs && std::ranges::any_of(options.weight_shares,
-                                              [&](double c) { return resampling.attempt(samples, c); }));
+        return resampling.attempt(samples, 1) || std::ranges::any_of(options.weight_shares, [&](double c) {
+                 return resampling.attempt(samples, c);
+               });
       }))
     return true;
   for (std::size_t i = 0; i < 3 && options.slides; ++i)
