@@ -27,8 +27,9 @@ constexpr double most_growth = 1.35;  // of the lengths elsewhere
 constexpr double smallest = 0.1, largest = 0.8;  // of the least length in narrow places, in other lengths
 constexpr double least_help = 0.5;  // the length that is wanted over the least one, where that is of use
 constexpr double split_slope = 0.3, split_length = 1.5;
-constexpr double most_facets = 60;  // of the split surface, a sample
-constexpr int most_passes = 60;     // of splitting: needles never come to an end
+constexpr double most_facets = 60;       // of the split surface, a sample
+constexpr std::size_t most_facing = 12;  // curves that a place is asked to face: the nearest
+constexpr int most_passes = 60;          // of splitting: needles never come to an end
 constexpr double most_curves = 60;  // spacings of curves a sample: most strips are too narrow to be helped
 
 class FacingCurves {
@@ -56,7 +57,8 @@ class FacingCurves {
   }
 
  private:
-  /// From the middle of p to the nearest piece of each curve that faces it, with that curve. Ascending.
+  /// From the middle of p to the nearest piece of each curve that faces it, with that curve. Ascending. Only
+  /// the nearest curves are looked at: where hundreds cross, a place would be compared with all of them.
   std::vector<std::pair<double, std::size_t>> widths_at(const CurvePiece& p) const {
     const Vec3 x = p.middle();
     std::vector<std::pair<double, std::size_t>> near;
@@ -71,9 +73,10 @@ class FacingCurves {
     std::vector<std::size_t> seen;  // curves: what of them is not nearest is beyond, or beside
     for (const auto& [d, i] : near) {
       if (std::ranges::find(seen, pieces_[i].curve) != seen.end()) continue;
+      if (seen.size() == most_facing) break;
       seen.push_back(pieces_[i].curve);
       const Vec3 y = geom::closest_point(x, {pieces_[i].from, pieces_[i].to, pieces_[i].to}).point;
-      if (tree_.closest((x + y) / 2, p.facet).distance2 < std::pow(off_surface * d, 2))
+      if (tree_.is_nearer((x + y) / 2, std::pow(off_surface * d, 2), p.facet))
         result.emplace_back(d, pieces_[i].curve);
     }
     return result;

@@ -185,9 +185,9 @@ bool is_disorder(const TriMesh& mesh, const Features& features) {
          !is_polyhedron(mesh, features);
 }
 
-double total_strength(const TriMesh& mesh, const Features& features, double spacing) {
+double total_strength(const SeenCurves& curves) {
   double sum = 0;
-  for (const double strength : curve_strengths(mesh, features, spacing))
+  for (const double strength : curves.strengths)
     if (std::isfinite(strength)) sum += strength;
   return sum;
 }
@@ -211,18 +211,20 @@ std::optional<StrongCurves> strong_curves(const TriMesh& mesh, const FeatureOpti
     return share_of_samples * least_number_of_samples(mesh, left, plan.fixed) <= plan.num_samples;
   };
   StrongCurves result{options, all};
-  const double enough = least_left * total_strength(mesh, all, plan.spacing);
+  SeenCurves seen = seen_curves(mesh, all, plan.spacing);
+  const double enough = least_left * total_strength(seen);
   while (true) {
     WeakCurves wanted{.only_crowded = true};
-    std::vector<std::size_t> weak = weakest_curves(mesh, result.features, plan.spacing, wanted);
+    std::vector<std::size_t> weak = weakest_curves(seen, wanted);
     if (weak.empty() && fits(result.features)) return result;
     wanted.only_crowded = false;
-    if (weak.empty()) weak = weakest_curves(mesh, result.features, plan.spacing, wanted);
+    if (weak.empty()) weak = weakest_curves(seen, wanted);
     if (weak.empty()) return {};
     for (const auto& edge : edges_of_curves(result.features, weak)) result.options.unmarked.push_back(edge);
     result.features = find_features(mesh, result.options);
     result.given_up += weak.size();
-    if (total_strength(mesh, result.features, plan.spacing) < enough) return {};
+    seen = seen_curves(mesh, result.features, plan.spacing);
+    if (total_strength(seen) < enough) return {};
   }
 }
 

@@ -8,7 +8,6 @@
 #include <set>
 #include <utility>
 
-#include "fpo/features/curve_spacing.h"
 #include "fpo/features/feature_choice.h"
 #include "geom/mesh/angles.h"
 
@@ -53,30 +52,23 @@ double fold_of(const TriMesh& mesh, const FeatureCurve& curve, double length) {
   return length > 0 ? sum / length : 0;
 }
 
-std::vector<double> strengths(const TriMesh& mesh, const Features& features, double spacing,
-                              const std::vector<NarrowPlace>& places) {
-  std::vector<double> seen = lengths_of(mesh, features);
-  const std::vector<double> lengths = seen;
-  for (const NarrowPlace& place : places)
+}  // namespace
+
+SeenCurves seen_curves(const TriMesh& mesh, const Features& features, double spacing) {
+  const std::vector<double> lengths = lengths_of(mesh, features);
+  SeenCurves result{lengths, lengths, narrow_places(mesh, features, spacing), spacing};
+  std::vector<double>& seen = result.strengths;
+  for (const NarrowPlace& place : result.places)
     if (place.nearest) seen[place.curve] -= place.length * (1 - place.width / (narrow_width * spacing));
   for (std::size_t c = 0; c < seen.size(); ++c)
     seen[c] = features.curves[c].sheets == 2 ? std::max(seen[c], 0.0) / spacing *
                                                    fold_of(mesh, features.curves[c], lengths[c]) / full_fold
                                              : std::numeric_limits<double>::infinity();
-  return seen;
+  return result;
 }
 
-}  // namespace
-
-std::vector<double> curve_strengths(const TriMesh& mesh, const Features& features, double spacing) {
-  return strengths(mesh, features, spacing, narrow_places(mesh, features, spacing));
-}
-
-std::vector<std::size_t> weakest_curves(const TriMesh& mesh, const Features& features, double spacing,
-                                        const WeakCurves& wanted) {
-  const std::vector<NarrowPlace> places = narrow_places(mesh, features, spacing);
-  const std::vector<double> strength = strengths(mesh, features, spacing, places),
-                            lengths = lengths_of(mesh, features);
+std::vector<std::size_t> weakest_curves(const SeenCurves& curves, const WeakCurves& wanted) {
+  const auto& [strength, lengths, places, spacing] = curves;
   std::vector<double> crowded(strength.size(), 0.0);
   std::set<std::pair<std::size_t, std::size_t>> facing;
   for (const NarrowPlace& place : places) {
@@ -89,7 +81,7 @@ std::vector<std::size_t> weakest_curves(const TriMesh& mesh, const Features& fea
       order.push_back(c);
   const double enough = std::max(1.0, wanted.share * static_cast<double>(order.size()));
   std::ranges::stable_sort(order, {}, [&](std::size_t c) {
-    return std::pair(lengths[c] < shortest_curve * spacing, strength[c]);
+    return std::pair(curves.lengths[c] < shortest_curve * curves.spacing, curves.strengths[c]);
   });
   std::vector<std::size_t> weakest;
   for (const std::size_t c : order) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "fpo/features/curve_spacing.h"
 #include "fpo/features/features.h"
 
 namespace fpo {
@@ -13,7 +14,13 @@ namespace fpo {
 /// How much of each curve there is to be seen: its length in spacings, weighed by the fold, up to 90 degrees,
 /// in units of that, and less by as much as it is closer to the nearest other curve than narrow_width
 /// (curve_spacing.h). What is no crease has an infinite strength. O(E log E), and a search around each place.
-std::vector<double> curve_strengths(const geom::TriMesh& mesh, const Features& features, double spacing);
+struct SeenCurves {
+  std::vector<double> strengths, lengths;  ///< of each curve
+  std::vector<NarrowPlace> places;
+  double spacing;
+};
+
+SeenCurves seen_curves(const geom::TriMesh& mesh, const Features& features, double spacing);
 
 struct WeakCurves {
   double share = 0.125;  ///< of the creases that are asked for
@@ -25,8 +32,7 @@ struct WeakCurves {
 /// The weakest creases that are at least half a spacing long, at least one if there is any, and of two that
 /// face each other only one. Shorter ones mostly collapse when those are gone that end at them, and come
 /// last. Ascending; by number where strengths are equal.
-std::vector<std::size_t> weakest_curves(const geom::TriMesh& mesh, const Features& features, double spacing,
-                                        const WeakCurves& wanted);
+std::vector<std::size_t> weakest_curves(const SeenCurves& curves, const WeakCurves& wanted);
 
 /// The mesh edges of curves, to be FeatureOptions::unmarked.
 std::vector<std::array<geom::VertexId, 2>> edges_of_curves(const Features& features,

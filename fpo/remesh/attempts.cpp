@@ -10,6 +10,7 @@ constexpr double small_angle = 30, useless_angle = 10, hopeless_angle = 5;
 constexpr double weight_of_edges = 10;
 constexpr std::size_t samples_for_one_mended = 1000;
 constexpr std::size_t samples_for_one_place = 10;
+constexpr std::size_t samples_for_one_fault = 10;
 constexpr double by_chords = 0.97;  // the angle between chords of two curves over that between the curves
 
 auto rank(const RemeshResult& r) {
@@ -44,6 +45,10 @@ bool is_hopeless(const RemeshResult& r) {
   const bool has_mesh = r.mesh.num_facets() > 0;
   const std::size_t places = has_mesh ? r.advice.places.size() : r.thin_parts.faults_before;
   return (!has_mesh || !r.type.ok()) && places * samples_for_one_place > r.samples.size();
+}
+
+bool is_in_ruins(const RemeshResult& r) {
+  return !r.type.ok() && r.thin_parts.faults_after * samples_for_one_fault > r.samples.size();
 }
 
 bool is_better(const RemeshResult& a, const RemeshResult& b) { return rank(a) > rank(b); }

@@ -24,6 +24,10 @@ bool is_useless(const RemeshResult& result);
 /// single places is not tried.
 bool is_hopeless(const RemeshResult& result);
 
+/// Of another type with more than a tenth of the samples at fault, even after room was made for them: no
+/// other sheets or lengths are tried with the same curves. Samples that face each other may help still.
+bool is_in_ruins(const RemeshResult& result);
+
 /// First by the type. Then by the smallest angle, up to 30 degrees, in units of that, less ten times the
 /// share of edges of curves that are lost: a tenth of the edges weighs as much as all angles. Then by the
 /// smallest angle.

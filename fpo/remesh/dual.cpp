@@ -25,11 +25,12 @@ std::size_t Dual::num_faults() const {
   return type.ok() ? 0 : std::max(defects.size() + cell_faults.size() + type.parts.size(), std::size_t{1});
 }
 
-Dual dual_of(const SurfaceDomain& domain, const geom::SurfaceType& type, bool keep_cells) {
+Dual dual_of(const SurfaceDomain& domain, const geom::SurfaceType& type, bool keep_cells,
+             const std::atomic<bool>* interrupted) {
   Dual dual;
   dual.samples = samples_of(domain);
   const std::unique_ptr<geom::RestrictedPower> diagram = domain.diagram();
-  dual.localization = localize(*diagram, dual.samples);
+  dual.localization = localize(*diagram, dual.samples, interrupted);
   dual.mesh = extract(*diagram, dual.samples.size(), dual.localization.owners);
   dual.defects = find_defects(dual.mesh);
   dual.type = check_type(type, dual.mesh, dual.samples);

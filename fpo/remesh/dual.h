@@ -2,6 +2,7 @@
 // The remesh as the dual of the cells, and where it is no surface (paper, section 5: the topological ball
 // property; how to restore it is left open there).
 
+#include <atomic>
 #include <vector>
 
 #include "fpo/remesh/cell_faults.h"
@@ -38,8 +39,9 @@ struct Dual {
 std::vector<SurfaceSample> samples_of(const SurfaceDomain& domain);
 
 /// Leaves the domain as it is. O(n) if no cell has orphans, else the cost of another diagram. `type`: of the
-/// input. Throws InputError if there is no triangle.
-Dual dual_of(const SurfaceDomain& domain, const geom::SurfaceType& type, bool keep_cells);
+/// input. If interrupted, orphans are merged (localize.h). Throws InputError if there is no triangle.
+Dual dual_of(const SurfaceDomain& domain, const geom::SurfaceType& type, bool keep_cells,
+             const std::atomic<bool>* interrupted = nullptr);
 
 /// All of them, ascending.
 std::vector<Defect> find_defects(const geom::TriMesh& mesh);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "fpo/optimize.h"
 #include "fpo/remesh/nearby_places.h"
@@ -105,6 +106,13 @@ void LocalResampling::move(const Backup& x) {
   domain_.insert_at(x.id, x.place, x.weight_share);
 }
 
+bool LocalResampling::resample(SiteId x) {
+  if (domain_.is_fixed(x)) return false;
+  ++moves_;
+  if (journal_) journal_->note(x);
+  return domain_.move(x, Scope::two_ring);
+}
+
 bool LocalResampling::better() const {
   return flaws_[0]->penalty() < before_[0] - std::max(gain_, drift) && others_no_worse();
 }
@@ -125,19 +133,22 @@ std::vector<LocalResampling::Backup> LocalResampling::backups_of(std::span<const
   return backups;
 }
 
-/// Resamples those that may move until all is better; else puts all back.
+/// Resamples those that may move until all is better; else puts all back. What is not better stays so until
+/// something moves, and after a pass in which nothing does nothing will.
 bool LocalResampling::settle(std::span<const Backup> samples, std::span<const Backup> moving) {
   const auto wide = [&](const Backup& x) { return wide_enough(x.id) && is_joined(x.id); };
-  for (int pass = 0; pass < resamplings; ++pass)
+  bool unseen = true, moved = true;
+  for (int pass = 0; pass < resamplings && moved; ++pass) {
+    moved = false;
     for (const Backup& x : moving) {
-      if (!domain_.is_fixed(x.id)) {
-        ++moves_;
-        if (journal_) journal_->note(x.id);
-        domain_.move(x.id, Scope::two_ring);
-      }
-      if (std::ranges::all_of(samples, wide) && better()) return true;
+      if (resample(x.id)) moved = unseen = true;
+      if (std::exchange(unseen, false) && std::ranges::all_of(samples, wide) && better()) return true;
     }
-  for (const Backup& x : samples) move(x);
+  }
+  for (const Backup& x : samples) {
+    ++moves_;
+    put_back(domain_, x.id, {x.place, x.weight_share});
+  }
   return false;
 }
 

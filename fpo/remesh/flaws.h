@@ -100,7 +100,8 @@ class LocalResampling {
              double least);
   /// Gives x its full weight back unless that makes the first flaws worse. Whether it has it now.
   bool restore_weight(SiteId x);
-  /// Removals with an insertion so far: what it has cost.
+  /// Removals with an insertion so far, and samples found in their places when all was put back: a bound of
+  /// what it has cost.
   std::size_t moves() const { return moves_; }
 
  private:
@@ -114,6 +115,7 @@ class LocalResampling {
   Backup backup(SiteId x) const { return {x, domain_.sample(x), domain_.weight_share(x)}; }
   std::vector<Backup> backups_of(std::span<const SiteId> samples) const;
   void move(const Backup& x);
+  bool resample(SiteId x);  ///< whether it moved
   bool settle(std::span<const Backup> samples, std::span<const Backup> moving);
   bool better() const;
   bool others_no_worse() const;

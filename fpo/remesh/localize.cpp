@@ -1,9 +1,11 @@
 #include "fpo/remesh/localize.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
+#include "fpo/interruption.h"
 #include "geom/sites/site_tree.h"
 
 namespace fpo {
@@ -14,7 +16,8 @@ using geom::SiteId;
 
 namespace {
 
-constexpr int max_rounds = 16;  // an orphan given away can be an orphan of its new owner
+constexpr std::size_t orphans_a_sample = 2;  // given away at most; a plate of two sheets has one
+constexpr int max_rounds = 16;               // an orphan given away can be an orphan of its new owner
 
 using Component = std::vector<FragmentId>;
 
@@ -120,14 +123,17 @@ void merge_orphans(const geom::RestrictedPower& diagram, std::span<const Surface
 
 }  // namespace
 
-Localization localize(geom::RestrictedPower& diagram, std::span<const SurfaceSample> samples) {
+Localization localize(geom::RestrictedPower& diagram, std::span<const SurfaceSample> samples,
+                      const std::atomic<bool>* interrupted) {
   Localization result;
+  const std::size_t most = orphans_a_sample * samples.size();
   geom::SiteTree sites;
   Excluded excluded;
-  for (int round = 0; round < max_rounds; ++round) {
-    result.remaining = 0;
-    std::size_t given = 0;
-    for (std::size_t i = 0; i < samples.size(); ++i) {
+  std::size_t given = 0, given_before = std::numeric_limits<std::size_t>::max();
+  const auto goes_on = [&] { return result.orphans + given < most && !fpo::interrupted(interrupted); };
+  for (int round = 0; round < max_rounds && goes_on(); ++round, given_before = given) {
+    result.remaining = given = 0;
+    for (std::size_t i = 0; i < samples.size() && goes_on(); ++i) {
       const SiteId p(i);
       const std::vector<Component> components = cell_components(diagram, p, samples[i].facet);
       for (std::size_t k = 1; k < components.size();
@@ -141,9 +147,9 @@ Localization localize(geom::RestrictedPower& diagram, std::span<const SurfaceSam
       }
     }
     result.orphans += given;
-    if (given == 0) break;
+    if (given == 0 || given >= given_before) break;  // they are handed on, and do not become fewer
   }
-  if (result.remaining > 0) merge_orphans(diagram, samples, result);
+  if (result.remaining > 0 || given > 0 || !goes_on()) merge_orphans(diagram, samples, result);
   return result;
 }
 

@@ -7,6 +7,7 @@
 // piece of the other: its cell has an orphan, a component that does not contain the sample. The dual then
 // joins the sheets. Here each orphan is divided among the cells that surround it on its own sheet.
 
+#include <atomic>
 #include <span>
 
 #include "fpo/remesh/extract.h"
@@ -29,8 +30,10 @@ std::vector<std::vector<geom::FragmentId>> cell_components(const geom::Restricte
 
 /// Gives all orphans away: divides them or, where cells abandoned before stand in the way, merges them with
 /// the cell that they have the longest border with. The result is no power diagram any more, but a diagram
-/// still: it covers each facet, and cells meet at facet edges. Deterministic. Cost: O(fragments) plus the
+/// still: it covers each facet, and cells meet at facet edges. Where giving away makes ever new orphans, more
+/// than two a sample, or when interrupted, the rest is merged. Deterministic. Cost: O(fragments) plus the
 /// orphans.
-Localization localize(geom::RestrictedPower& diagram, std::span<const SurfaceSample> samples);
+Localization localize(geom::RestrictedPower& diagram, std::span<const SurfaceSample> samples,
+                      const std::atomic<bool>* interrupted = nullptr);
 
 }  // namespace fpo

@@ -6,6 +6,13 @@ namespace fpo {
 namespace {
 
 constexpr int futile_mending_rounds = 10;  // in a row, without a tenth fewer faults
+constexpr int futile_rounds_in_ruins = 2;  // where more than a tenth of the samples are at fault
+constexpr std::size_t samples_for_one_fault = 10;
+
+int most_futile_rounds(const Dual& dual) {
+  const bool in_ruins = dual.num_faults() * samples_for_one_fault > dual.samples.size();
+  return in_ruins ? futile_rounds_in_ruins : futile_mending_rounds;
+}
 
 /// So that it goes on: a bound of the rounds by the logarithm of the faults.
 std::size_t few_enough(const Dual& dual) {
@@ -19,12 +26,12 @@ Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const ge
                  const RemeshOptions& options, RemeshResult& counts) {
   const auto next_dual = [&] {
     if (options.mend) counts.protection += protect_chains(domain, features, options.optimize.interrupted);
-    return dual_of(domain, type, options.keep_cells);
+    return dual_of(domain, type, options.keep_cells, options.optimize.interrupted);
   };
   Dual best = next_dual();
   std::vector<Defect> defects = best.defects;
   std::size_t most = few_enough(best);
-  for (int futile = 0; futile < futile_mending_rounds && options.mend && !defects.empty() &&
+  for (int futile = 0; futile < most_futile_rounds(best) && options.mend && !defects.empty() &&
                        !interrupted(options.optimize.interrupted);
        ++futile) {
     const std::size_t moved = refine_at(domain, defects);

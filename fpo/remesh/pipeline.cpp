@@ -310,7 +310,7 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
   if (parted) {
     const RemeshResult begun = std::move(best);
     best = remesh_with(surface, choice, with_levels, &begun, true);
-    const bool hopeless = is_hopeless(best) && is_hopeless(begun);
+    const bool hopeless = (is_hopeless(best) || is_in_ruins(best)) && is_hopeless(begun);
     if (!best.has_levels || (!best.type.ok() && !hopeless && !interrupted(options))) {
       std::optional<RemeshResult> other =
           unless_interrupted(options, [&] { return remesh_with(surface, choice, together); });
@@ -329,7 +329,7 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
     if (!other || (only_apart && !other->has_levels)) return;
     if (is_better(*other, best)) best = std::move(*other);
   };
-  if (!parted) attempt(with_levels, true);
+  if (!parted && !is_in_ruins(best)) attempt(with_levels, true);
   if (best.broken_feature_edges > 0) {
     RemeshOptions facing = options;
     facing.facing_samples = true;
@@ -337,7 +337,9 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
     attempt(facing, false);
   }
   for (const double least : softer) {
-    if (best.type.ok() || options.sizing == SizingKind::uniform || options.limits.smallest >= least) break;
+    if (best.type.ok() || is_in_ruins(best) || options.sizing == SizingKind::uniform ||
+        options.limits.smallest >= least)
+      break;
     RemeshOptions even = options;
     even.limits.smallest = least;
     even.sheets = best.has_levels ? Sheets::apart : Sheets::together;

@@ -17,6 +17,7 @@ using geom::Vec3;
 namespace {
 
 constexpr int rounds = 10;
+constexpr int futile_rounds = 2;  // in a row, with no edge less to miss
 constexpr double most_share = 8;  // of the usual weight: larger disks would swallow all around them
 constexpr double crowded = 0.5;   // wanted lengths to the next sample of the features
 
@@ -91,7 +92,9 @@ Protection protect_chains(SurfaceDomain& domain, const FeatureSamples& features,
   const std::vector<double> room = room_at(domain, features);
   if (lower_weights(domain, room) > 0) missing = missing_edges(domain, features);
   std::set<SiteId> weighted;
-  for (int round = 0; round < rounds && !missing.empty(); ++round) {
+  std::size_t fewest = missing.size();
+  int futile = 0;
+  for (int round = 0; round < rounds && futile < futile_rounds && !missing.empty(); ++round) {
     bool changed = false;
     for (const auto& [a, b] : missing) {
       if (fpo::interrupted(interrupted)) break;
@@ -111,6 +114,8 @@ Protection protect_chains(SurfaceDomain& domain, const FeatureSamples& features,
     }
     if (!changed || fpo::interrupted(interrupted)) break;
     missing = missing_edges(domain, features);
+    futile = missing.size() < fewest ? 0 : futile + 1;
+    fewest = std::min(fewest, missing.size());
   }
   result.weighted = weighted.size();
   return result;

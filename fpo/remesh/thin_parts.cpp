@@ -25,6 +25,8 @@ constexpr double few = 8;               // samples that make a body
 constexpr int passes = 4;               // through the samples, in search of strays
 constexpr int stray_rounds = 2;
 constexpr std::size_t samples_for_one_fault = 10;  // with more faults it is hopeless
+constexpr std::size_t least_progress = 10;  // of that many faults one must go in a round, if they are so many
+constexpr int most_futile = 2;              // rounds in a row without that
 
 /// What a fault wants: spots, and by how much they lower the length.
 struct Wish {
@@ -184,19 +186,24 @@ std::unique_ptr<SurfaceDomain> make_room_for_thin_parts(std::unique_ptr<SurfaceD
                                                         const FeatureSamples& features,
                                                         const geom::SurfaceType& type,
                                                         const ThinPartOptions& options, ThinParts& result) {
-  Dual dual = dual_of(*domain, type, false);
+  Dual dual = dual_of(*domain, type, false, options.interrupted);
   result.faults_before = result.faults_after = dual.num_faults();
   result.right_type = dual.type.ok();
   if (result.right_type || options.rounds == 0) return domain;
-  const std::size_t hopeless = result.faults_before + domain->num_samples() / samples_for_one_fault;
+  const std::size_t many = domain->num_samples() / samples_for_one_fault;
+  const std::size_t hopeless = result.faults_before + many;
+  int futile = 0;  // rounds in a row, with much to be done
   const auto enough = [&] {
-    return dual.type.ok() || dual.num_faults() > hopeless || fpo::interrupted(options.interrupted);
+    return dual.type.ok() || futile == most_futile || dual.num_faults() > hopeless ||
+           fpo::interrupted(options.interrupted);
   };
   RoomMaker room(*domain, features, type, options);
   std::unique_ptr<SurfaceDomain> best = std::move(domain), next;
   const SurfaceDomain* last = best.get();
   const auto look_at = [&](std::unique_ptr<SurfaceDomain> found) {
-    dual = dual_of(*found, type, false);
+    dual = dual_of(*found, type, false, options.interrupted);
+    const std::size_t wanted = result.faults_after - result.faults_after / least_progress;
+    futile = dual.num_faults() > std::max(wanted, many) ? futile + 1 : 0;
     next = std::move(found);
     last = next.get();
     if (dual.num_faults() >= result.faults_after) return;
@@ -211,7 +218,7 @@ std::unique_ptr<SurfaceDomain> make_room_for_thin_parts(std::unique_ptr<SurfaceD
     look_at(room.optimized(*last, options.iterations, Scope::global, true));
   if (!dual.type.ok() || fpo::interrupted(options.interrupted)) return best;
   auto polished = room.optimized(*best, options.polishing, options.scope);
-  if (dual_of(*polished, type, false).type.ok()) return polished;
+  if (dual_of(*polished, type, false, options.interrupted).type.ok()) return polished;
   return best;
 }
 

@@ -178,6 +178,14 @@ void AabbTree::overlapping(const Box3& box, std::vector<FacetId>& facets) const 
   }
 }
 
+bool AabbTree::is_nearer(const Vec3& x, double distance2, FacetId hint) const {
+  Closest best;
+  best.distance2 = distance2;
+  if (hint.valid()) improve(items_[slot_[hint]], x, best);
+  if (!(best.distance2 < distance2)) search(x, best);
+  return best.distance2 < distance2;
+}
+
 AabbTree::Closest AabbTree::closest(const Vec3& x, FacetId hint) const {
   Closest best;
   if (hint.valid()) improve(items_[slot_[hint]], x, best);

@@ -39,6 +39,9 @@ class AabbTree {
   /// cost only.
   Closest closest(const Vec3& x, FacetId hint = FacetId()) const;
 
+  /// Whether a point of the mesh is less than this far, squared: closest(x, hint).distance2 < distance2.
+  bool is_nearer(const Vec3& x, double distance2, FacetId hint = FacetId()) const;
+
   /// Adds the facets whose boxes meet this one, in no order. O(log F + their number) typically.
   void overlapping(const Box3& box, std::vector<FacetId>& facets) const;
 

@@ -10,6 +10,8 @@ namespace geom {
 /// A vertex of 4 to 12 neighbours that are near each other and all far from it: the nearest is more than 8
 /// times as far as half of them are, at most, from the median of their coordinates and from their other
 /// neighbours. Tips of cones have more neighbours, rods and horns nearer ones, stretched bodies longer edges.
+/// Where three more vertices are at the very same place, to which an exporter gave all that it had lost, 1.5
+/// times is enough, and neighbours that are there do not count.
 struct Spike {
   VertexId vertex;
   Vec3 base;  ///< that median

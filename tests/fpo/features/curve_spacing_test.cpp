@@ -31,6 +31,26 @@ TEST_CASE("curve spacing: a thin side is a narrow place, a corner and a thin bod
   CHECK(narrow_places(both, find_features(both), 0.2).empty());
 }
 
+TEST_CASE("curve spacing: a place is compared with the nearest curves only") {
+  // Fins side by side: each place is within a spacing of the edges of all others.
+  TriMesh fins = block(1, 0.001, 1);
+  for (int i = 1; i < 40; ++i) {
+    const double at = 0.004 * i;
+    fins = geom::joined(
+        fins, geom::mapped(block(1, 0.001, 1), [&](const Vec3& p) -> Vec3 { return p + Vec3(0, at, 0); }));
+  }
+  const std::vector<NarrowPlace> places = narrow_places(fins, find_features(fins), 0.5);
+  REQUIRE(!places.empty());
+  std::size_t of_one = 0, nearest = 0;
+  for (const NarrowPlace& place : places) {
+    of_one = place.nearest ? 1 : of_one + 1;
+    nearest += place.nearest;
+    REQUIRE(of_one <= 12);
+    if (place.nearest) CHECK(place.width < 0.01);
+  }
+  CHECK(nearest > 100);
+}
+
 TEST_CASE("curve spacing: a thread is not cut to pieces as short as it is wide") {
   const TriMesh thread = block(1, 1e-9, 1e-9);
   const double spacing = std::sqrt(thread.area() / 300);

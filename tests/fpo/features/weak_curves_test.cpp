@@ -56,15 +56,15 @@ TEST_CASE("weak curves: strengths are lengths in spacings times folds, whatever 
   for (const std::size_t parts : {1, 3}) {
     const TriMesh cube = geom::make_shape("cube", parts);
     const Features features = find_features(cube, automatic_features());
-    const std::vector<double> strengths = curve_strengths(cube, features, 0.25);
+    const std::vector<double> strengths = seen_curves(cube, features, 0.25).strengths;
     REQUIRE(strengths.size() == 12);
     for (const double s : strengths) CHECK(s == doctest::Approx(4));
   }
   // A border is no crease.
   const TriMesh square = geom::make_shape("square", 3);
   const Features border = find_features(square, automatic_features());
-  for (const double s : curve_strengths(square, border, 0.1)) CHECK(std::isinf(s));
-  CHECK(weakest_curves(square, border, 0.1, {.share = 0.5}).empty());
+  for (const double s : seen_curves(square, border, 0.1).strengths) CHECK(std::isinf(s));
+  CHECK(weakest_curves(seen_curves(square, border, 0.1), {.share = 0.5}).empty());
 }
 
 TEST_CASE("weak curves: the weakest first, and of two side by side only one") {
@@ -72,8 +72,9 @@ TEST_CASE("weak curves: the weakest first, and of two side by side only one") {
   REQUIRE(geom::topology(mesh).manifold());
   const Features all = find_features(mesh, automatic_features());
   const double spacing = 0.2;
-  const std::vector<double> strengths = curve_strengths(mesh, all, spacing);
-  const std::vector<std::size_t> weak = weakest_curves(mesh, all, spacing, {.share = 0.1});
+  const SeenCurves seen = seen_curves(mesh, all, spacing);
+  const std::vector<double>& strengths = seen.strengths;
+  const std::vector<std::size_t> weak = weakest_curves(seen, {.share = 0.1});
   REQUIRE(!weak.empty());
   double strongest_weak = 0;
   for (const std::size_t c : weak) {

@@ -84,3 +84,15 @@ TEST_CASE(
   begun.thin_parts.faults_before = 6;
   CHECK(is_hopeless(begun));
 }
+
+TEST_CASE("attempts: in ruins is what is at fault at more than every tenth sample when room was made") {
+  RemeshResult result = measured(false, 0, 0);
+  result.samples.resize(50);
+  result.thin_parts.faults_before = 40;
+  result.thin_parts.faults_after = 5;
+  CHECK(!is_in_ruins(result));
+  result.thin_parts.faults_after = 6;
+  CHECK(is_in_ruins(result));
+  result.type.bare_samples = 0;
+  CHECK(!is_in_ruins(result));
+}

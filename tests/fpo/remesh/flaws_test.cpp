@@ -1,12 +1,15 @@
 #include "fpo/remesh/flaws.h"
 
 #include <algorithm>
+#include <array>
 
 #include "doctest.h"
 #include "fpo/optimize.h"
+#include "fpo/remesh/dual.h"
 #include "fpo/remesh/fidelity.h"
 #include "fpo/surface/initial_samples.h"
 #include "geom/rng.h"
+#include "geom/shapes/shapes.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
@@ -16,6 +19,11 @@ namespace {
 SurfaceDomain flaws_domain_of(const geom::TriMesh& mesh, std::size_t n) {
   return SurfaceDomain(mesh, random_samples(mesh, n, 4));
 }
+
+struct Changes final : Follower<geom::RestrictedDual::Change> {
+  void follow(const geom::RestrictedDual::Change&) override { ++number; }
+  std::size_t number = 0;
+};
 
 }  // namespace
 
@@ -63,6 +71,41 @@ TEST_CASE(
       REQUIRE(worst.valid() == expected.valid());
       if (worst.valid()) CHECK(domain.dual().circle(worst).sites == domain.dual().circle(expected).sites);
     }
+  }
+}
+
+TEST_CASE("flaws: what is tried in vain leaves samples as they were, and fixed ones take no work") {
+  for (const std::size_t num_fixed : {std::size_t{0}, std::size_t{40}}) {
+    const geom::TriMesh mesh = geom::make_shape("torus", 12);
+    constexpr std::size_t n = 80;
+    SurfaceOptions fixed;
+    fixed.num_fixed = num_fixed;
+    SurfaceDomain domain(mesh, Sizing::uniform(hexagonal_spacing(mesh.area(), n)), random_samples(mesh, n, 4),
+                         fixed);
+    // No triangle is good enough, so that nothing helps.
+    Flaws flaws(domain, [](const geom::EmptyCircle&) { return 1.0; });
+    LocalResampling resampling(domain, {&flaws}, 0);
+    resampling.require_gain(1e9);
+    const std::vector<SurfaceSample> before = samples_of(domain);
+    const double penalty = flaws.penalty();
+    Changes changes;
+    domain.followers().add(changes);
+    for (std::size_t i = 0; i + 3 < n; ++i) {
+      const std::array<SiteId, 4> samples{SiteId(i), SiteId(i + 1), SiteId(i + 2), SiteId(i + 3)};
+      const std::size_t before_attempts = changes.number;
+      for (const double share : {1.0, 0.5}) CHECK(!resampling.attempt(samples, share));
+      if (i + 3 < num_fixed) CHECK(changes.number == before_attempts);
+    }
+    const std::vector<SurfaceSample> after = samples_of(domain);
+    for (std::size_t i = 0; i < n; ++i) {
+      REQUIRE(after[i].position == before[i].position);
+      REQUIRE(after[i].facet == before[i].facet);
+      REQUIRE(domain.weight_share(SiteId(i)) == 1);
+    }
+    domain.followers().remove(changes);
+    CHECK(changes.number > 0);
+    CHECK(flaws.penalty() == doctest::Approx(penalty));
+    domain.check();
   }
 }
 

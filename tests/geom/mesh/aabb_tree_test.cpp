@@ -144,6 +144,10 @@ TEST_CASE("aabb_tree: to the bit what trying all facets gives") {
         REQUIRE(found.point == expected.point);
         REQUIRE(found.barycentric == expected.barycentric);
       }
+      for (const double bound : {0.0, 0.5 * expected.distance2, expected.distance2, 2 * expected.distance2,
+                                 std::nextafter(expected.distance2, 1e300)})
+        for (const FacetId near : {FacetId(), hint})
+          REQUIRE(tree.is_nearer(x, bound, near) == (expected.distance2 < bound));
     }
   }
 }

@@ -49,3 +49,21 @@ TEST_CASE("spikes: outliers go back to the surface, and nothing else moves") {
   }
   CHECK(moved == out.size() + 2);
 }
+
+TEST_CASE("spikes: vertices that were all folded to one place go back") {
+  const TriMesh sphere = geom::make_shape("sphere", 10);
+  geom::Table<VertexId, Vec3> vertices = sphere.vertices();
+  const Vec3 place(0.3, 0.2, 0.9);
+  std::size_t folded = 0, far = 0;
+  for (std::size_t i = 5; i < vertices.size(); i += 25, ++folded) {
+    far += (vertices[VertexId(i)] - place).norm() > 0.6;
+    vertices[VertexId(i)] = place;
+  }
+  REQUIRE(far > folded / 2);
+  CHECK(geom::spikes(vertices, sphere.facets()).size() >= far);
+  geom::flatten_spikes(vertices, sphere.facets());
+  std::size_t out = 0;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    out += (vertices[VertexId(i)] - sphere.vertices()[VertexId(i)]).norm() > 0.6;
+  CHECK(out == 0);
+}
