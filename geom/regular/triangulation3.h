@@ -37,7 +37,7 @@ struct Triangulation3 {
   };
 
   /// The guards about the box and their triangulation. Throws InputError (Regular3).
-  explicit Triangulation3(const Box3& box);
+  explicit Triangulation3(const Box3& around);
 
   static std::size_t slot(SiteId id) {
     return static_cast<std::size_t>(std::int64_t{id.value} + 1 + guard_count);

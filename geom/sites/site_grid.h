@@ -22,8 +22,8 @@ class SiteGrid {
   void insert(SiteId s, const Vec3& position);
   void remove(SiteId s, const Vec3& position);
   void move(SiteId s, const Vec3& from, const Vec3& to);
-  /// Appends all sites within that distance of x, and a few more.
-  void near(const Vec3& x, double distance, std::vector<SiteId>& out) const;
+  /// Appends all sites within that distance of the center, and a few more.
+  void near(const Vec3& center, double distance, std::vector<SiteId>& out) const;
   /// Is a search of that radius a matter of a few cells?
   bool is_short(double distance) const { return distance * inverse_ < 2.5; }
 

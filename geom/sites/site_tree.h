@@ -35,9 +35,9 @@ class SiteTree final : public NeighbourOracle {
   bool contains(SiteId id) const { return id.index() < places_.size() && places_[id].node.valid(); }
   void rivals(SiteId p, std::vector<SiteId>& out) const override;
   /// Of a site that is not in, or was elsewhere.
-  void rivals(const WeightedPoint3& p, std::vector<SiteId>& out) const;
+  void rivals(const WeightedPoint3& own, std::vector<SiteId>& out) const;
   /// Those of them whose reach is more.
-  void rivals_beyond(double reach, const WeightedPoint3& p, std::vector<SiteId>& out) const;
+  void rivals_beyond(double least, const WeightedPoint3& own, std::vector<SiteId>& out) const;
   void heirs(const Vacancy& vacancy, std::vector<SiteId>& out) const override;
   void set_reach(SiteId j, double max_radius2) override;
   Nearest nearest(const Location3& x, SiteId without, SiteId hint = SiteId()) const override;
