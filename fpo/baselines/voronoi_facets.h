@@ -10,7 +10,7 @@
 #include "fpo/surface/surface_sample.h"
 #include "geom/parallel.h"
 #include "geom/power/facet_cells.h"
-#include "geom/sites/site_tree.h"
+#include "geom/sites/point_tree.h"
 
 namespace fpo {
 
@@ -31,12 +31,13 @@ class VoronoiFacets {
   /// fragments).
   template <class Piece, class Visit>
   std::vector<std::vector<Piece>> pieces(const std::vector<SurfaceSample>& samples, const Visit& visit) {
-    geom::SiteTree tree;
     sites_.clear();
+    positions_.clear();
     for (const SurfaceSample& x : samples) {
-      tree.insert(sites_.next_id(), {x.position, 0});
       sites_.push_back({x.position, 0});
+      positions_.push_back(x.position);
     }
+    const geom::PointTree tree(positions_);
     const std::size_t lanes = static_cast<std::size_t>(threads_), facets = facets_.size();
     std::vector<std::vector<Piece>> result(lanes);
     geom::parallel_ranges(lanes, 1, threads_, [&](std::size_t i, std::size_t) {
@@ -52,6 +53,7 @@ class VoronoiFacets {
   int threads_;
   std::vector<geom::FacetId> facets_;  ///< along a curve
   Sites sites_;
+  std::vector<geom::Vec3> positions_;  ///< of the sites
   geom::Clipper clipper_;
 };
 

@@ -40,7 +40,7 @@ double middle_level(const TriMesh& mesh, FacetId t) {
 }  // namespace
 
 FacetCells::FacetCells(const TriMesh& mesh, const Clipper::Sites& sites, const Clipper& clipper,
-                       const NeighbourOracle& search)
+                       const NearSites& search)
     : mesh_(mesh),
       sites_(sites),
       clipper_(clipper),
@@ -139,12 +139,15 @@ bool FacetCells::clip(FacetPolygon& polygon, const Surroundings& around, double&
     security = own + (around.heaviest == weight ? own : distance_at(bound, around.heaviest));
   };
   measure();
+  bool is_measured = true;
   for (const Near& j : around.sites) {
     if (j.distance > security) break;
     const Clip outcome = clipper_.clip(polygon, j.site, j.bisector);
     if (outcome == Clip::swallowed) return false;
-    if (outcome == Clip::cut) measure();
+    if (outcome == Clip::untouched && !is_measured) measure();  // perhaps that was the last one that matters
+    is_measured = outcome == Clip::untouched;
   }
+  if (!is_measured) measure();
   return true;
 }
 

@@ -22,9 +22,9 @@ namespace geom {
 class FacetCells {
  public:
   /// Keeps references, and a copy of the clipper. `search` must hold all sites, and answer any question of
-  /// the whole space, from several threads: a SiteTree.
+  /// the whole space, from several threads: a SiteTree or a PointTree.
   FacetCells(const TriMesh& mesh, const Clipper::Sites& sites, const Clipper& clipper,
-             const NeighbourOracle& search);
+             const NearSites& search);
 
   /// All fragments on the facet, the same, to the bit, as insertion of the sites one by one leads to. Corners
   /// begin with the smallest label. Expected cost: the number of fragments, times the logarithm of that of
@@ -59,7 +59,7 @@ class FacetCells {
   const TriMesh& mesh_;
   const Clipper::Sites& sites_;
   Clipper clipper_;
-  const NeighbourOracle& search_;
+  const NearSites& search_;
   std::vector<Surroundings> known_;  ///< of site s in place s mod size, if of s at all
   SiteId last_;                      ///< nearest to the facet before
   double likely_radius_ = 0;         ///< how far the next fragment will reach from its owner

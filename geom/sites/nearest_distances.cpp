@@ -3,13 +3,12 @@
 #include <cmath>
 
 #include "geom/parallel.h"
-#include "geom/sites/site_tree.h"
+#include "geom/sites/point_tree.h"
 
 namespace geom {
 
 std::vector<double> nearest_distances(std::span<const Vec3> points, std::size_t first, int threads) {
-  SiteTree tree;
-  for (std::size_t i = 0; i < points.size(); ++i) tree.insert(SiteId(i), {points[i], 0});
+  const PointTree tree(points);
   std::vector<double> distances(points.size() - first);
   parallel_ranges(distances.size(), 1024, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)

@@ -22,22 +22,13 @@ struct Vacancy {
   double max_radius2;  ///< and has at most this power to the nearest remaining site
 };
 
-class NeighbourOracle {
+/// Who is near, among sites that may stay as they are.
+class NearSites {
  public:
-  virtual ~NeighbourOracle() = default;
+  virtual ~NearSites() = default;
 
-  /// `hint`: a site nearby, or none.
-  virtual void insert(SiteId id, const WeightedPoint3& point, SiteId hint) = 0;
-  virtual void remove(SiteId id) = 0;
-
-  /// Appends every site (but p) of which the cell may lose something to p, which was just inserted.
-  virtual void rivals(SiteId p, std::vector<SiteId>& out) const = 0;
   /// Appends every site that may own a part of the cell of the site that was just removed.
   virtual void heirs(const Vacancy& vacancy, std::vector<SiteId>& out) const = 0;
-
-  /// The largest power of a location in the cell of j to j; -infinity if the cell is empty. To be said after
-  /// each change of the cell and before the next rivals().
-  virtual void set_reach(SiteId j, double max_radius2) = 0;
 
   /// The site nearest to the location x in power, `without` left out, to the bit what trying all sites gives:
   /// of those with the same rounded power the one of smallest id.
@@ -47,6 +38,21 @@ class NeighbourOracle {
   };
   /// `hint`: a site nearby (it may be `without` if that is present), or none.
   virtual Nearest nearest(const Location3& x, SiteId without, SiteId hint) const = 0;
+};
+
+/// The same of sites that come and go.
+class NeighbourOracle : public NearSites {
+ public:
+  /// `hint`: a site nearby, or none.
+  virtual void insert(SiteId id, const WeightedPoint3& point, SiteId hint) = 0;
+  virtual void remove(SiteId id) = 0;
+
+  /// Appends every site (but p) of which the cell may lose something to p, which was just inserted.
+  virtual void rivals(SiteId p, std::vector<SiteId>& out) const = 0;
+
+  /// The largest power of a location in the cell of j to j; -infinity if the cell is empty. To be said after
+  /// each change of the cell and before the next rivals().
+  virtual void set_reach(SiteId j, double max_radius2) = 0;
 };
 
 }  // namespace geom

@@ -8,6 +8,7 @@
 #include "geom/mesh/scaling.h"
 #include "geom/power/restricted_power.h"
 #include "geom/rng.h"
+#include "geom/sites/point_tree.h"
 #include "geom/sites/site_tree.h"
 #include "tests/fixtures/surfaces.h"
 #include "tests/oracle/restricted_power_oracle.h"
@@ -164,6 +165,23 @@ TEST_CASE("facet cells: the answer does not depend on the facets before") {
       CHECK(facet_cells_same(facet_cells_divided(cells, FacetId(t)), facet_cells_divided(fresh, FacetId(t))));
     }
   }
+}
+
+TEST_CASE("facet cells: the answer does not depend on who finds the sites") {
+  for (const fixtures::NamedSurface& surface : fixtures::surfaces())
+    for (const std::size_t n : {1u, 9u, 200u}) {
+      CAPTURE(surface.name);
+      CAPTURE(n);
+      const Sites sites = samples_with_weights(surface.mesh, n, 0);
+      std::vector<Vec3> positions;
+      for (const SiteId s : sites.present) positions.push_back(sites.table[s].position);
+      const PointTree tree(positions);
+      const Clipper clipper(surface.mesh, sites.table, extent_of(surface.mesh));
+      FacetCells cells(surface.mesh, sites.table, clipper, sites.tree);
+      FacetCells others(surface.mesh, sites.table, clipper, tree);
+      for (FacetId t(0); t.index() < surface.mesh.num_facets(); t = FacetId(t.value + 1))
+        CHECK(facet_cells_same(facet_cells_divided(cells, t), facet_cells_divided(others, t)));
+    }
 }
 
 TEST_CASE("facet cells: degenerate are facets whose corners lie on one line exactly") {
