@@ -160,9 +160,11 @@ TEST_CASE("restricted dual: built by any number of threads, it has the same ids"
     }
     for (const SiteId p : by_one.present())
       CHECK(by_many.dual().reach_bound(p) == by_one.dual().reach_bound(p));
+    CHECK(by_many.dual().known_cell(SiteId(0)).shape == CellShape::unknown);
     by_many.dual().certify();
     by_one.dual().certify();
     CHECK(by_many.dual().num_irregular() == by_one.dual().num_irregular());
+    CHECK(by_many.dual().known_cell(SiteId(0)).shape != CellShape::unknown);
   }
 }
 
