@@ -14,6 +14,7 @@
 #include "fpo/surface/initial_samples.h"
 #include "fpo/surface/surface_domain.h"
 #include "geom/check.h"
+#include "tests/fixtures/sizings.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
@@ -21,14 +22,6 @@ using geom::TriMesh;
 using geom::Vec3;
 
 namespace {
-
-Sizing poisson_disks_sizing_of(const TriMesh& mesh, std::size_t n, bool adaptive) {
-  if (!adaptive) return Sizing::uniform(hexagonal_spacing(mesh.area(), n));
-  VertexField rho;
-  for (const Vec3& p : mesh.vertices())
-    rho.push_back(1 + 2 * (p - mesh.box().min()).norm() / mesh.diagonal());
-  return fit_sizing(mesh, rho, n, {.gradation = 0.3});
-}
 
 /// At most so many are tried.
 OptimizeOptions radii(int most) {
@@ -70,7 +63,7 @@ TEST_CASE("mps: disks keep their distance and cover every surface, borders and t
         CAPTURE(name);
         CAPTURE(adaptive);
         CAPTURE(n);
-        const Sizing sizing = poisson_disks_sizing_of(mesh, n, adaptive);
+        const Sizing sizing = fixtures::even_or_graded(mesh, n, adaptive);
         const BaselineResult result = maximal_poisson_disks({mesh, sizing, {}, n, 5, 1}, radii(2));
         check_distances(result, sizing, 0);
         CHECK(largest_gap(mesh, sizing, result) <= 1e-12 * mesh.area());
@@ -86,7 +79,7 @@ TEST_CASE("cps: the samples are those that elimination in a list leaves") {
   for (const auto& [name, mesh] : fixtures::surfaces())
     for (const bool adaptive : {false, true}) {
       CAPTURE(name);
-      const Sizing sizing = poisson_disks_sizing_of(mesh, 60, adaptive);
+      const Sizing sizing = fixtures::even_or_graded(mesh, 60, adaptive);
       const BaselineResult result = constrained_poisson_disks({mesh, sizing, {}, 60, 3, 1}, radii(3));
       check_distances(result, sizing, 0);
       std::vector<SurfaceSample> left = random_samples(mesh, sizing, 15 * 60, 3);
@@ -107,7 +100,7 @@ TEST_CASE("hps: disks keep their distance and cover every surface, borders and t
     for (const bool adaptive : {false, true}) {
       CAPTURE(name);
       CAPTURE(adaptive);
-      const Sizing sizing = poisson_disks_sizing_of(mesh, 120, adaptive);
+      const Sizing sizing = fixtures::even_or_graded(mesh, 120, adaptive);
       const BaselineResult result = hierarchical_poisson_disks({mesh, sizing, {}, 120, 5, 1}, radii(2));
       check_distances(result, sizing, 0);
       CHECK(result.reached.front().value == 0);  // triangles that were given up
@@ -120,7 +113,7 @@ TEST_CASE("pps: disks keep their distance, and no candidate is left free, with a
     for (const bool adaptive : {false, true}) {
       CAPTURE(name);
       CAPTURE(adaptive);
-      const Sizing sizing = poisson_disks_sizing_of(mesh, 60, adaptive);
+      const Sizing sizing = fixtures::even_or_graded(mesh, 60, adaptive);
       const auto run = [&](int threads) {
         return parallel_poisson_disks({mesh, sizing, {}, 60, 3, threads}, radii(2));
       };
@@ -142,7 +135,7 @@ TEST_CASE("poisson disks: about the number wanted; fixed samples come first; one
   constexpr std::size_t n = 200;
   for (const auto method : all_methods)
     for (const bool adaptive : {false, true}) {
-      const Sizing sizing = poisson_disks_sizing_of(mesh, n, adaptive);
+      const Sizing sizing = fixtures::even_or_graded(mesh, n, adaptive);
       const auto fixed = random_samples(mesh, sizing, 5, 77);
       const auto run = [&](std::uint64_t seed) {
         return method({mesh, sizing, fixed, n, seed, 1}, radii(8));
@@ -163,7 +156,7 @@ TEST_CASE("poisson disks: about the number wanted; fixed samples come first; one
 
 TEST_CASE("poisson disks: interrupted in the first set of disks, there is no result") {
   const TriMesh mesh = fixtures::blob(8);
-  const Sizing sizing = poisson_disks_sizing_of(mesh, 500, false);
+  const Sizing sizing = fixtures::even_or_graded(mesh, 500, false);
   for (const auto method : all_methods) {
     std::atomic<bool> stop = true;
     OptimizeOptions options;

@@ -10,6 +10,7 @@
 #include "fpo/surface/initial_samples.h"
 #include "geom/rng.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/sizings.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
@@ -80,8 +81,7 @@ TEST_CASE("flaws: what is tried in vain leaves samples as they were, and fixed o
     constexpr std::size_t n = 80;
     SurfaceOptions fixed;
     fixed.num_fixed = num_fixed;
-    SurfaceDomain domain(mesh, Sizing::uniform(hexagonal_spacing(mesh.area(), n)), random_samples(mesh, n, 4),
-                         fixed);
+    SurfaceDomain domain(mesh, fixtures::even(mesh, n), random_samples(mesh, n, 4), fixed);
     // No triangle is good enough, so that nothing helps.
     Flaws flaws(domain, [](const geom::EmptyCircle&) { return 1.0; });
     LocalResampling resampling(domain, {&flaws}, 0);

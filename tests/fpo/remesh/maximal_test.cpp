@@ -8,6 +8,7 @@
 #include "fpo/measure/covering.h"
 #include "fpo/optimize.h"
 #include "fpo/surface/surface_domain.h"
+#include "tests/fixtures/sizings.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
@@ -16,14 +17,6 @@ using geom::TriMesh;
 using geom::Vec3;
 
 namespace {
-
-Sizing sizing_of(const TriMesh& mesh, std::size_t n, bool adaptive) {
-  if (!adaptive) return Sizing::uniform(hexagonal_spacing(mesh.area(), n));
-  VertexField rho;
-  for (const Vec3& p : mesh.vertices())
-    rho.push_back(1 + 2 * (p - mesh.box().min()).norm() / mesh.diagonal());
-  return fit_sizing(mesh, rho, n, {.gradation = 0.3});
-}
 
 /// After some iterations of farthest point optimization with the local search.
 std::vector<SurfaceSample> optimized(const TriMesh& mesh, const Sizing& sizing, std::size_t n) {
@@ -53,7 +46,7 @@ TEST_CASE("maximal: by brute force the disks cover the surface, and the least sp
       CAPTURE(name);
       CAPTURE(adaptive);
       constexpr std::size_t n = 150;
-      const Sizing sizing = sizing_of(mesh, n, adaptive);
+      const Sizing sizing = fixtures::even_or_graded(mesh, n, adaptive);
       std::vector<SurfaceSample> samples = optimized(mesh, sizing, n);
       const double least_before = least_spacing(samples, sizing);
       CHECK(make_maximal(mesh, sizing, samples).maximal);
@@ -76,7 +69,7 @@ TEST_CASE("maximal: by brute force the disks cover the surface, and the least sp
 
 TEST_CASE("maximal: a maximal set stays as it is; fixed samples stay; interrupted, nothing is lost") {
   const TriMesh mesh = fixtures::blob(8);
-  const Sizing sizing = sizing_of(mesh, 200, true);
+  const Sizing sizing = fixtures::even_or_graded(mesh, 200, true);
   std::vector<SurfaceSample> samples = optimized(mesh, sizing, 200);
   const std::vector<SurfaceSample> before = samples;
   std::atomic<bool> stop = true;

@@ -60,8 +60,7 @@ TEST_CASE("surface domain: the largest empty circle is that of brute force, and 
     CAPTURE(name);
     for (const bool adaptive : {false, true}) {
       for (const geom::CornerTypes corners : {geom::CornerTypes::c_only, geom::CornerTypes::all}) {
-        const Sizing sizing = adaptive ? fixtures::graded(mesh, 0.08, 0.2)
-                                       : Sizing::uniform(hexagonal_spacing(mesh.area(), 25));
+        const Sizing sizing = adaptive ? fixtures::graded(mesh, 0.08, 0.2) : fixtures::even(mesh, 25);
         SurfaceOptions options;
         options.corners = corners;
         options.engine = adaptive ? Engine::triangulation : Engine::search;
@@ -234,8 +233,7 @@ TEST_CASE("surface domain: a move at once ends where the steps of Algorithm 1 do
           CAPTURE(adaptive);
           CAPTURE(offers_half);
           constexpr std::size_t n = 60;
-          const Sizing sizing = adaptive ? fixtures::graded(mesh, 0.08, 0.2)
-                                         : Sizing::uniform(hexagonal_spacing(mesh.area(), n));
+          const Sizing sizing = adaptive ? fixtures::graded(mesh, 0.08, 0.2) : fixtures::even(mesh, n);
           SurfaceOptions options;
           options.engine = adaptive ? Engine::triangulation : Engine::search;
           TestGuard guard;
@@ -263,7 +261,7 @@ TEST_CASE("surface domain: what a guard forbids is as if it had not been tried")
       constexpr std::size_t n = 40;
       SurfaceOptions options;
       options.corners = corners;
-      const Sizing sizing = Sizing::uniform(hexagonal_spacing(mesh.area(), n));
+      const Sizing sizing = fixtures::even(mesh, n);
       const auto samples = random_samples(mesh, n, 3);
       TestGuard guard;
       SurfaceDomain domain(mesh, sizing, samples, options, &guard), free(mesh, sizing, samples, options);
@@ -295,7 +293,7 @@ TEST_CASE("surface domain: what a guard forbids is as if it had not been tried")
 TEST_CASE("surface domain: a local move at once among many components") {
   const TriMesh mesh = fixtures::islands();
   constexpr std::size_t n = 21;
-  const Sizing sizing = Sizing::uniform(hexagonal_spacing(mesh.area(), n));
+  const Sizing sizing = fixtures::even(mesh, n);
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
     CAPTURE(seed);
     const auto samples = random_samples(mesh, sizing, n, seed);

@@ -9,7 +9,7 @@
 #include "fpo/surface/initial_samples.h"
 #include "fpo/tiles/tile_domain.h"
 #include "geom/mesh/aabb_tree.h"
-#include "geom/power/facet_cells.h"
+#include "tests/fixtures/sheet_scene.h"
 #include "tests/fixtures/sizings.h"
 #include "tests/fixtures/surfaces.h"
 
@@ -62,15 +62,12 @@ class Afresh {
  public:
   /// `before`: the tiles that told it; none if the whole surface did. Keeps references.
   Afresh(const geom::TriMesh& mesh, const Sizing& sizing, const Told& told, std::span<const Tile> before)
-      : mesh_(mesh),
+      : surface_(mesh),
         told_(told),
         domain_(mesh, sizing, told.samples),
         diagram_(domain_.diagram()),
         no_disk_(told.samples.size(), false),
-        teller_(told.samples.size(), nullptr),
-        facets_(mesh, geom::facets_along_curve(mesh)),
-        levels_(mesh),
-        sheets_(mesh, facets_, levels_) {
+        teller_(told.samples.size(), nullptr) {
     for (const CellFault& fault : cell_faults(*diagram_, {}))
       if (!fault.other.valid()) no_disk_[fault.cell.index()] = true;
     for (const Tile& tile : before)
@@ -119,22 +116,19 @@ class Afresh {
     if (!(sheet.width > 0)) return;
     ++count_.sheets;
     const double radius = (1 - 1e-6) * std::hypot(sheet.width, sheet.height);
-    CHECK(sheets_.sheet_in({sheet.center, 0}, radius).width > 0);
+    CHECK(surface_.sheets.sheet_in({sheet.center, 0}, radius).width > 0);
     std::vector<geom::FacetId> near;
-    facets_.near(sheet.center, radius, near);
+    surface_.facets.near(sheet.center, radius, near);
     for (const geom::FacetId t : near)
-      if (is_within(mesh_, t, sheet.center, radius)) CHECK(is_seen(t));
+      if (is_within(surface_.mesh, t, sheet.center, radius)) CHECK(is_seen(t));
   }
 
-  const geom::TriMesh& mesh_;
+  fixtures::SheetScene surface_;
   const Told& told_;
   SurfaceDomain domain_;
   std::unique_ptr<geom::RestrictedPower> diagram_;
   std::vector<bool> no_disk_;        ///< whose cell is none
   std::vector<const Tile*> teller_;  ///< whose tile each sample was in
-  geom::FacetTree facets_;
-  geom::FacetLevels levels_;
-  geom::Sheets sheets_;
   Count count_;
 };
 
@@ -157,10 +151,6 @@ std::vector<Tile> halves(const geom::TriMesh& mesh, std::span<const SurfaceSampl
   return tiles;
 }
 
-Sizing even(const geom::TriMesh& mesh, std::size_t n) {
-  return Sizing::uniform(hexagonal_spacing(mesh.area(), n));
-}
-
 /// Of these samples, some sweeps.
 template <class Domain, class Move>
 void check_same_moves(Domain& a, Domain& b, std::span<const SiteId> samples, Move move) {
@@ -176,7 +166,7 @@ TEST_CASE("known cells: what tiles tell is so on the whole surface, after moves 
   for (const bool adaptive : {false, true}) {
     CAPTURE(adaptive);
     constexpr std::size_t n = 1500;
-    const Sizing sizing = adaptive ? fixtures::graded(mesh, 0.02, 0.02) : even(mesh, n);
+    const Sizing sizing = adaptive ? fixtures::graded(mesh, 0.02, 0.02) : fixtures::even(mesh, n);
     const SurfaceOptions options;
     auto samples = random_samples(mesh, sizing, n, 2);
     const TiledSurface whole(mesh, sizing, samples, options, make_tiles(mesh, samples, {500, 3}));
@@ -196,8 +186,8 @@ TEST_CASE("known cells: what the whole surface tells is so, for itself and for t
   // On the thin plate samples own something on both sides.
   const geom::TriMesh plate = fixtures::box({1, 1, 0.02}, 8);
   for (const auto& [mesh, sizing] :
-       {std::pair(&blob, even(blob, n)), std::pair(&blob, fixtures::graded(blob, 0.03, 0.03)),
-        std::pair(&plate, even(plate, n))}) {
+       {std::pair(&blob, fixtures::even(blob, n)), std::pair(&blob, fixtures::graded(blob, 0.03, 0.03)),
+        std::pair(&plate, fixtures::even(plate, n))}) {
     CAPTURE(mesh->num_facets());
     const Told told = by_whole(*mesh, sizing, random_samples(*mesh, sizing, n, 2), 2);
     Afresh afresh(*mesh, sizing, told, {});
@@ -218,8 +208,8 @@ TEST_CASE("known cells: who is told of cells makes the moves that are made by wh
   const SurfaceOptions options;
   for (const auto& [mesh, sizing, n] :
        {std::tuple(&blob, fixtures::graded(blob, 0.03, 0.04), std::size_t(900)),
-        std::tuple(&plate, even(plate, 900), std::size_t(900)),
-        std::tuple(&islands, even(islands, 60), std::size_t(60))}) {
+        std::tuple(&plate, fixtures::even(plate, 900), std::size_t(900)),
+        std::tuple(&islands, fixtures::even(islands, 60), std::size_t(60))}) {
     CAPTURE(mesh->num_facets());
     const auto samples = random_samples(*mesh, sizing, n, 2);
     const TiledSurface first(*mesh, sizing, samples, options, make_tiles(*mesh, samples, {n / 3, 3}));
@@ -254,7 +244,7 @@ TEST_CASE("known cells: nobody is told of a cell that may go on where the tile e
   for (const double thickness : {0.02, 1.0}) {
     CAPTURE(thickness);
     const geom::TriMesh mesh = fixtures::box({1, 1, thickness}, 8);
-    const Sizing sizing = even(mesh, n);
+    const Sizing sizing = fixtures::even(mesh, n);
     const SurfaceOptions options;
     auto samples = random_samples(mesh, sizing, n, 2);
     const auto tiles = halves(mesh, samples, 0.5 * thickness + mesh.box().min().z());

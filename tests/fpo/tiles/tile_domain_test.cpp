@@ -107,8 +107,7 @@ TEST_CASE("tile domain: the moves of all tiles are moves on the whole surface, i
         options.corners = combination % 3 == 0 ? geom::CornerTypes::all : geom::CornerTypes::c_only;
         options.engine = combination % 4 == 0 ? Engine::triangulation : Engine::search;
         options.num_fixed = 20;
-        const Sizing sizing = adaptive ? fixtures::graded(mesh, 0.03, 0.04)
-                                       : Sizing::uniform(hexagonal_spacing(mesh.area(), n));
+        const Sizing sizing = adaptive ? fixtures::graded(mesh, 0.03, 0.04) : fixtures::even(mesh, n);
         const auto samples = random_samples(mesh, sizing, n, 2);
         const TiledSurface whole(mesh, sizing, samples, options, make_tiles(mesh, samples, {250, 3}));
         std::vector<std::vector<Move>> tiles;

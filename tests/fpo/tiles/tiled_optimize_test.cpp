@@ -6,6 +6,7 @@
 #include "doctest.h"
 #include "fpo/surface/initial_samples.h"
 #include "fpo/surface/split_facets.h"
+#include "tests/fixtures/same_samples.h"
 #include "tests/fixtures/sizings.h"
 #include "tests/fixtures/surfaces.h"
 
@@ -18,11 +19,7 @@ struct Run {
   std::vector<SurfaceSample> samples;
   OptimizeResult result;
   std::vector<IterationReport> reports;
-  bool operator==(const Run& other) const {
-    return std::ranges::equal(samples, other.samples, [](const SurfaceSample& a, const SurfaceSample& b) {
-      return a.position == b.position && a.facet == b.facet;
-    });
-  }
+  bool operator==(const Run& other) const { return fixtures::same(samples, other.samples); }
 };
 
 Run run(const SurfaceTask& task, const TileOptions& tiles, OptimizeOptions options) {
@@ -38,8 +35,7 @@ Run run(const SurfaceTask& task, const TileOptions& tiles, OptimizeOptions optio
 TEST_CASE("tiled optimization: any number of threads gives the same samples, each moved once an iteration") {
   const TriMesh mesh = fixtures::blob(9);
   for (const bool adaptive : {false, true}) {
-    const Sizing sizing =
-        adaptive ? fixtures::graded(mesh, 0.03, 0.04) : Sizing::uniform(hexagonal_spacing(mesh.area(), 900));
+    const Sizing sizing = adaptive ? fixtures::graded(mesh, 0.03, 0.04) : fixtures::even(mesh, 900);
     SurfaceOptions surface;
     surface.num_fixed = 30;
     const SurfaceTask task{mesh, sizing, random_samples(mesh, sizing, 900, 3), surface};
@@ -69,7 +65,7 @@ TEST_CASE(
     "too") {
   const TriMesh mesh = fixtures::blob(9);
   constexpr std::size_t n = 600;
-  const Sizing sizing = Sizing::uniform(hexagonal_spacing(mesh.area(), n));
+  const Sizing sizing = fixtures::even(mesh, n);
   SurfaceOptions surface;
   surface.num_fixed = 20;
   const SurfaceTask task{mesh, sizing, random_samples(mesh, n, 3), surface};
@@ -122,7 +118,7 @@ TEST_CASE(
 TEST_CASE("tiled optimization: as good as on the whole surface") {
   const TriMesh mesh = fixtures::blob(9);
   constexpr std::size_t n = 1200;
-  const Sizing sizing = Sizing::uniform(hexagonal_spacing(mesh.area(), n));
+  const Sizing sizing = fixtures::even(mesh, n);
   const SurfaceOptions surface;
   const auto samples = random_samples(mesh, n, 3);
   for (const Scope scope : {Scope::global, Scope::two_ring}) {
@@ -141,7 +137,7 @@ TEST_CASE("tiled optimization: as good as on the whole surface") {
 
 TEST_CASE("tiled optimization: an interruption leaves the moves done, and stops at once") {
   const TriMesh mesh = fixtures::blob(6);
-  const Sizing sizing = Sizing::uniform(hexagonal_spacing(mesh.area(), 400));
+  const Sizing sizing = fixtures::even(mesh, 400);
   const SurfaceOptions surface;
   const SurfaceTask task{mesh, sizing, random_samples(mesh, 400, 3), surface};
   std::atomic<bool> stop = false;
@@ -152,8 +148,7 @@ TEST_CASE("tiled optimization: an interruption leaves the moves done, and stops 
   CHECK(interrupted.result.reason == StopReason::interrupted);
   CHECK(interrupted.result.moves >= 151);
   CHECK(interrupted.result.moves <= 153);
-  const auto same = [](const SurfaceSample& a, const SurfaceSample& b) { return a.position == b.position; };
-  CHECK_FALSE(std::ranges::equal(interrupted.samples, task.samples, same));
+  CHECK_FALSE(fixtures::same(interrupted.samples, task.samples));
 }
 
 // What is known of the cells comes from the last round, but not if its facets were others; and when a run is
@@ -170,7 +165,7 @@ TEST_CASE("tiled optimization: the last domain is that of the samples, and knows
                         Case{fixtures::box({1, 1, 1}, 1), Scope::global, true},
                         Case{fixtures::blob(9), Scope::two_ring, false, true}}) {
     CAPTURE(c.mesh.num_facets());
-    const Sizing sizing = Sizing::uniform(hexagonal_spacing(c.mesh.area(), n));
+    const Sizing sizing = fixtures::even(c.mesh, n);
     REQUIRE(has_long_edges(c.mesh, sizing, 4) == c.facets_are_large);
     const SurfaceOptions surface;
     const SurfaceTask task{c.mesh, sizing, random_samples(c.mesh, n, 3), surface};
