@@ -53,16 +53,18 @@ TEST_CASE("bad input: no file, a folder, an empty file, no or an unknown extensi
 TEST_CASE("bad input: a damaged file is read or refused with one line that names it, nothing else") {
   const ScratchFolder folder;
   const auto tetrahedron = fixtures::tetrahedron();
-  const struct {
+  struct Sample {
     std::string name, bytes;
-  } samples[] = {{"t.obj", text_obj},
-                 {"t.off", text_off},
-                 {"t.ply", text_ply},
-                 {"t.stl", text_stl},
-                 {"b.ply", io::to_ply(tetrahedron)},
-                 {"b.stl", io::to_stl(tetrahedron)}};
+  };
+  const Sample samples[] = {{"t.obj", text_obj},
+                            {"t.off", text_off},
+                            {"t.ply", text_ply},
+                            {"t.stl", text_stl},
+                            {"b.ply", io::to_ply(tetrahedron)},
+                            {"b.stl", io::to_stl(tetrahedron)}};
   geom::Rng rng(2014);
-  for (const auto& [name, bytes] : samples) {
+  for (const Sample& sample : samples) {
+    const std::string &name = sample.name, &bytes = sample.bytes;
     CAPTURE(name);
     REQUIRE(complaint([&] { io::read_mesh(folder.write(name, bytes)); }) == "");
     int refused = 0;

@@ -12,8 +12,9 @@ using geom::TriMesh;
 using geom::Vec3;
 
 TEST_CASE("capacities: masses and first moments are those of cell_moments.h; threads do not matter") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     const Sizing even = fixtures::even(mesh, 60),
                  varying = fixtures::graded(mesh, 0.1 / mesh.diagonal(), 0.2 / mesh.diagonal());
     for (const Sizing* sizing : {&even, &varying}) {

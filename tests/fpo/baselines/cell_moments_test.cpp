@@ -49,22 +49,22 @@ double energy(VoronoiMoments& moments, const std::vector<SurfaceSample>& samples
 }  // namespace
 
 TEST_CASE("cell moments: those of the diagram, few samples or many, twins too") {
-  for (const auto& [name, mesh] : fixtures::surfaces())
+  for (const auto& surface : fixtures::surfaces())
     for (const std::size_t n : {1, 2, 30, 400}) {
-      CAPTURE(name);
+      CAPTURE(surface.name);
       CAPTURE(n);
-      std::vector<SurfaceSample> samples = random_samples(mesh, n, 5);
+      std::vector<SurfaceSample> samples = random_samples(surface.mesh, n, 5);
       if (n == 30) samples[7] = samples[3];
-      const Sizing sizing = fixtures::even(mesh, n);
-      VoronoiMoments moments(mesh, sizing, 1, 2);
-      const auto expected = by_polygons(mesh, samples);
+      const Sizing sizing = fixtures::even(surface.mesh, n);
+      VoronoiMoments moments(surface.mesh, sizing, 1, 2);
+      const auto expected = by_polygons(surface.mesh, samples);
       const auto& found = moments.of(samples);
       REQUIRE(found.size() == n);
       for (std::size_t i = 0; i < n; ++i) {
         const CellMoments &a = found[SiteId(i)], &b = expected[SiteId(i)];
-        CHECK(a.mass == doctest::Approx(b.mass).epsilon(1e-9).scale(mesh.area()));
+        CHECK(a.mass == doctest::Approx(b.mass).epsilon(1e-9).scale(surface.mesh.area()));
         CHECK((a.first - b.first).norm() <= 1e-11);
-        CHECK(a.second == doctest::Approx(b.second).epsilon(1e-9).scale(mesh.area()));
+        CHECK(a.second == doctest::Approx(b.second).epsilon(1e-9).scale(surface.mesh.area()));
       }
     }
 }

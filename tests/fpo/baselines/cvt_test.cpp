@@ -41,8 +41,9 @@ TEST_CASE("cvt: the cvt_energy sinks from iteration to iteration, towards that o
 }
 
 TEST_CASE("cvt: samples are on the surface, as many as wanted; threads do not matter, seeds do") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     const Sizing sizing = fixtures::even(mesh, 80);
     fixtures::check_samples(centroidal_tessellation, mesh, sizing, 12);
   }

@@ -84,12 +84,12 @@ TEST_CASE("ccst: the triangles of the remesh become equal, and it says how equal
 }
 
 TEST_CASE("vbs, ccst: samples are on the surface, as many as wanted; threads do not matter, seeds do") {
-  for (const auto& [name, mesh] : fixtures::surfaces())
+  for (const auto& surface : fixtures::surfaces())
     for (const bool adaptive : {false, true})
       for (const auto method : both) {
-        CAPTURE(name);
-        const Sizing sizing = fixtures::even_or_graded(mesh, 80, adaptive);
-        fixtures::check_samples(method, mesh, sizing, 8);
+        CAPTURE(surface.name);
+        const Sizing sizing = fixtures::even_or_graded(surface.mesh, 80, adaptive);
+        fixtures::check_samples(method, surface.mesh, sizing, 8);
       }
 }
 

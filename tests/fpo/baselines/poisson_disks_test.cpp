@@ -57,18 +57,18 @@ double largest_gap(const TriMesh& mesh, const Sizing& sizing, const BaselineResu
 }  // namespace
 
 TEST_CASE("mps: disks keep their distance and cover every surface, borders and tips included") {
-  for (const auto& [name, mesh] : fixtures::surfaces())
+  for (const auto& surface : fixtures::surfaces())
     for (const bool adaptive : {false, true})
       for (const std::size_t n : {12, 250}) {
-        CAPTURE(name);
+        CAPTURE(surface.name);
         CAPTURE(adaptive);
         CAPTURE(n);
-        const Sizing sizing = fixtures::even_or_graded(mesh, n, adaptive);
-        const BaselineResult result = maximal_poisson_disks({mesh, sizing, {}, n, 5, 1}, radii(2));
+        const Sizing sizing = fixtures::even_or_graded(surface.mesh, n, adaptive);
+        const BaselineResult result = maximal_poisson_disks({surface.mesh, sizing, {}, n, 5, 1}, radii(2));
         check_distances(result, sizing, 0);
-        CHECK(largest_gap(mesh, sizing, result) <= 1e-12 * mesh.area());
+        CHECK(largest_gap(surface.mesh, sizing, result) <= 1e-12 * surface.mesh.area());
         // By brute force too.
-        for (const SurfaceSample& x : random_samples(mesh, 300, 9))
+        for (const SurfaceSample& x : random_samples(surface.mesh, 300, 9))
           CHECK(std::ranges::any_of(result.samples, [&](const SurfaceSample& y) {
             return (x.position - y.position).norm() <= result.radius_factor * sizing.at(y) * (1 + 1e-9);
           }));
@@ -76,13 +76,13 @@ TEST_CASE("mps: disks keep their distance and cover every surface, borders and t
 }
 
 TEST_CASE("cps: the samples are those that elimination in a list leaves") {
-  for (const auto& [name, mesh] : fixtures::surfaces())
+  for (const auto& surface : fixtures::surfaces())
     for (const bool adaptive : {false, true}) {
-      CAPTURE(name);
-      const Sizing sizing = fixtures::even_or_graded(mesh, 60, adaptive);
-      const BaselineResult result = constrained_poisson_disks({mesh, sizing, {}, 60, 3, 1}, radii(3));
+      CAPTURE(surface.name);
+      const Sizing sizing = fixtures::even_or_graded(surface.mesh, 60, adaptive);
+      const BaselineResult result = constrained_poisson_disks({surface.mesh, sizing, {}, 60, 3, 1}, radii(3));
       check_distances(result, sizing, 0);
-      std::vector<SurfaceSample> left = random_samples(mesh, sizing, 15 * 60, 3);
+      std::vector<SurfaceSample> left = random_samples(surface.mesh, sizing, 15 * 60, 3);
       for (const SurfaceSample& x : result.samples) {
         REQUIRE(!left.empty());
         CHECK(left.front().position == x.position);
@@ -96,31 +96,32 @@ TEST_CASE("cps: the samples are those that elimination in a list leaves") {
 }
 
 TEST_CASE("hps: disks keep their distance and cover every surface, borders and tips included") {
-  for (const auto& [name, mesh] : fixtures::surfaces())
+  for (const auto& surface : fixtures::surfaces())
     for (const bool adaptive : {false, true}) {
-      CAPTURE(name);
+      CAPTURE(surface.name);
       CAPTURE(adaptive);
-      const Sizing sizing = fixtures::even_or_graded(mesh, 120, adaptive);
-      const BaselineResult result = hierarchical_poisson_disks({mesh, sizing, {}, 120, 5, 1}, radii(2));
+      const Sizing sizing = fixtures::even_or_graded(surface.mesh, 120, adaptive);
+      const BaselineResult result =
+          hierarchical_poisson_disks({surface.mesh, sizing, {}, 120, 5, 1}, radii(2));
       check_distances(result, sizing, 0);
       CHECK(result.reached.front().value == 0);  // triangles that were given up
-      CHECK(largest_gap(mesh, sizing, result) <= 1e-9 * mesh.area());
+      CHECK(largest_gap(surface.mesh, sizing, result) <= 1e-9 * surface.mesh.area());
     }
 }
 
 TEST_CASE("pps: disks keep their distance, and no candidate is left free, with any number of threads") {
-  for (const auto& [name, mesh] : fixtures::surfaces())
+  for (const auto& surface : fixtures::surfaces())
     for (const bool adaptive : {false, true}) {
-      CAPTURE(name);
+      CAPTURE(surface.name);
       CAPTURE(adaptive);
-      const Sizing sizing = fixtures::even_or_graded(mesh, 60, adaptive);
+      const Sizing sizing = fixtures::even_or_graded(surface.mesh, 60, adaptive);
       const auto run = [&](int threads) {
-        return parallel_poisson_disks({mesh, sizing, {}, 60, 3, threads}, radii(2));
+        return parallel_poisson_disks({surface.mesh, sizing, {}, 60, 3, threads}, radii(2));
       };
       const BaselineResult result = run(1), other = run(3);
       check_distances(result, sizing, 0);
       const auto cloud =
-          random_samples(mesh, sizing, static_cast<std::size_t>(result.reached.front().value), 3);
+          random_samples(surface.mesh, sizing, static_cast<std::size_t>(result.reached.front().value), 3);
       for (std::size_t i = 0; i < cloud.size(); i += 7)
         CHECK(std::ranges::any_of(result.samples, [&](const SurfaceSample& y) {
           return (cloud[i].position - y.position).norm() <= result.radius_factor * sizing.at(y) * (1 + 1e-12);

@@ -31,8 +31,9 @@ struct Changes final : Follower<geom::RestrictedDual::Change> {
 TEST_CASE(
     "flaws: followed through removals, insertions and moves at once, they are those of the triangles and "
     "stars") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     constexpr std::size_t n = 80;
     SurfaceDomain domain = flaws_domain_of(mesh, n);
     const double wanted2 = mesh.area() / n / 2;

@@ -69,8 +69,9 @@ std::size_t triangles_between_sheets(const Cells& cells, const TriMesh& remesh) 
 }  // namespace
 
 TEST_CASE("localize: the components of a cell are its fragments, connected, the sample's own first") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     const Cells cells(mesh, 25, 12);
     const geom::FragmentStore& fragments = cells.diagram->fragments();
     for (std::size_t i = 0; i < 25; ++i) {

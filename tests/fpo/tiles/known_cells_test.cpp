@@ -151,6 +151,12 @@ std::vector<Tile> halves(const geom::TriMesh& mesh, std::span<const SurfaceSampl
   return tiles;
 }
 
+struct Case {
+  const geom::TriMesh& mesh;
+  Sizing sizing;
+  std::size_t n;  ///< samples
+};
+
 /// Of these samples, some sweeps.
 template <class Domain, class Move>
 void check_same_moves(Domain& a, Domain& b, std::span<const SiteId> samples, Move move) {
@@ -185,16 +191,16 @@ TEST_CASE("known cells: what the whole surface tells is so, for itself and for t
   const geom::TriMesh blob = fixtures::blob(9);
   // On the thin plate samples own something on both sides.
   const geom::TriMesh plate = fixtures::box({1, 1, 0.02}, 8);
-  for (const auto& [mesh, sizing] :
-       {std::pair(&blob, fixtures::even(blob, n)), std::pair(&blob, fixtures::graded(blob, 0.03, 0.03)),
-        std::pair(&plate, fixtures::even(plate, n))}) {
-    CAPTURE(mesh->num_facets());
-    const Told told = by_whole(*mesh, sizing, random_samples(*mesh, sizing, n, 2), 2);
-    Afresh afresh(*mesh, sizing, told, {});
-    CHECK((afresh.num_no_disk() > n / 4) == (mesh == &plate));
+  for (const Case& c : {Case{blob, fixtures::even(blob, n), n},
+                        {blob, fixtures::graded(blob, 0.03, 0.03), n},
+                        {plate, fixtures::even(plate, n), n}}) {
+    CAPTURE(c.mesh.num_facets());
+    const Told told = by_whole(c.mesh, c.sizing, random_samples(c.mesh, c.sizing, n, 2), 2);
+    Afresh afresh(c.mesh, c.sizing, told, {});
+    CHECK((afresh.num_no_disk() > n / 4) == (&c.mesh == &plate));
     const Count whole = afresh.check_whole();
-    const Count tiles = afresh.check_tiles(make_tiles(*mesh, told.samples, {200, 4}));
-    if (mesh == &plate) continue;
+    const Count tiles = afresh.check_tiles(make_tiles(c.mesh, told.samples, {200, 4}));
+    if (&c.mesh == &plate) continue;
     CHECK(whole.regular > n - n / 50);
     CHECK(whole.sheets > n / 2);
     CHECK(tiles.regular > n / 4);
@@ -206,17 +212,16 @@ TEST_CASE("known cells: who is told of cells makes the moves that are made by wh
   const geom::TriMesh blob = fixtures::blob(9), plate = fixtures::box({1, 1, 0.02}, 8),
                       islands = fixtures::islands();
   const SurfaceOptions options;
-  for (const auto& [mesh, sizing, n] :
-       {std::tuple(&blob, fixtures::graded(blob, 0.03, 0.04), std::size_t(900)),
-        std::tuple(&plate, fixtures::even(plate, 900), std::size_t(900)),
-        std::tuple(&islands, fixtures::even(islands, 60), std::size_t(60))}) {
-    CAPTURE(mesh->num_facets());
-    const auto samples = random_samples(*mesh, sizing, n, 2);
-    const TiledSurface first(*mesh, sizing, samples, options, make_tiles(*mesh, samples, {n / 3, 3}));
-    for (const Told& told : {round(first, samples, 2), by_whole(*mesh, sizing, samples, 1)}) {
-      const std::vector<Tile> tiles = make_tiles(*mesh, told.samples, {n / 3, 4});
-      const TiledSurface without(*mesh, sizing, told.samples, options, tiles);
-      TiledSurface with(*mesh, sizing, told.samples, options, tiles);
+  for (const Case& c : {Case{blob, fixtures::graded(blob, 0.03, 0.04), 900},
+                        {plate, fixtures::even(plate, 900), 900},
+                        {islands, fixtures::even(islands, 60), 60}}) {
+    CAPTURE(c.mesh.num_facets());
+    const auto samples = random_samples(c.mesh, c.sizing, c.n, 2);
+    const TiledSurface first(c.mesh, c.sizing, samples, options, make_tiles(c.mesh, samples, {c.n / 3, 3}));
+    for (const Told& told : {round(first, samples, 2), by_whole(c.mesh, c.sizing, samples, 1)}) {
+      const std::vector<Tile> tiles = make_tiles(c.mesh, told.samples, {c.n / 3, 4});
+      const TiledSurface without(c.mesh, c.sizing, told.samples, options, tiles);
+      TiledSurface with(c.mesh, c.sizing, told.samples, options, tiles);
       with.set_known(told.known);
       for (std::size_t t = 0; t < tiles.size(); ++t) {
         TileDomain a(with, t), b(without, t);
@@ -225,11 +230,11 @@ TEST_CASE("known cells: who is told of cells makes the moves that are made by wh
         a.domain().check();
       }
       std::vector<SiteId> all;
-      for (std::size_t i = 0; i < n; ++i) all.emplace_back(i);
+      for (std::size_t i = 0; i < c.n; ++i) all.emplace_back(i);
       SurfaceOptions knowing = options;
-      const std::vector<geom::KnownCell> known = told.known.of_all({sizing, told.samples, options});
+      const std::vector<geom::KnownCell> known = told.known.of_all({c.sizing, told.samples, options});
       knowing.known_cells = known;
-      SurfaceDomain a(*mesh, sizing, told.samples, knowing), b(*mesh, sizing, told.samples, options);
+      SurfaceDomain a(c.mesh, c.sizing, told.samples, knowing), b(c.mesh, c.sizing, told.samples, options);
       const auto move = [](SurfaceDomain& whole, SiteId x) { return whole.move(x, Scope::global); };
       check_same_moves(a, b, all, move);
       a.check();
