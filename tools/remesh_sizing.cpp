@@ -121,7 +121,7 @@ void set_sizing(RemeshArguments& a, const std::string& text) {
   const std::size_t colon = text.rfind(':');
   std::error_code unknown;
   const bool names_property = colon != std::string::npos && !std::filesystem::exists(text, unknown);
-  a.sizing_file = text.substr(0, names_property ? colon : std::string::npos);
+  a.sizing_file = names_property ? text.substr(0, colon) : text;
   if (names_property) a.sizing_property = text.substr(colon + 1);
   geom::require(!a.sizing_file.empty(), "a file name cannot be empty");
   geom::require(!names_property || io::lower_extension(a.sizing_file) == ".ply",

@@ -68,20 +68,20 @@ SeenCurves seen_curves(const TriMesh& mesh, const Features& features, double spa
 }
 
 std::vector<std::size_t> weakest_curves(const SeenCurves& curves, const WeakCurves& wanted) {
-  const auto& [strength, lengths, places, spacing] = curves;
-  std::vector<double> crowded(strength.size(), 0.0);
+  const std::vector<double>& strengths = curves.strengths;
+  std::vector<double> crowded(strengths.size(), 0.0);
   std::set<std::pair<std::size_t, std::size_t>> facing;
-  for (const NarrowPlace& place : places) {
+  for (const NarrowPlace& place : curves.places) {
     facing.insert(std::minmax(place.curve, place.other));
-    if (place.nearest && place.width < crowd * spacing) crowded[place.curve] += place.length;
+    if (place.nearest && place.width < crowd * curves.spacing) crowded[place.curve] += place.length;
   }
   std::vector<std::size_t> order;
-  for (std::size_t c = 0; c < strength.size(); ++c)
-    if (std::isfinite(strength[c]) && (!wanted.only_crowded || crowded[c] > lengths[c] / 2))
+  for (std::size_t c = 0; c < strengths.size(); ++c)
+    if (std::isfinite(strengths[c]) && (!wanted.only_crowded || crowded[c] > curves.lengths[c] / 2))
       order.push_back(c);
   const double enough = std::max(1.0, wanted.share * static_cast<double>(order.size()));
   std::ranges::stable_sort(order, {}, [&](std::size_t c) {
-    return std::pair(curves.lengths[c] < shortest_curve * curves.spacing, curves.strengths[c]);
+    return std::pair(curves.lengths[c] < shortest_curve * curves.spacing, strengths[c]);
   });
   std::vector<std::size_t> weakest;
   for (const std::size_t c : order) {

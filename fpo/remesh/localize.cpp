@@ -136,8 +136,8 @@ Localization localize(geom::RestrictedPower& diagram, std::span<const SurfaceSam
     for (std::size_t i = 0; i < samples.size() && goes_on(); ++i) {
       const SiteId p(i);
       const std::vector<Component> components = cell_components(diagram, p, samples[i].facet);
-      for (std::size_t k = 1; k < components.size();
-           ++k) {              // fragments of p keep their ids while others change
+      // Fragments of p keep their ids while others change.
+      for (std::size_t k = 1; k < components.size(); ++k) {
         if (excluded.empty())  // the first orphan: most surfaces have none, and need no tree
           for (std::size_t j = 0; j < samples.size(); ++j) sites.insert(SiteId(j), diagram.site(SiteId(j)));
         if (give_away(diagram, p, components[k], sites, excluded))

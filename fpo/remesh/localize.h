@@ -30,9 +30,9 @@ std::vector<std::vector<geom::FragmentId>> cell_components(const geom::Restricte
 
 /// Gives all orphans away: divides them or, where cells abandoned before stand in the way, merges them with
 /// the cell that they have the longest border with. The result is no power diagram any more, but a diagram
-/// still: it covers each facet, and cells meet at facet edges. Where giving away makes ever new orphans, more
-/// than two a sample, or when interrupted, the rest is merged. Deterministic. Cost: O(fragments) plus the
-/// orphans.
+/// still: it covers each facet, and cells meet at facet edges. Where giving away makes ever new orphans, no
+/// fewer from round to round or more than two a sample, or when interrupted, the rest is merged.
+/// Deterministic. Cost: O(fragments) plus the orphans.
 Localization localize(geom::RestrictedPower& diagram, std::span<const SurfaceSample> samples,
                       const std::atomic<bool>* interrupted = nullptr);
 

@@ -24,6 +24,7 @@ class DiskSet {
  public:
   DiskSet(const Sizing& sizing, std::vector<SurfaceSample>& samples) : sizing_(sizing), samples_(samples) {
     std::vector<Vec3> positions;
+    positions.reserve(samples.size());
     for (const SurfaceSample& x : samples) positions.push_back(x.position);
     distances_ = nearest_distances(positions);
     const double least = *std::ranges::min_element(distances_);

@@ -4,6 +4,13 @@
 
 namespace fpo {
 
+KnownCells::KnownCells(const geom::RestrictedDual& whole) {
+  for (SiteId x(0); x.index() < whole.num_sites(); x = SiteId(x.value + 1)) {
+    cells_.push_back({whole.known_cell(x), std::numeric_limits<double>::infinity()});
+    raise_power(whole.reach_bound(x));
+  }
+}
+
 void KnownCells::set(SiteId x, const geom::RestrictedDual& dual, SiteId here, const TileGuard& guard) {
   Cell& cell = cells_[x.index()];
   cell.known = dual.known_cell(here);
@@ -12,14 +19,10 @@ void KnownCells::set(SiteId x, const geom::RestrictedDual& dual, SiteId here, co
   if (!(sheet.radius() < guard.room_around(sheet.center))) sheet = {};
 }
 
-void KnownCells::set(SiteId x, const geom::RestrictedDual& whole) {
-  cells_[x.index()] = {whole.known_cell(x), std::numeric_limits<double>::infinity()};
-}
-
 /// Is its cell known, and all of it in a part of the surface that has so much room around the site?
-bool KnownCells::is_known(SiteId x, const geom::WeightedPoint3& site, double room) const {
+bool KnownCells::is_known(SiteId x, double weight, double room) const {
   const auto& [known, room_before] = cells_[x.index()];
-  const double distance = std::sqrt(std::max(power_ + site.weight, 0.0)) * (1 + 1e-9);
+  const double distance = std::sqrt(std::max(power_ + weight, 0.0)) * (1 + 1e-9);
   return known.shape == geom::CellShape::regular && distance < std::min(room, room_before);
 }
 
@@ -28,15 +31,19 @@ geom::KnownCell KnownCells::of(SiteId x, const geom::WeightedPoint3& site, const
   const double room = guard.room_around(site.position);
   if (room < 0)
     result.shape = geom::CellShape::irregular;  // it is not moved
-  else if (!is_known(x, site, room))
+  else if (!is_known(x, site.weight, room))
     result.shape = geom::CellShape::unknown;
   if (!(result.sheet.radius() < guard.room_around(result.sheet.center))) result.sheet = {};
   return result;
 }
 
-geom::KnownCell KnownCells::of(SiteId x, const geom::WeightedPoint3& site) const {
-  geom::KnownCell result = cells_[x.index()].known;
-  if (!is_known(x, site, std::numeric_limits<double>::infinity())) result.shape = geom::CellShape::unknown;
+std::vector<geom::KnownCell> KnownCells::of_all(const WeightedSamples& samples) const {
+  std::vector<geom::KnownCell> result;
+  for (SiteId x(0); x.index() < samples.size(); x = SiteId(x.value + 1)) {
+    result.push_back(cells_[x.index()].known);
+    if (!is_known(x, samples.weight(x), std::numeric_limits<double>::infinity()))
+      result.back().shape = geom::CellShape::unknown;
+  }
   return result;
 }
 

@@ -2,17 +2,28 @@
 // What a round of tiles finds out about the cells of its samples, for the tiles of the next round and for the
 // whole surface in the end; and what is known there before the first round.
 //
-// Let P bound the power everywhere on the surface after a round: it is the largest reach in any tile's
-// diagram, as each location is in a tile's box T, and nobody else changes who owns it (tile_guard.h). All
-// that a site owns is within sqrt(P + w) of it. If T holds that ball, the tile's diagram has all of the cell:
-// what it says of the cell holds on the whole surface, and in each diagram of a part that has all of the
-// ball, too. A sheet is one of the surface alone: all know it that have the ball for which it was made.
+// Let D be the diagram of all samples on the whole surface as they are between two rounds, and P a bound of
+// the power everywhere in it. All that a site owns in D is within sqrt(P + w) of it: in its ball. What is
+// told of a cell (it is connected, with one border, through all of its circles: fast_way.h) is a matter of
+// the cell alone: true in D if it is in a diagram with the same cell, and the other way round.
+//
+//   - A tile that begins has all facets that meet its box T and all samples that own anything of these
+//     (tile_domain.h), so each location of T has the owner there that it has in D. A cell whose ball is in T
+//     is that of D.
+//   - A tile that ends: the others have changed owners in their own boxes only (tile_guard.h), so its
+//     locations of T, again, have the owners that they have in D; and as each location is in some T, P is
+//     the largest reach in any tile's diagram. A cell whose ball is in T is that of D.
+//   - The whole surface has D itself, so all balls.
+//
+// So a cell is told by one of these to another if its ball is in both. A sheet is a matter of the surface
+// alone: all know it that have the ball for which it was made.
 
 #include <algorithm>
 #include <limits>
 #include <vector>
 
 #include "fpo/domain.h"
+#include "fpo/surface/weighted_samples.h"
 #include "fpo/tiles/tile_guard.h"
 #include "geom/dual/known_cell.h"
 
@@ -22,22 +33,22 @@ class KnownCells {
  public:
   /// Nothing is known yet.
   explicit KnownCells(std::size_t num_samples) : cells_(num_samples) {}
+  /// What the diagram of the whole surface knows, at any time.
+  explicit KnownCells(const geom::RestrictedDual& whole);
 
   /// After a round: of a sample of the guard's tile, by the tile's diagram. Each sample once, any thread.
   void set(SiteId x, const geom::RestrictedDual& dual, SiteId here, const TileGuard& guard);
-  /// Of a sample of the whole surface, by the diagram of it.
-  void set(SiteId x, const geom::RestrictedDual& whole);
   /// The same: a bound of the power in a tile. One thread at a time.
   void raise_power(double power) { power_ = std::max(power_, power); }
 
   /// The round is over: what the guard's tile may use in the next one. Cells of samples in other tiles are
   /// not looked at: those are not moved.
   geom::KnownCell of(SiteId x, const geom::WeightedPoint3& site, const TileGuard& guard) const;
-  /// The same of the whole surface.
-  geom::KnownCell of(SiteId x, const geom::WeightedPoint3& site) const;
+  /// What the whole surface may use: of all samples.
+  std::vector<geom::KnownCell> of_all(const WeightedSamples& samples) const;
 
  private:
-  bool is_known(SiteId x, const geom::WeightedPoint3& site, double room) const;
+  bool is_known(SiteId x, double weight, double room) const;
 
   struct Cell {
     geom::KnownCell known;

@@ -59,12 +59,8 @@ class TiledSamples {
 SurfaceDomain TiledSamples::domain(const std::optional<KnownCells>& known) const {
   SurfaceOptions options = task_.surface;
   std::vector<geom::KnownCell> cells;
-  if (known) {
-    const WeightedSamples weighted(task_.sizing, samples_, options);
-    for (SiteId x(0); x.index() < samples_.size(); x = SiteId(x.value + 1))
-      cells.push_back(known->of(x, {samples_[x.index()].position, weighted.weight(x)}));
-    options.known_cells = cells;
-  }
+  if (known) cells = known->of_all({task_.sizing, samples_, options});
+  options.known_cells = cells;
   return SurfaceDomain(task_.mesh, task_.sizing, samples_, options);
 }
 
@@ -105,7 +101,6 @@ class TiledRun {
   };
   void work_on(const TiledSurface& whole, std::size_t tile, std::uint64_t seed, RoundEnd& end);
   void catch_up(SurfaceDomain& domain);
-  void take_known(const SurfaceDomain& whole);
   void report(IterationReport report);
 
   bool interrupted() const { return fpo::interrupted(options_.interrupted); }
@@ -283,20 +278,12 @@ StopReason TiledRun::rounds() {
   return StopReason::iteration_cap;
 }
 
-void TiledRun::take_known(const SurfaceDomain& whole) {
-  known_.emplace(samples_.size());
-  for (SiteId x(0); x.index() < samples_.size(); x = SiteId(x.value + 1)) {
-    known_->set(x, whole.dual());
-    known_->raise_power(whole.dual().reach_bound(x));
-  }
-}
-
 SurfaceDomain TiledRun::take() {
   geom::require(samples_.size() > 0, "there must be at least one sample");
   if (options_.scope == Scope::global && options_.max_iterations > 0) {
     std::optional<SurfaceDomain> whole = samples_.domain();
     if (!begin_at_large(*whole)) return interrupted() ? std::move(*whole) : samples_.domain();
-    take_known(*whole);
+    known_.emplace(whole->dual());
   } else {
     report(samples_.measured(tile_options_.threads));
   }

@@ -109,7 +109,7 @@ Chart::Gain Chart::most_gain(int count, double radius, double weight, double hea
     const double cosine = (x_[a] * x_[b] + y_[a] * y_[b]) / (length[a] * length[b]);
     half[a] = std::sqrt(std::max(0.5 * (1 + cosine), 0.0)) / steeper;
   }
-  double most_far = -infinity, most_c = -infinity;
+  double most_far = -infinity, most_c = most_far;
   for (int j = 0; j < count; ++j) {
     const std::size_t i = at(j);
     const double falls =

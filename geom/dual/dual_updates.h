@@ -34,7 +34,7 @@ class DualUpdates {
   /// Finds out which sites of a build are regular. Updates begin with it; who only looks goes without.
   void certify_all(std::span<const KnownCell> known = {});
 
-  KnownCell known_cell(SiteId p) const { return fast_.known(p); }
+  KnownCell known_cell(SiteId p) const { return are_certified_ ? fast_.known(p) : KnownCell(); }
   const DualWays& ways() const { return ways_; }
 
  private:

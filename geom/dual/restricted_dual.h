@@ -59,7 +59,8 @@ class RestrictedDual {
   /// Finds out what known_cell() and num_irregular() tell, if nobody has: after a build without `known` the
   /// first update does. Cost: as that of the build.
   void certify() { updates_.certify_all(); }
-  /// For another diagram in which the cell of p is the same, and so is the surface around it.
+  /// For another diagram in which the cell of p is the same, and so is the surface around it. Nothing if
+  /// nobody has found out.
   KnownCell known_cell(SiteId p) const { return updates_.known_cell(p); }
   /// An upper bound of the power of the locations in p's cell; -infinity if that is empty.
   double reach_bound(SiteId p) const { return state_.reach[p]; }

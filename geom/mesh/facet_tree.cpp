@@ -57,7 +57,10 @@ void FacetTree::near_but(const Vec3& x, double distance, const OfNoUse& is_of_no
                          std::vector<FacetId>& out) const {
   if (!(distance >= 0)) return;
   const double limit2 = distance * distance * (1 + 1e-9);
-  const auto is_box_of_no_use = [&](const Box& box) {  // not of large ones, for which that is hardly so
+  // Boxes larger than the distance are not asked about, their parts are: a matter of cost alone, as some more
+  // facets may be found anyway. Without that fpo-remesh takes .5, .3 and 1.2 percent more instructions (eight
+  // 1700, bunny 6300 --sizing lfs, fandisk 2000, --iterations 1 --quality draft under callgrind).
+  const auto is_box_of_no_use = [&](const Box& box) {
     const Vec3 low(box.low[0], box.low[1], box.low[2]), high(box.high[0], box.high[1], box.high[2]);
     const double radius = 0.5 * (high - low).norm() * (1 + 1e-9);
     return radius <= distance && is_of_no_use(0.5 * (low + high), radius);

@@ -20,7 +20,7 @@ class FacetTree {
   /// Appends all facets that have a point within that distance of x, and some more. Cost: those, times the
   /// logarithm of F at most.
   void near(const Vec3& x, double distance, std::vector<FacetId>& out) const;
-  /// The same but for facets in balls (center, radius) of which is_of_no_use says so.
+  /// The same, but facets in balls (center, radius) of which is_of_no_use says so may be left out.
   using OfNoUse = std::function<bool(const Vec3&, double)>;
   void near_but(const Vec3& x, double distance, const OfNoUse& is_of_no_use, std::vector<FacetId>& out) const;
 

@@ -28,6 +28,7 @@ TriMesh wedge(int size) {
 TriMesh star(int size) {
   PlanarCells plan;
   std::vector<Vec2> outline;
+  outline.reserve(10);
   for (int i = 0; i < 10; ++i) outline.push_back(polar(i % 2 == 0 ? 1 : 0.3, i * pi / 5));
   plan.add_fan({0, 0}, outline);
   return subdivided(prism(plan, 0.4), size);
@@ -55,6 +56,7 @@ constexpr int steps_a_side = 6;
 std::vector<Vec2> square_outline(int i, int j) {
   const auto at = [](int cell, int step) { return cell + step / double(steps_a_side); };
   std::vector<Vec2> outline;
+  outline.reserve(4 * steps_a_side);
   for (int k = 0; k < steps_a_side; ++k) outline.emplace_back(at(i, k), at(j, 0));
   for (int k = 0; k < steps_a_side; ++k) outline.emplace_back(at(i + 1, 0), at(j, k));
   for (int k = steps_a_side; k > 0; --k)

@@ -3,8 +3,6 @@
 // Two rows per method and checkpoint, without and with (+) angle optimization; seconds are CPU time since the
 // samples were drawn.
 
-#include <time.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -17,14 +15,9 @@
 #include "fpo/surface/surface_domain.h"
 #include "io/mesh_io.h"
 #include "io/values.h"
+#include "tools/convergence.h"
 
 namespace {
-
-double cpu_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 struct Job {
   geom::TriMesh mesh;
@@ -50,9 +43,9 @@ void rows(const Job& job, fpo::SurfaceDomain& domain, int iteration, double seco
   row(job, domain, " ", iteration, seconds);
   if (iteration == 0) return;
   fpo::SurfaceDomain copy = domain.rebuilt();
-  const double start = cpu_seconds();
+  const double start = tools::thread_seconds();
   fpo::optimize_angles(copy, {});
-  row(job, copy, "+", iteration, seconds + cpu_seconds() - start);
+  row(job, copy, "+", iteration, seconds + tools::thread_seconds() - start);
 }
 
 void measure(const Job& job, bool shortest_edges, fpo::Scope scope, int iterations) {
@@ -60,7 +53,7 @@ void measure(const Job& job, bool shortest_edges, fpo::Scope scope, int iteratio
   fpo::SurfaceOptions surface;
   surface.weight_factor = job.weight_scale > 0 ? job.weight_scale : fpo::best_weight_factor(scope);
   const auto samples = fpo::random_samples(job.mesh, job.sizing, job.n, job.seed);
-  double start = cpu_seconds();
+  double start = tools::thread_seconds();
   fpo::SurfaceDomain domain(job.mesh, job.sizing, samples, surface);
   if (shortest_edges) fpo::remove_shortest_edges(domain);
   fpo::OptimizeOptions options;
@@ -69,11 +62,11 @@ void measure(const Job& job, bool shortest_edges, fpo::Scope scope, int iteratio
   options.scope = scope;
   options.order = fpo::VisitOrder::in_turn;
   options.on_iteration = [&](const fpo::IterationReport& r) {
-    const double now = cpu_seconds();
+    const double now = tools::thread_seconds();
     const int i = r.iteration;
     if (i == 0 || i == 5 || i == 10 || i == 20 || i == 30 || i == 60 || i == 100)
       rows(job, domain, i, now - start);
-    start += cpu_seconds() - now;
+    start += tools::thread_seconds() - now;
   };
   fpo::optimize(domain, options);
 }

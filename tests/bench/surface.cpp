@@ -2,8 +2,6 @@
 //   bench-surface MODEL.obj N [ITERATIONS] [search|triangulation] [c|all]     one row; without arguments: a
 //   table for the models in the folder named by FPO_MODELS (default ../shared/models) that are there.
 
-#include <time.h>
-
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -13,14 +11,9 @@
 #include "fpo/surface/surface_domain.h"
 #include "io/mesh_io.h"
 #include "tests/bench/models.h"
+#include "tools/convergence.h"
 
 namespace {
-
-double cpu_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 struct Job {
   std::filesystem::path model;
@@ -33,17 +26,17 @@ struct Job {
 void measure(const Job& job) {
   const geom::TriMesh mesh = io::read_mesh(job.model);
   const auto samples = fpo::random_samples(mesh, job.n, 1);
-  const double start = cpu_seconds();
+  const double start = tools::thread_seconds();
   fpo::SurfaceDomain domain(mesh, samples, job.options);
-  const double built = cpu_seconds();
+  const double built = tools::thread_seconds();
   double after_first = 0;
   fpo::OptimizeOptions options;
   options.max_iterations = job.iterations;
   options.on_iteration = [&](const fpo::IterationReport& r) {
-    if (r.iteration == 1) after_first = cpu_seconds();
+    if (r.iteration == 1) after_first = tools::thread_seconds();
   };
   const fpo::OptimizeResult result = fpo::optimize(domain, options);
-  const double end = cpu_seconds();
+  const double end = tools::thread_seconds();
   const double n = static_cast<double>(job.n);
   std::printf(
       "%-14s %8zu %8zu %-13s %-3s %9.1f %9.2f %9.2f   %.4f %.4f\n", job.model.stem().c_str(),

@@ -71,20 +71,20 @@ void move_slowly(SurfaceDomain& domain, SiteId x, Scope scope, Priority priority
 
 TEST_CASE("farthest: on a surface a sample goes to the circle of the largest priority, whatever the rule") {
   constexpr std::size_t n = 50;
-  for (const auto& [name, mesh] :
-       {std::pair{"blob", fixtures::blob(8)}, {"box", fixtures::box({1, 2, 1}, 3)}})
+  for (const auto& surface :
+       {fixtures::NamedSurface{"blob", fixtures::blob(8)}, {"box", fixtures::box({1, 2, 1}, 3)}})
     for (const FarthestRule& rule : rules_and(by_height))
       for (const Scope scope : {Scope::global, Scope::two_ring})
         for (const bool steps : {false, true}) {
-          CAPTURE(std::string(name));
+          CAPTURE(surface.name);
           CAPTURE(std::string(rule.name));
           CAPTURE(steps);
-          const Sizing sizing = fixtures::graded(mesh, 0.08, 0.2);
-          const auto samples = random_samples(mesh, sizing, n, 8);
+          const Sizing sizing = fixtures::graded(surface.mesh, 0.08, 0.2);
+          const auto samples = random_samples(surface.mesh, sizing, n, 8);
           SurfaceOptions options;
-          SurfaceDomain slow(mesh, sizing, samples, options);
+          SurfaceDomain slow(surface.mesh, sizing, samples, options);
           options.farthest = rule.priority;
-          SurfaceDomain domain(mesh, sizing, samples, options);
+          SurfaceDomain domain(surface.mesh, sizing, samples, options);
           for (std::size_t i = 0; i < 3 * n; ++i) {
             const SiteId x(i % n);
             move_slowly(slow, x, scope, rule.priority);

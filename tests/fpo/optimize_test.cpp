@@ -202,8 +202,9 @@ TEST_CASE("optimize: the local scope is handed on") {
 }
 
 TEST_CASE("optimize: no move lowers delta on a surface") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const geom::TriMesh& mesh = surface.mesh;
     for (const Scope scope : {Scope::global, Scope::two_ring}) {
       SurfaceDomain domain(mesh, random_samples(mesh, 40, 3));
       OptimizeOptions options = in_turn(4);

@@ -7,6 +7,7 @@
 #include "fpo/plane/plane_domain.h"
 #include "fpo/surface/surface_domain.h"
 #include "fpo/tiles/tiled_optimize.h"
+#include "tests/fixtures/sizings.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
@@ -65,7 +66,7 @@ TEST_CASE("rest: a goal is reached with fewer moves") {
 
 TEST_CASE("rest: in tiles, with any number of threads alike") {
   const geom::TriMesh mesh = fixtures::blob(16);
-  const Sizing sizing = Sizing::uniform(hexagonal_spacing(mesh.area(), 1500));
+  const Sizing sizing = fixtures::even(mesh, 1500);
   const SurfaceOptions surface;
   OptimizeOptions options;
   options.target_delta = 0.85;

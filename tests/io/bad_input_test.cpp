@@ -1,13 +1,12 @@
 // What a user can get wrong before the content matters, and files damaged at random.
 
-#include <random>
-
 #include "doctest.h"
 #include "io/mesh_io.h"
 #include "io/obj.h"
 #include "io/off.h"
 #include "io/ply.h"
 #include "io/stl.h"
+#include "tests/fuzz/mutator.h"
 #include "tests/io/sample_meshes.h"
 #include "tests/io/scratch_folder.h"
 
@@ -15,33 +14,6 @@ using fixtures::complaint;
 using fixtures::ScratchFolder;
 
 namespace {
-
-/// One to four bytes changed, a stretch removed or repeated, or the end cut off.
-std::string damaged(std::string bytes, std::mt19937& random) {
-  const auto below = [&](std::size_t n) {
-    return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);
-  };
-  const std::size_t at = below(bytes.size()),
-                    length = 1 + below(std::min<std::size_t>(bytes.size() - at, 40));
-  switch (below(4)) {
-    case 0:
-      bytes.resize(at);
-      break;
-    case 1:
-      bytes.erase(at, length);
-      break;
-    case 2:
-      bytes.insert(below(bytes.size()), bytes.substr(at, length));
-      break;
-    default:
-      for (std::size_t i = 0; i <= below(4); ++i) {
-        const std::string_view likely("0123456789-+.e \n\r/\\#nai\0\xff\x7f", 27);
-        bytes[below(bytes.size())] =
-            below(2) == 0 ? likely[below(likely.size())] : static_cast<char>(below(256));
-      }
-  }
-  return bytes;
-}
 
 const char* const text_ply =
     "ply\nformat ascii 1.0\ncomment x\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
@@ -81,22 +53,24 @@ TEST_CASE("bad input: no file, a folder, an empty file, no or an unknown extensi
 TEST_CASE("bad input: a damaged file is read or refused with one line that names it, nothing else") {
   const ScratchFolder folder;
   const auto tetrahedron = fixtures::tetrahedron();
-  const struct {
+  struct Sample {
     std::string name, bytes;
-  } samples[] = {{"t.obj", text_obj},
-                 {"t.off", text_off},
-                 {"t.ply", text_ply},
-                 {"t.stl", text_stl},
-                 {"b.ply", io::to_ply(tetrahedron)},
-                 {"b.stl", io::to_stl(tetrahedron)}};
-  std::mt19937 random(2014);
-  for (const auto& [name, bytes] : samples) {
+  };
+  const Sample samples[] = {{"t.obj", text_obj},
+                            {"t.off", text_off},
+                            {"t.ply", text_ply},
+                            {"t.stl", text_stl},
+                            {"b.ply", io::to_ply(tetrahedron)},
+                            {"b.stl", io::to_stl(tetrahedron)}};
+  geom::Rng rng(2014);
+  for (const Sample& sample : samples) {
+    const std::string &name = sample.name, &bytes = sample.bytes;
     CAPTURE(name);
     REQUIRE(complaint([&] { io::read_mesh(folder.write(name, bytes)); }) == "");
     int refused = 0;
     constexpr int mutants = 600;
     for (int i = 0; i < mutants; ++i) {
-      const std::string mutant = damaged(bytes, random);
+      const std::string mutant = fuzz::damaged(bytes, rng);
       const auto path = folder.write(name, mutant);
       CAPTURE(mutant);
       std::size_t num_facets = 0;

@@ -93,8 +93,9 @@ std::map<std::string, std::string> Workplace::take_outputs(const Job& job) const
 void check_whole(const Job& job, const std::map<std::string, std::string>& outputs) {
   const ScratchFolder elsewhere;
   CHECK(outputs.size() == job.outputs.size());
-  for (const auto& [name, bytes] : outputs) {
-    CAPTURE(name);
+  for (const auto& file : outputs) {
+    const auto& [name, bytes] = file;
+    CAPTURE(file.first);
     const auto lines = static_cast<std::size_t>(std::ranges::count(bytes, '\n'));
     elsewhere.write(name, bytes);
     if (name.ends_with(".ply")) {

@@ -84,8 +84,9 @@ void check_without_room(const Workplace& place, const Job& job, const Conditions
   auto files = without_times(place.files(folder));
   CHECK(files.at(precious) == "precious");
   files.erase(precious);
-  for (const auto& [name, bytes] : files) {
-    CAPTURE(name);
+  for (const auto& file : files) {
+    const auto& [name, bytes] = file;
+    CAPTURE(file.first);
     REQUIRE(whole.count(name) == 1);
     CHECK(bytes == whole.at(name));
     fs::remove(place / folder / name);

@@ -208,11 +208,12 @@ TEST_CASE("library: refuses what fpo-remesh refuses, in the same words") {
     return {p.x(), 1e-9 * p.y(), 1e-9 * p.z()};
   });
   const geom::TriMesh pieces = soup.take();
-  for (const auto& [mesh, words, n] :
+  for (const auto& job :
        {std::tuple(pieces, "the surface is in 60 pieces", 100),
         std::tuple(pieces, "the surface is in 60 pieces", 300), std::tuple(stack, "some ", 400),
         std::tuple(thread, "the surface is thinner than the spacing", 100)}) {
-    CAPTURE(words);
+    CAPTURE(std::get<1>(job));
+    const auto& [mesh, words, n] = job;
     ScratchFolder folder;
     io::write_mesh(folder / "in.obj", mesh);
     const ProgramResult result = fixtures::run_program(

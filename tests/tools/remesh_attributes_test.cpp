@@ -112,11 +112,12 @@ TEST_CASE("fpo-remesh --carry --features auto,seams: each triangle has the textu
   struct Job {
     std::string input, features, output;
   };
-  for (const auto& [input, features, output] :
+  for (const Job& job :
        {Job{"sheet.obj", "auto,seams", "out.obj"}, Job{"sheet.obj", "auto,groups", "out.obj"},
         Job{"sheet.obj", "auto,seams", "out.ply"}, Job{"sheet.ply", "auto,seams", "out.obj"},
         Job{"sheet.ply", "auto,seams", "out.ply"}}) {
-    CAPTURE(input + " " + features + " " + output);
+    CAPTURE(job.input + " " + job.features + " " + job.output);
+    const auto& [input, features, output] = job;
     const ProgramResult result =
         place.run({"-n", "150", "--carry", "--features", features, "-o", output}, input);
     REQUIRE(result.code == 0);

@@ -169,8 +169,9 @@ TEST_CASE("fpo-remesh: without --repair a warning names the fault and the option
   const std::pair<std::size_t, const char*> faults[] = {
       {2, "hole"}, {3, "inverted facet"},    {5, "non-manifold edge"},
       {6, "hole"}, {7, "non-manifold vert"}, {8, "part that lies on another"}};
-  for (const auto& [way, fault] : faults) {
-    CAPTURE(fixtures::ways_to_spoil[way]);
+  for (const auto& kind : faults) {
+    const auto& [way, fault] = kind;
+    CAPTURE(fixtures::ways_to_spoil[kind.first]);
     place.write("bad.ply", fixtures::spoilt(place.torus, way));
     const ProgramResult result = place.remesh("bad.ply");
     CHECK(contains(result.err, fault));

@@ -3,6 +3,7 @@
 #include "doctest.h"
 #include "fpo/baselines/cell_moments.h"
 #include "fpo/surface/initial_samples.h"
+#include "tests/fixtures/sizings.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
@@ -10,21 +11,12 @@ using geom::SiteId;
 using geom::TriMesh;
 using geom::Vec3;
 
-namespace {
-
-Sizing graded(const TriMesh& mesh) {
-  VertexField h;
-  for (const Vec3& p : mesh.vertices())
-    h.push_back(0.1 + 0.2 * (p - mesh.box().min()).norm() / mesh.diagonal());
-  return {mesh, std::move(h)};
-}
-
-}  // namespace
-
 TEST_CASE("capacities: masses and first moments are those of cell_moments.h; threads do not matter") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
-    const Sizing even = Sizing::uniform(hexagonal_spacing(mesh.area(), 60)), varying = graded(mesh);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
+    const Sizing even = fixtures::even(mesh, 60),
+                 varying = fixtures::graded(mesh, 0.1 / mesh.diagonal(), 0.2 / mesh.diagonal());
     for (const Sizing* sizing : {&even, &varying}) {
       const auto samples = random_samples(mesh, *sizing, 60, 5);
       Capacities capacities(mesh, *sizing, 0.2, 2), by_one(mesh, *sizing, 0.2, 1);
@@ -46,7 +38,8 @@ TEST_CASE("capacities: masses and first moments are those of cell_moments.h; thr
 
 TEST_CASE("capacities: walls are the derivative of the capacities") {
   const TriMesh mesh = fixtures::blob(6);
-  const Sizing even = Sizing::uniform(hexagonal_spacing(mesh.area(), 150)), varying = graded(mesh);
+  const Sizing even = fixtures::even(mesh, 150),
+               varying = fixtures::graded(mesh, 0.1 / mesh.diagonal(), 0.2 / mesh.diagonal());
   for (const Sizing* sizing : {&even, &varying}) {
     Capacities capacities(mesh, *sizing, 0.2, 1);
     std::vector<SurfaceSample> samples = random_samples(mesh, *sizing, 150, 8);

@@ -5,6 +5,7 @@
 #include "fpo/surface/initial_samples.h"
 #include "geom/power/restricted_power.h"
 #include "geom/sites/site_tree.h"
+#include "tests/fixtures/sizings.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
@@ -13,13 +14,6 @@ using geom::TriMesh;
 using geom::Vec3;
 
 namespace {
-
-Sizing cell_moments_graded(const TriMesh& mesh) {
-  VertexField h;
-  for (const Vec3& p : mesh.vertices())
-    h.push_back(0.1 + 0.2 * (p - mesh.box().min()).norm() / mesh.diagonal());
-  return {mesh, std::move(h)};
-}
 
 /// Of a triangle with density 1, by the formulas for its mass, centroid and moment of inertia.
 CellMoments of_triangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
@@ -55,22 +49,22 @@ double energy(VoronoiMoments& moments, const std::vector<SurfaceSample>& samples
 }  // namespace
 
 TEST_CASE("cell moments: those of the diagram, few samples or many, twins too") {
-  for (const auto& [name, mesh] : fixtures::surfaces())
+  for (const auto& surface : fixtures::surfaces())
     for (const std::size_t n : {1, 2, 30, 400}) {
-      CAPTURE(name);
+      CAPTURE(surface.name);
       CAPTURE(n);
-      std::vector<SurfaceSample> samples = random_samples(mesh, n, 5);
+      std::vector<SurfaceSample> samples = random_samples(surface.mesh, n, 5);
       if (n == 30) samples[7] = samples[3];
-      const Sizing sizing = Sizing::uniform(hexagonal_spacing(mesh.area(), n));
-      VoronoiMoments moments(mesh, sizing, 1, 2);
-      const auto expected = by_polygons(mesh, samples);
+      const Sizing sizing = fixtures::even(surface.mesh, n);
+      VoronoiMoments moments(surface.mesh, sizing, 1, 2);
+      const auto expected = by_polygons(surface.mesh, samples);
       const auto& found = moments.of(samples);
       REQUIRE(found.size() == n);
       for (std::size_t i = 0; i < n; ++i) {
         const CellMoments &a = found[SiteId(i)], &b = expected[SiteId(i)];
-        CHECK(a.mass == doctest::Approx(b.mass).epsilon(1e-9).scale(mesh.area()));
+        CHECK(a.mass == doctest::Approx(b.mass).epsilon(1e-9).scale(surface.mesh.area()));
         CHECK((a.first - b.first).norm() <= 1e-11);
-        CHECK(a.second == doctest::Approx(b.second).epsilon(1e-9).scale(mesh.area()));
+        CHECK(a.second == doctest::Approx(b.second).epsilon(1e-9).scale(surface.mesh.area()));
       }
     }
 }
@@ -78,8 +72,7 @@ TEST_CASE("cell moments: those of the diagram, few samples or many, twins too") 
 TEST_CASE("cell moments: a wrong idea of the spacing costs time only; threads do not matter") {
   const TriMesh mesh = fixtures::blob(6);
   const auto samples = random_samples(mesh, 300, 2);
-  const Sizing right = Sizing::uniform(hexagonal_spacing(mesh.area(), 300)), small = Sizing::uniform(1e-3),
-               large = Sizing::uniform(10);
+  const Sizing right = fixtures::even(mesh, 300), small = Sizing::uniform(1e-3), large = Sizing::uniform(10);
   VoronoiMoments reference(mesh, right, 1, 1);
   const auto expected = reference.of(samples);
   for (const Sizing* sizing : {&right, &small, &large})
@@ -95,8 +88,8 @@ TEST_CASE("cell moments: a wrong idea of the spacing costs time only; threads do
 
 TEST_CASE("cell moments: the energy's derivative is -2 times the first moment, with any density") {
   const TriMesh mesh = fixtures::blob(6);
-  const Sizing even = Sizing::uniform(hexagonal_spacing(mesh.area(), 150)),
-               varying = cell_moments_graded(mesh);
+  const Sizing even = fixtures::even(mesh, 150),
+               varying = fixtures::graded(mesh, 0.1 / mesh.diagonal(), 0.2 / mesh.diagonal());
   for (const Sizing* sizing : {&even, &varying}) {
     VoronoiMoments moments(mesh, *sizing, 0.2, 2);
     std::vector<SurfaceSample> samples = random_samples(mesh, *sizing, 150, 8);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 
 #include "doctest.h"
@@ -12,8 +11,9 @@
 #include "fpo/baselines/vbs.h"
 #include "fpo/measure/quality.h"
 #include "fpo/remesh/remesh_defaults.h"
-#include "geom/mesh/aabb_tree.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/baselines.h"
+#include "tests/fixtures/sizings.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
@@ -25,26 +25,6 @@ using geom::Vec3;
 namespace {
 
 constexpr std::array both{variational_blue_noise, capacity_constrained_triangulation};
-
-OptimizeOptions equal_shares_iterations(int number) {
-  OptimizeOptions options;
-  options.max_iterations = number;
-  return options;
-}
-
-bool equal_shares_same(const std::vector<SurfaceSample>& a, const std::vector<SurfaceSample>& b) {
-  return std::ranges::equal(a, b, [](const SurfaceSample& x, const SurfaceSample& y) {
-    return x.position == y.position && x.facet == y.facet;
-  });
-}
-
-Sizing sizing_of(const TriMesh& mesh, std::size_t n, bool adaptive) {
-  if (!adaptive) return Sizing::uniform(hexagonal_spacing(mesh.area(), n));
-  VertexField rho;
-  for (const Vec3& p : mesh.vertices())
-    rho.push_back(1 + 2 * (p - mesh.box().min()).norm() / mesh.diagonal());
-  return fit_sizing(mesh, rho, n, {.gradation = 0.3});
-}
 
 double variation(const std::vector<double>& values) {
   double sum = 0, squares = 0;
@@ -59,12 +39,12 @@ TEST_CASE("vbs: the energy sinks from iteration to iteration, and capacities bec
   const TriMesh mesh = fixtures::blob(6);
   for (const bool adaptive : {false, true}) {
     constexpr std::size_t n = 200;
-    const Sizing sizing = sizing_of(mesh, n, adaptive);
+    const Sizing sizing = fixtures::even_or_graded(mesh, n, adaptive);
     const BaselineTask task{mesh, sizing, {}, n, 3, 2};
     Capacities capacities(mesh, sizing, hexagonal_spacing(mesh.area(), n), 1);
     double last_energy = std::numeric_limits<double>::infinity(), last_variation = last_energy;
     for (const int k : {0, 5, 15, 40}) {
-      const BaselineResult result = variational_blue_noise(task, equal_shares_iterations(k));
+      const BaselineResult result = variational_blue_noise(task, fixtures::iterations(k));
       const auto diagram = capacities.of(result.samples);
       std::vector<double> shares;
       double energy = 0, mean = 0;
@@ -104,39 +84,20 @@ TEST_CASE("ccst: the triangles of the remesh become equal, and it says how equal
 }
 
 TEST_CASE("vbs, ccst: samples are on the surface, as many as wanted; threads do not matter, seeds do") {
-  for (const auto& [name, mesh] : fixtures::surfaces())
+  for (const auto& surface : fixtures::surfaces())
     for (const bool adaptive : {false, true})
       for (const auto method : both) {
-        CAPTURE(name);
-        const Sizing sizing = sizing_of(mesh, 80, adaptive);
-        const geom::AabbTree tree(mesh);
-        const auto run = [&](std::uint64_t seed, int threads) {
-          return method({mesh, sizing, {}, 80, seed, threads}, equal_shares_iterations(8)).samples;
-        };
-        const auto samples = run(1, 1);
-        REQUIRE(samples.size() == 80);
-        for (const SurfaceSample& x : samples)
-          CHECK(geom::closest_point(x.position, tree.triangle(x.facet)).distance2 < 1e-24);
-        CHECK(equal_shares_same(samples, run(1, 3)));
-        CHECK(!equal_shares_same(samples, run(2, 1)));
+        CAPTURE(surface.name);
+        const Sizing sizing = fixtures::even_or_graded(surface.mesh, 80, adaptive);
+        fixtures::check_samples(method, surface.mesh, sizing, 8);
       }
 }
 
 TEST_CASE("vbs, ccst: fixed samples stay; interrupted, they keep what they have") {
   const TriMesh mesh = fixtures::blob(6);
-  const Sizing sizing = sizing_of(mesh, 100, false);
+  const Sizing sizing = fixtures::even_or_graded(mesh, 100, false);
   const std::vector<SurfaceSample> fixed = random_samples(mesh, sizing, 4, 9);
-  for (const auto method : both) {
-    const BaselineTask task{mesh, sizing, fixed, 100, 1, 1};
-    std::atomic<bool> stop = false;
-    OptimizeOptions options = equal_shares_iterations(1000);
-    options.interrupted = &stop;
-    options.on_iteration = [&](const IterationReport& r) { stop = r.iteration >= 3; };
-    const BaselineResult result = method(task, options);
-    CHECK(result.run.reason == StopReason::interrupted);
-    CHECK(equal_shares_same(result.samples, method(task, equal_shares_iterations(3)).samples));
-    CHECK(equal_shares_same(fixed, {result.samples.begin(), result.samples.begin() + 4}));
-  }
+  for (const auto method : both) fixtures::check_interruption(method, {mesh, sizing, fixed, 100, 1, 1}, 3);
 }
 
 TEST_CASE("vbs: half cells on a border leave the cells inside equal") {

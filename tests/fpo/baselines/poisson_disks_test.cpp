@@ -14,6 +14,7 @@
 #include "fpo/surface/initial_samples.h"
 #include "fpo/surface/surface_domain.h"
 #include "geom/check.h"
+#include "tests/fixtures/sizings.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
@@ -21,14 +22,6 @@ using geom::TriMesh;
 using geom::Vec3;
 
 namespace {
-
-Sizing poisson_disks_sizing_of(const TriMesh& mesh, std::size_t n, bool adaptive) {
-  if (!adaptive) return Sizing::uniform(hexagonal_spacing(mesh.area(), n));
-  VertexField rho;
-  for (const Vec3& p : mesh.vertices())
-    rho.push_back(1 + 2 * (p - mesh.box().min()).norm() / mesh.diagonal());
-  return fit_sizing(mesh, rho, n, {.gradation = 0.3});
-}
 
 /// At most so many are tried.
 OptimizeOptions radii(int most) {
@@ -64,18 +57,18 @@ double largest_gap(const TriMesh& mesh, const Sizing& sizing, const BaselineResu
 }  // namespace
 
 TEST_CASE("mps: disks keep their distance and cover every surface, borders and tips included") {
-  for (const auto& [name, mesh] : fixtures::surfaces())
+  for (const auto& surface : fixtures::surfaces())
     for (const bool adaptive : {false, true})
       for (const std::size_t n : {12, 250}) {
-        CAPTURE(name);
+        CAPTURE(surface.name);
         CAPTURE(adaptive);
         CAPTURE(n);
-        const Sizing sizing = poisson_disks_sizing_of(mesh, n, adaptive);
-        const BaselineResult result = maximal_poisson_disks({mesh, sizing, {}, n, 5, 1}, radii(2));
+        const Sizing sizing = fixtures::even_or_graded(surface.mesh, n, adaptive);
+        const BaselineResult result = maximal_poisson_disks({surface.mesh, sizing, {}, n, 5, 1}, radii(2));
         check_distances(result, sizing, 0);
-        CHECK(largest_gap(mesh, sizing, result) <= 1e-12 * mesh.area());
+        CHECK(largest_gap(surface.mesh, sizing, result) <= 1e-12 * surface.mesh.area());
         // By brute force too.
-        for (const SurfaceSample& x : random_samples(mesh, 300, 9))
+        for (const SurfaceSample& x : random_samples(surface.mesh, 300, 9))
           CHECK(std::ranges::any_of(result.samples, [&](const SurfaceSample& y) {
             return (x.position - y.position).norm() <= result.radius_factor * sizing.at(y) * (1 + 1e-9);
           }));
@@ -83,13 +76,13 @@ TEST_CASE("mps: disks keep their distance and cover every surface, borders and t
 }
 
 TEST_CASE("cps: the samples are those that elimination in a list leaves") {
-  for (const auto& [name, mesh] : fixtures::surfaces())
+  for (const auto& surface : fixtures::surfaces())
     for (const bool adaptive : {false, true}) {
-      CAPTURE(name);
-      const Sizing sizing = poisson_disks_sizing_of(mesh, 60, adaptive);
-      const BaselineResult result = constrained_poisson_disks({mesh, sizing, {}, 60, 3, 1}, radii(3));
+      CAPTURE(surface.name);
+      const Sizing sizing = fixtures::even_or_graded(surface.mesh, 60, adaptive);
+      const BaselineResult result = constrained_poisson_disks({surface.mesh, sizing, {}, 60, 3, 1}, radii(3));
       check_distances(result, sizing, 0);
-      std::vector<SurfaceSample> left = random_samples(mesh, sizing, 15 * 60, 3);
+      std::vector<SurfaceSample> left = random_samples(surface.mesh, sizing, 15 * 60, 3);
       for (const SurfaceSample& x : result.samples) {
         REQUIRE(!left.empty());
         CHECK(left.front().position == x.position);
@@ -103,31 +96,32 @@ TEST_CASE("cps: the samples are those that elimination in a list leaves") {
 }
 
 TEST_CASE("hps: disks keep their distance and cover every surface, borders and tips included") {
-  for (const auto& [name, mesh] : fixtures::surfaces())
+  for (const auto& surface : fixtures::surfaces())
     for (const bool adaptive : {false, true}) {
-      CAPTURE(name);
+      CAPTURE(surface.name);
       CAPTURE(adaptive);
-      const Sizing sizing = poisson_disks_sizing_of(mesh, 120, adaptive);
-      const BaselineResult result = hierarchical_poisson_disks({mesh, sizing, {}, 120, 5, 1}, radii(2));
+      const Sizing sizing = fixtures::even_or_graded(surface.mesh, 120, adaptive);
+      const BaselineResult result =
+          hierarchical_poisson_disks({surface.mesh, sizing, {}, 120, 5, 1}, radii(2));
       check_distances(result, sizing, 0);
       CHECK(result.reached.front().value == 0);  // triangles that were given up
-      CHECK(largest_gap(mesh, sizing, result) <= 1e-9 * mesh.area());
+      CHECK(largest_gap(surface.mesh, sizing, result) <= 1e-9 * surface.mesh.area());
     }
 }
 
 TEST_CASE("pps: disks keep their distance, and no candidate is left free, with any number of threads") {
-  for (const auto& [name, mesh] : fixtures::surfaces())
+  for (const auto& surface : fixtures::surfaces())
     for (const bool adaptive : {false, true}) {
-      CAPTURE(name);
+      CAPTURE(surface.name);
       CAPTURE(adaptive);
-      const Sizing sizing = poisson_disks_sizing_of(mesh, 60, adaptive);
+      const Sizing sizing = fixtures::even_or_graded(surface.mesh, 60, adaptive);
       const auto run = [&](int threads) {
-        return parallel_poisson_disks({mesh, sizing, {}, 60, 3, threads}, radii(2));
+        return parallel_poisson_disks({surface.mesh, sizing, {}, 60, 3, threads}, radii(2));
       };
       const BaselineResult result = run(1), other = run(3);
       check_distances(result, sizing, 0);
       const auto cloud =
-          random_samples(mesh, sizing, static_cast<std::size_t>(result.reached.front().value), 3);
+          random_samples(surface.mesh, sizing, static_cast<std::size_t>(result.reached.front().value), 3);
       for (std::size_t i = 0; i < cloud.size(); i += 7)
         CHECK(std::ranges::any_of(result.samples, [&](const SurfaceSample& y) {
           return (cloud[i].position - y.position).norm() <= result.radius_factor * sizing.at(y) * (1 + 1e-12);
@@ -142,7 +136,7 @@ TEST_CASE("poisson disks: about the number wanted; fixed samples come first; one
   constexpr std::size_t n = 200;
   for (const auto method : all_methods)
     for (const bool adaptive : {false, true}) {
-      const Sizing sizing = poisson_disks_sizing_of(mesh, n, adaptive);
+      const Sizing sizing = fixtures::even_or_graded(mesh, n, adaptive);
       const auto fixed = random_samples(mesh, sizing, 5, 77);
       const auto run = [&](std::uint64_t seed) {
         return method({mesh, sizing, fixed, n, seed, 1}, radii(8));
@@ -163,7 +157,7 @@ TEST_CASE("poisson disks: about the number wanted; fixed samples come first; one
 
 TEST_CASE("poisson disks: interrupted in the first set of disks, there is no result") {
   const TriMesh mesh = fixtures::blob(8);
-  const Sizing sizing = poisson_disks_sizing_of(mesh, 500, false);
+  const Sizing sizing = fixtures::even_or_graded(mesh, 500, false);
   for (const auto method : all_methods) {
     std::atomic<bool> stop = true;
     OptimizeOptions options;

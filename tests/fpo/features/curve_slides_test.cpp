@@ -6,6 +6,7 @@
 #include "fpo/surface/initial_samples.h"
 #include "geom/mesh/aabb_tree.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/sizings.h"
 
 using namespace fpo;
 using geom::TriMesh;
@@ -17,7 +18,7 @@ namespace {
 struct Scene {
   explicit Scene(const char* name, std::size_t n = 300)
       : mesh(geom::make_shape(name)),
-        sizing(Sizing::uniform(hexagonal_spacing(mesh.area(), n))),
+        sizing(fixtures::even(mesh, n)),
         features(find_features(mesh)),
         on_curves(sample_features(mesh, features, {}, sizing, {n, 1})),
         slides(mesh, features, on_curves, sizing),

@@ -23,8 +23,9 @@ std::vector<Vec3> positions(const std::vector<SurfaceSample>& samples) {
 }  // namespace
 
 TEST_CASE("covering: no location is farther than it says, and some are nearly as far") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     const std::vector<Vec3> samples = positions(random_samples(mesh, 25, 4));
     std::vector<double> sizes = nearest_distances(samples);
     for (std::size_t i = 0; i < samples.size(); ++i) {

@@ -71,8 +71,9 @@ double sampled_distance(const TriMesh& from, const TriMesh& to, int per_facet) {
 }  // namespace
 
 TEST_CASE("hausdorff: a surface is nowhere far from itself") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     const SurfaceDistance d = surface_distance(mesh, mesh);
     CHECK(d.max_bound <= 1e-14 * mesh.diagonal());
     CHECK(d.rms <= 1e-14 * mesh.diagonal());

@@ -7,6 +7,7 @@
 #include "fpo/optimize.h"
 #include "fpo/remesh/extract.h"
 #include "geom/mesh/aabb_tree.h"
+#include "tests/fixtures/sizings.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
@@ -53,8 +54,7 @@ TEST_CASE("angles: bad triangles are counted as an independent count does, and g
   const TriMesh mesh = fixtures::blob(8);
   for (const bool uniform : {true, false}) {
     CAPTURE(uniform);
-    const Sizing sizing =
-        uniform ? Sizing::uniform(hexagonal_spacing(mesh.area(), 800)) : fit_sizing(mesh, sloping(mesh), 800);
+    const Sizing sizing = uniform ? fixtures::even(mesh, 800) : fit_sizing(mesh, sloping(mesh), 800);
     SurfaceDomain domain = rough_samples(mesh, sizing, 800);
     const AngleOptions bounds;
     const std::size_t before = count_bad(domain, bounds);
@@ -112,7 +112,7 @@ TEST_CASE("angles: what cannot be mended is put back") {
 
 TEST_CASE("angles: interrupted before the start, nothing changes") {
   const TriMesh mesh = fixtures::blob(5);
-  const Sizing sizing = Sizing::uniform(hexagonal_spacing(mesh.area(), 200));
+  const Sizing sizing = fixtures::even(mesh, 200);
   SurfaceDomain domain = rough_samples(mesh, sizing, 200);
   const auto before = domain.diagram()->canonical();
   std::atomic<bool> stop{true};
@@ -124,7 +124,7 @@ TEST_CASE("angles: interrupted before the start, nothing changes") {
 
 TEST_CASE("angles: small steps mend what resampling does not, and never lower delta") {
   const TriMesh mesh = fixtures::blob(8);
-  const Sizing sizing = Sizing::uniform(hexagonal_spacing(mesh.area(), 500));
+  const Sizing sizing = fixtures::even(mesh, 500);
   std::size_t steps = 0;
   for (const std::uint64_t seed : {1, 2, 3}) {
     SurfaceDomain domain(mesh, sizing, random_samples(mesh, sizing, 500, seed));

@@ -39,10 +39,10 @@ TEST_CASE("crowd: single facets, more pieces than samples and heaps of sheets ar
 }
 
 TEST_CASE("crowd: whatever is a surface is not refused") {
-  for (const auto& [name, mesh] : fixtures::surfaces())
+  for (const auto& surface : fixtures::surfaces())
     for (const std::size_t n : {10u, 300u, 5000u}) {
-      CAPTURE(name);
-      CHECK_NOTHROW(fpo::refuse_crowd(mesh, n));
+      CAPTURE(surface.name);
+      CHECK_NOTHROW(fpo::refuse_crowd(surface.mesh, n));
     }
 }
 
@@ -59,9 +59,9 @@ TEST_CASE(
   CHECK_NOTHROW(fpo::refuse_thread(stretched(strip, 300, 1, 1), 300));
   CHECK_NOTHROW(fpo::refuse_thread(stretched(sphere, 1, 1, 50), 300));
   CHECK_NOTHROW(fpo::refuse_thread(stretched(cube, 1, 1, 1e-9), 300));
-  for (const auto& [name, mesh] : fixtures::surfaces())
+  for (const auto& surface : fixtures::surfaces())
     for (const std::size_t n : {16u, 300u, 5000u}) {
-      CAPTURE(name);
-      CHECK_NOTHROW(fpo::refuse_thread(mesh, n));
+      CAPTURE(surface.name);
+      CHECK_NOTHROW(fpo::refuse_thread(surface.mesh, n));
     }
 }

@@ -4,6 +4,7 @@
 #include "fpo/remesh/proven_edges.h"
 #include "geom/mesh/aabb_tree.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/sizings.h"
 
 using namespace fpo;
 using geom::SiteId;
@@ -38,7 +39,7 @@ struct Cube {
   }
 
   geom::TriMesh mesh = geom::make_shape("cube");
-  Sizing sizing = Sizing::uniform(hexagonal_spacing(mesh.area(), 200));
+  Sizing sizing = fixtures::even(mesh, 200);
   Features features = find_features(mesh);
   FeatureSamples on_curves = sample_features(mesh, features, {}, sizing, {200, 1});
   std::vector<SurfaceSample> samples;

@@ -108,8 +108,9 @@ TEST_CASE("extract: of a cube's eight corners, each face is cut one way or the o
 }
 
 TEST_CASE("extract: the triangles are those of brute force, oriented like the surface") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     std::vector<Vec3> positions;
     for (const SurfaceSample& x : random_samples(mesh, 22, 15)) positions.push_back(x.position);
     const SurfaceDomain domain = domain_at(mesh, positions);
@@ -129,8 +130,9 @@ TEST_CASE("extract: too few samples have no triangle, and that is said") {
 }
 
 TEST_CASE("extract: the cells' polygons are sorted, cover the surface and forget their history") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     const auto samples = random_samples(mesh, 30, 8);
     SurfaceDomain direct(mesh, samples), moved(mesh, samples);
     for (std::size_t i = 0; i < 30; i += 2) {

@@ -10,6 +10,7 @@
 #include "fpo/surface/initial_samples.h"
 #include "geom/rng.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/sizings.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
@@ -30,8 +31,9 @@ struct Changes final : Follower<geom::RestrictedDual::Change> {
 TEST_CASE(
     "flaws: followed through removals, insertions and moves at once, they are those of the triangles and "
     "stars") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     constexpr std::size_t n = 80;
     SurfaceDomain domain = flaws_domain_of(mesh, n);
     const double wanted2 = mesh.area() / n / 2;
@@ -80,8 +82,7 @@ TEST_CASE("flaws: what is tried in vain leaves samples as they were, and fixed o
     constexpr std::size_t n = 80;
     SurfaceOptions fixed;
     fixed.num_fixed = num_fixed;
-    SurfaceDomain domain(mesh, Sizing::uniform(hexagonal_spacing(mesh.area(), n)), random_samples(mesh, n, 4),
-                         fixed);
+    SurfaceDomain domain(mesh, fixtures::even(mesh, n), random_samples(mesh, n, 4), fixed);
     // No triangle is good enough, so that nothing helps.
     Flaws flaws(domain, [](const geom::EmptyCircle&) { return 1.0; });
     LocalResampling resampling(domain, {&flaws}, 0);

@@ -1,6 +1,7 @@
 #include "fpo/remesh/localize.h"
 
 #include <algorithm>
+#include <atomic>
 #include <set>
 
 #include "doctest.h"
@@ -17,16 +18,15 @@ using geom::Vec3;
 
 namespace {
 
-/// Two tilted squares, one above the other.
-TriMesh two_sheets(double gap) {
+/// Tilted squares, one above the other.
+TriMesh sheets(int count, double gap) {
   geom::Table<geom::VertexId, Vec3> v;
   geom::Table<FacetId, TriMesh::Facet> f;
   const Vec3 x(0.9, 0.3, 0.1), y(-0.3, 0.7, 0.4), up = x.cross(y).normalized();
-  fixtures::add_grid(v, f, 5, Vec3(0, 0, 0), x, y);
-  fixtures::add_grid(v, f, 4, gap * up, x, y);
+  for (int i = 0; i < count; ++i) fixtures::add_grid(v, f, i == 0 ? 5 : 4, i * gap * up, x, y);
   return TriMesh(std::move(v), std::move(f));
 }
-bool is_upper(FacetId t) { return t.index() >= 50; }
+std::size_t sheet_of(FacetId t) { return t.index() < 50 ? 0 : 1 + (t.index() - 50) / 32; }
 
 double area_of_fragments(const geom::RestrictedPower& diagram) {
   double area = 0;
@@ -41,8 +41,10 @@ double area_of_fragments(const geom::RestrictedPower& diagram) {
 
 /// A diagram to be localized, and the samples that it is of.
 struct Cells {
+  Cells(const TriMesh& mesh, std::vector<SurfaceSample> at)
+      : samples(std::move(at)), diagram(SurfaceDomain(mesh, samples).diagram()) {}
   Cells(const TriMesh& mesh, std::size_t n, std::uint64_t seed)
-      : samples(random_samples(mesh, n, seed)), diagram(SurfaceDomain(mesh, samples).diagram()) {}
+      : Cells(mesh, random_samples(mesh, n, seed)) {}
   std::vector<SurfaceSample> samples;
   std::unique_ptr<geom::RestrictedPower> diagram;
 };
@@ -58,17 +60,18 @@ std::size_t orphans(const Cells& cells) {
 
 std::size_t triangles_between_sheets(const Cells& cells, const TriMesh& remesh) {
   return static_cast<std::size_t>(std::ranges::count_if(remesh.facets(), [&](const TriMesh::Facet& f) {
-    std::set<bool> sides;
-    for (const geom::VertexId v : f) sides.insert(is_upper(cells.samples[v.index()].facet));
-    return sides.size() == 2;
+    std::set<std::size_t> sides;
+    for (const geom::VertexId v : f) sides.insert(sheet_of(cells.samples[v.index()].facet));
+    return sides.size() > 1;
   }));
 }
 
 }  // namespace
 
 TEST_CASE("localize: the components of a cell are its fragments, connected, the sample's own first") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     const Cells cells(mesh, 25, 12);
     const geom::FragmentStore& fragments = cells.diagram->fragments();
     for (std::size_t i = 0; i < 25; ++i) {
@@ -90,7 +93,7 @@ TEST_CASE("localize: the components of a cell are its fragments, connected, the 
 TEST_CASE("localize: sheets closer than the samples come apart") {
   for (const double gap : {1e-6, 0.002, 0.05}) {
     CAPTURE(gap);
-    const TriMesh mesh = two_sheets(gap);
+    const TriMesh mesh = sheets(2, gap);
     Cells cells(mesh, 60, 21);
     REQUIRE(orphans(cells) > 10);
     REQUIRE(triangles_between_sheets(cells, extract(*cells.diagram, 60)) > 10);
@@ -130,4 +133,58 @@ TEST_CASE("localize: where no cell has an orphan nothing happens") {
   const Localization localization = localize(*cells.diagram, cells.samples);
   CHECK(localization.orphans + localization.merged + localization.remaining == 0);
   CHECK(cells.diagram->canonical() == before);
+}
+
+TEST_CASE("localize: no more than two orphans a sample are divided, the rest is merged on its own sheet") {
+  constexpr std::size_t n = 60;
+  for (const int count : {3, 6}) {
+    CAPTURE(count);
+    const TriMesh stack = sheets(count, 1e-4);
+    Cells cells(stack, n, 21);
+    const std::size_t all = n * static_cast<std::size_t>(count - 1);
+    REQUIRE(orphans(cells) == all);
+    const Localization localization = localize(*cells.diagram, cells.samples);
+    CHECK(localization.orphans >= 2 * n);
+    CHECK(localization.orphans < 2 * n + static_cast<std::size_t>(count));
+    CHECK((localization.merged > 0) == (all > 2 * n));
+    CHECK(localization.remaining == 0);
+    CHECK(orphans(cells) == localization.merged);
+    CHECK(area_of_fragments(*cells.diagram) == doctest::Approx(stack.area()).epsilon(1e-9));
+    CHECK(triangles_between_sheets(cells, extract(*cells.diagram, n, localization.owners)) == 0);
+  }
+}
+
+TEST_CASE("localize: what has no sample is not handed on from cell to cell") {
+  geom::Table<geom::VertexId, Vec3> v;
+  geom::Table<FacetId, TriMesh::Facet> f;
+  fixtures::add_grid(v, f, 5, Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0));
+  fixtures::add_grid(v, f, 4, Vec3(0.4, 0.4, 0.003), Vec3(0.16, 0, 0), Vec3(0, 0.16, 0));
+  const TriMesh mesh(std::move(v), std::move(f));
+  auto samples = random_samples(mesh, 200, 21);
+  std::erase_if(samples, [](const SurfaceSample& x) { return sheet_of(x.facet) == 1; });
+  Cells cells(mesh, std::move(samples));
+  const std::size_t before = orphans(cells);
+  REQUIRE(before > 5);
+  const Localization localization = localize(*cells.diagram, cells.samples);
+  CHECK(localization.orphans >= before);
+  CHECK(localization.orphans < cells.samples.size() / 2);
+  CHECK(localization.merged == 0);
+  CHECK(localization.remaining > 0);
+  CHECK(orphans(cells) == localization.remaining);
+  CHECK(area_of_fragments(*cells.diagram) == doctest::Approx(mesh.area()).epsilon(1e-9));
+}
+
+TEST_CASE("localize: when interrupted it divides nothing, and merges all orphans on their own sheets") {
+  const TriMesh mesh = sheets(2, 0.002);
+  Cells cells(mesh, 60, 21);
+  const std::size_t before = orphans(cells);
+  REQUIRE(before > 10);
+  const auto diagram = cells.diagram->canonical();
+  const std::atomic<bool> interrupted = true;
+  const Localization localization = localize(*cells.diagram, cells.samples, &interrupted);
+  CHECK(localization.orphans == 0);
+  CHECK(localization.merged == before);
+  CHECK(localization.remaining == 0);
+  CHECK(cells.diagram->canonical() == diagram);
+  CHECK(triangles_between_sheets(cells, extract(*cells.diagram, 60, localization.owners)) == 0);
 }

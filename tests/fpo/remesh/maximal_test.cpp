@@ -8,6 +8,7 @@
 #include "fpo/measure/covering.h"
 #include "fpo/optimize.h"
 #include "fpo/surface/surface_domain.h"
+#include "tests/fixtures/sizings.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
@@ -16,14 +17,6 @@ using geom::TriMesh;
 using geom::Vec3;
 
 namespace {
-
-Sizing sizing_of(const TriMesh& mesh, std::size_t n, bool adaptive) {
-  if (!adaptive) return Sizing::uniform(hexagonal_spacing(mesh.area(), n));
-  VertexField rho;
-  for (const Vec3& p : mesh.vertices())
-    rho.push_back(1 + 2 * (p - mesh.box().min()).norm() / mesh.diagonal());
-  return fit_sizing(mesh, rho, n, {.gradation = 0.3});
-}
 
 /// After some iterations of farthest point optimization with the local search.
 std::vector<SurfaceSample> optimized(const TriMesh& mesh, const Sizing& sizing, std::size_t n) {
@@ -48,24 +41,24 @@ double least_spacing(const std::vector<SurfaceSample>& samples, const Sizing& si
 }  // namespace
 
 TEST_CASE("maximal: by brute force the disks cover the surface, and the least spacing is no smaller") {
-  for (const auto& [name, mesh] : fixtures::surfaces())
+  for (const auto& surface : fixtures::surfaces())
     for (const bool adaptive : {false, true}) {
-      CAPTURE(name);
+      CAPTURE(surface.name);
       CAPTURE(adaptive);
       constexpr std::size_t n = 150;
-      const Sizing sizing = sizing_of(mesh, n, adaptive);
-      std::vector<SurfaceSample> samples = optimized(mesh, sizing, n);
+      const Sizing sizing = fixtures::even_or_graded(surface.mesh, n, adaptive);
+      std::vector<SurfaceSample> samples = optimized(surface.mesh, sizing, n);
       const double least_before = least_spacing(samples, sizing);
-      CHECK(make_maximal(mesh, sizing, samples).maximal);
+      CHECK(make_maximal(surface.mesh, sizing, samples).maximal);
       REQUIRE(samples.size() == n);
       CHECK(least_spacing(samples, sizing) >= least_before);
       std::vector<Vec3> positions;
       for (const SurfaceSample& x : samples) positions.push_back(x.position);
       const std::vector<double> distances = nearest_distances(positions);
-      const Covering found = covering(mesh, positions, distances, 1);
+      const Covering found = covering(surface.mesh, positions, distances, 1);
       CHECK((adaptive ? found.local_ratio : found.ratio) <= 1 + 1e-8);
       const double least = *std::ranges::min_element(distances);
-      for (const SurfaceSample& x : random_samples(mesh, 500, 9)) {
+      for (const SurfaceSample& x : random_samples(surface.mesh, 500, 9)) {
         bool covered = false;
         for (std::size_t i = 0; i < n; ++i)
           covered |= (x.position - positions[i]).norm() <= (adaptive ? distances[i] : least) * (1 + 1e-8);
@@ -76,7 +69,7 @@ TEST_CASE("maximal: by brute force the disks cover the surface, and the least sp
 
 TEST_CASE("maximal: a maximal set stays as it is; fixed samples stay; interrupted, nothing is lost") {
   const TriMesh mesh = fixtures::blob(8);
-  const Sizing sizing = sizing_of(mesh, 200, true);
+  const Sizing sizing = fixtures::even_or_graded(mesh, 200, true);
   std::vector<SurfaceSample> samples = optimized(mesh, sizing, 200);
   const std::vector<SurfaceSample> before = samples;
   std::atomic<bool> stop = true;

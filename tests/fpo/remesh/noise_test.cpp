@@ -28,8 +28,9 @@ TriMesh noisy(const TriMesh& mesh, double by) {
 }  // namespace
 
 TEST_CASE("noise: smooth surfaces have none, nor do coarse ones") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     CHECK(!fpo::has_noise(mesh, mesh.num_facets() / 6 + 1));
   }
   const TriMesh sphere = geom::make_shape("sphere", 60);

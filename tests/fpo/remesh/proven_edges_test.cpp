@@ -7,6 +7,7 @@
 #include "fpo/surface/initial_samples.h"
 #include "geom/mesh/aabb_tree.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/sizings.h"
 
 using namespace fpo;
 using geom::TriMesh;
@@ -17,7 +18,7 @@ namespace {
 struct Part {
   Part(const char* name, std::size_t n)
       : mesh(geom::make_shape(name)),
-        sizing(Sizing::uniform(hexagonal_spacing(mesh.area(), n))),
+        sizing(fixtures::even(mesh, n)),
         features(find_features(mesh)),
         on_curves(sample_features(mesh, features, {}, sizing, {n, 1})),
         samples(on_curves.samples) {

@@ -4,6 +4,7 @@
 #include "fpo/remesh/pipeline.h"
 #include "fpo/remesh/remesh_defaults.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/sizings.h"
 
 using namespace fpo;
 using geom::TriMesh;
@@ -13,9 +14,7 @@ namespace {
 SharedSizing shared_for(const TriMesh& mesh, std::size_t n) {
   FeatureOptions options = automatic_features();
   options.turn_scale = hexagonal_spacing(mesh.area(), n) / 2;
-  const auto sizing_for = [&](std::size_t count) {
-    return Sizing::uniform(hexagonal_spacing(mesh.area(), count));
-  };
+  const auto sizing_for = [&](std::size_t count) { return fixtures::even(mesh, count); };
   return share_sizing(mesh, find_features(mesh, options), {}, sizing_for, {n});
 }
 

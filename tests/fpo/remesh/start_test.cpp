@@ -4,13 +4,14 @@
 
 #include "doctest.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/sizings.h"
 
 using namespace fpo;
 
 TEST_CASE("start: those on features first and the rest at random; inner ones are taken from others") {
   const geom::TriMesh cube = geom::make_shape("cube");
   const Features features = find_features(cube);
-  const Sizing sizing = Sizing::uniform(hexagonal_spacing(cube.area(), 200));
+  const Sizing sizing = fixtures::even(cube, 200);
   const SharedSizing shared{sizing, sample_features(cube, features, {}, sizing, {200, 1})};
   const std::size_t fixed = shared.features.samples.size();
   const std::vector<SurfaceSample> a = initial_samples(cube, shared, 200, 1);

@@ -54,8 +54,9 @@ TEST_CASE("thin parts: a bar, a handle and a hole much thinner than the spacing 
     const char* name;
     std::size_t n;
   };
-  for (const auto& [name, n] : {Case{"dumbbell", 400}, {"thin-handle", 300}, {"narrow-torus", 300}}) {
-    CAPTURE(std::string(name));
+  for (const Case& c : {Case{"dumbbell", 400}, {"thin-handle", 300}, {"narrow-torus", 300}}) {
+    CAPTURE(std::string(c.name));
+    const auto& [name, n] = c;
     const TriMesh mesh = geom::make_shape(name, 16);
     const Outcome outcome = with_room(mesh, n);
     CHECK(outcome.found.faults_before > 0);

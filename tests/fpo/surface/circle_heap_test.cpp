@@ -47,13 +47,13 @@ CircleId first_of(const SurfaceDomain& domain, std::size_t cells, Priority rule,
 
 TEST_CASE("circle heap: the top is the first of all offered circles, after every change") {
   constexpr std::size_t n = 40;
-  for (const auto& [name, mesh] : fixtures::surfaces())
+  for (const auto& surface : fixtures::surfaces())
     for (const FarthestRule& rule : farthest_rules()) {
-      CAPTURE(name);
+      CAPTURE(surface.name);
       CAPTURE(rule.name);
-      const Sizing sizing = fixtures::graded(mesh, 0.08, 0.2);
-      HalfSpace guard(mesh.box().center().x());
-      SurfaceDomain domain(mesh, sizing, random_samples(mesh, sizing, n, 5));
+      const Sizing sizing = fixtures::graded(surface.mesh, 0.08, 0.2);
+      HalfSpace guard(surface.mesh.box().center().x());
+      SurfaceDomain domain(surface.mesh, sizing, random_samples(surface.mesh, sizing, n, 5));
       CircleHeap guarded(domain.dual(), {rule.priority, domain.sizing()}, &guard),
           free(domain.dual(), {rule.priority, domain.sizing()}, nullptr);
       geom::RestrictedDual::Change all;

@@ -36,8 +36,9 @@ double off_facet(const TriMesh& mesh, const SurfaceSample& x) {
 }  // namespace
 
 TEST_CASE("initial samples: exactly n, each on its facet, inside the surface's box, the same again") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     for (const std::size_t n : {1, 2, 997}) {
       const auto samples = random_samples(mesh, n, 7), again = random_samples(mesh, n, 7),
                  others = random_samples(mesh, n, 8);

@@ -15,8 +15,9 @@ using geom::Vec3;
 using geom::VertexId;
 
 TEST_CASE("split facets: short edges, the same surface, samples in parts of their facets") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     for (const bool adaptive : {false, true}) {
       VertexField lengths;
       for (const Vec3& p : mesh.vertices())

@@ -37,8 +37,9 @@ double edge_length(const TriMesh& mesh) {
 }  // namespace
 
 TEST_CASE("surface cover: a point within the spacing of every location, all on the surface, not too many") {
-  for (const auto& [name, mesh] : covered_surfaces()) {
-    CAPTURE(name);
+  for (const auto& named : covered_surfaces()) {
+    CAPTURE(named.name);
+    const TriMesh& mesh = named.mesh;
     const geom::AabbTree surface(mesh);
     for (const double share : {0.3, 0.1, 0.02}) {
       const double spacing = share * std::sqrt(mesh.area());

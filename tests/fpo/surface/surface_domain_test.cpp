@@ -56,12 +56,12 @@ double largest_by_brute_force(const TriMesh& mesh, const geom::Clipper::Sites& s
 }  // namespace
 
 TEST_CASE("surface domain: the largest empty circle is that of brute force, and every structure holds") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     for (const bool adaptive : {false, true}) {
       for (const geom::CornerTypes corners : {geom::CornerTypes::c_only, geom::CornerTypes::all}) {
-        const Sizing sizing = adaptive ? fixtures::graded(mesh, 0.08, 0.2)
-                                       : Sizing::uniform(hexagonal_spacing(mesh.area(), 25));
+        const Sizing sizing = adaptive ? fixtures::graded(mesh, 0.08, 0.2) : fixtures::even(mesh, 25);
         SurfaceOptions options;
         options.corners = corners;
         options.engine = adaptive ? Engine::triangulation : Engine::search;
@@ -91,8 +91,9 @@ TEST_CASE("surface domain: the largest empty circle is that of brute force, and 
 }
 
 TEST_CASE("surface domain: the separation is the least power of a linear scan") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     for (const Engine engine : {Engine::search, Engine::triangulation}) {
       const Sizing sizing = fixtures::graded(mesh, 0.08, 0.2);
       SurfaceOptions options;
@@ -170,8 +171,9 @@ TEST_CASE("surface domain: degenerate facets are borne") {
 }
 
 TEST_CASE("surface domain: both engines go the same way, move by move") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     const Sizing sizing = fixtures::graded(mesh, 0.08, 0.2);
     const auto samples = random_samples(mesh, sizing, 50, 6);
     SurfaceOptions options;
@@ -225,24 +227,24 @@ bool move_in_steps(SurfaceDomain& domain, SiteId x, Scope scope) { return domain
 }  // namespace
 
 TEST_CASE("surface domain: a move at once ends where the steps of Algorithm 1 do") {
-  for (const auto& [name, mesh] : fixtures::surfaces())
+  for (const auto& surface : fixtures::surfaces())
     for (const Scope scope : {Scope::global, Scope::two_ring})
       for (const bool adaptive : {false, true})
         for (const bool offers_half : {false, true}) {
           if (offers_half && scope == Scope::two_ring) continue;  // steps take what is not offered there
-          CAPTURE(name);
+          CAPTURE(surface.name);
           CAPTURE(adaptive);
           CAPTURE(offers_half);
           constexpr std::size_t n = 60;
-          const Sizing sizing = adaptive ? fixtures::graded(mesh, 0.08, 0.2)
-                                         : Sizing::uniform(hexagonal_spacing(mesh.area(), n));
+          const Sizing sizing =
+              adaptive ? fixtures::graded(surface.mesh, 0.08, 0.2) : fixtures::even(surface.mesh, n);
           SurfaceOptions options;
           options.engine = adaptive ? Engine::triangulation : Engine::search;
           TestGuard guard;
-          if (offers_half) guard.most_x = mesh.box().center().x();
-          const auto samples = random_samples(mesh, sizing, n, 8);
-          SurfaceDomain at_once(mesh, sizing, samples, options, &guard),
-              in_steps(mesh, sizing, samples, options, &guard);
+          if (offers_half) guard.most_x = surface.mesh.box().center().x();
+          const auto samples = random_samples(surface.mesh, sizing, n, 8);
+          SurfaceDomain at_once(surface.mesh, sizing, samples, options, &guard),
+              in_steps(surface.mesh, sizing, samples, options, &guard);
           for (std::size_t i = 0; i < 4 * n; ++i) {
             const SiteId x(i % n);
             const bool moved = move_in_steps(in_steps, x, scope);
@@ -257,16 +259,17 @@ TEST_CASE("surface domain: a move at once ends where the steps of Algorithm 1 do
 }
 
 TEST_CASE("surface domain: what a guard forbids is as if it had not been tried") {
-  for (const auto& [name, mesh] : fixtures::surfaces())
+  for (const auto& surface : fixtures::surfaces())
     for (const geom::CornerTypes corners : {geom::CornerTypes::c_only, geom::CornerTypes::all}) {
-      CAPTURE(name);
+      CAPTURE(surface.name);
       constexpr std::size_t n = 40;
       SurfaceOptions options;
       options.corners = corners;
-      const Sizing sizing = Sizing::uniform(hexagonal_spacing(mesh.area(), n));
-      const auto samples = random_samples(mesh, n, 3);
+      const Sizing sizing = fixtures::even(surface.mesh, n);
+      const auto samples = random_samples(surface.mesh, n, 3);
       TestGuard guard;
-      SurfaceDomain domain(mesh, sizing, samples, options, &guard), free(mesh, sizing, samples, options);
+      SurfaceDomain domain(surface.mesh, sizing, samples, options, &guard),
+          free(surface.mesh, sizing, samples, options);
       int forbidden = 0;
       for (std::size_t i = 0; i < 3 * n; ++i) {
         const SiteId x(i % n);
@@ -295,7 +298,7 @@ TEST_CASE("surface domain: what a guard forbids is as if it had not been tried")
 TEST_CASE("surface domain: a local move at once among many components") {
   const TriMesh mesh = fixtures::islands();
   constexpr std::size_t n = 21;
-  const Sizing sizing = Sizing::uniform(hexagonal_spacing(mesh.area(), n));
+  const Sizing sizing = fixtures::even(mesh, n);
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
     CAPTURE(seed);
     const auto samples = random_samples(mesh, sizing, n, seed);

@@ -93,13 +93,14 @@ std::vector<Move> merged(const std::vector<std::vector<Move>>& tiles, int way) {
 
 TEST_CASE("tile domain: the moves of all tiles are moves on the whole surface, in any order") {
   int combination = 0;
-  for (const auto& [name, mesh] : {std::pair{"blob", fixtures::blob(9)},
-                                   {"box", fixtures::box({1, 1, 1}, 6)},
-                                   {"square", fixtures::tilted_square(12)}}) {
+  for (const auto& surface : {fixtures::NamedSurface{"blob", fixtures::blob(9)},
+                              {"box", fixtures::box({1, 1, 1}, 6)},
+                              {"square", fixtures::tilted_square(12)}}) {
     for (const bool adaptive : {false, true})
       for (const Scope scope : {Scope::two_ring, Scope::global}) {
         ++combination;
-        CAPTURE(name);
+        CAPTURE(surface.name);
+        const TriMesh& mesh = surface.mesh;
         CAPTURE(adaptive);
         CAPTURE(combination);
         constexpr std::size_t n = 900;
@@ -107,8 +108,7 @@ TEST_CASE("tile domain: the moves of all tiles are moves on the whole surface, i
         options.corners = combination % 3 == 0 ? geom::CornerTypes::all : geom::CornerTypes::c_only;
         options.engine = combination % 4 == 0 ? Engine::triangulation : Engine::search;
         options.num_fixed = 20;
-        const Sizing sizing = adaptive ? fixtures::graded(mesh, 0.03, 0.04)
-                                       : Sizing::uniform(hexagonal_spacing(mesh.area(), n));
+        const Sizing sizing = adaptive ? fixtures::graded(mesh, 0.03, 0.04) : fixtures::even(mesh, n);
         const auto samples = random_samples(mesh, sizing, n, 2);
         const TiledSurface whole(mesh, sizing, samples, options, make_tiles(mesh, samples, {250, 3}));
         std::vector<std::vector<Move>> tiles;

@@ -5,6 +5,8 @@
 
 #include "doctest.h"
 #include "fpo/surface/initial_samples.h"
+#include "fpo/surface/split_facets.h"
+#include "tests/fixtures/same_samples.h"
 #include "tests/fixtures/sizings.h"
 #include "tests/fixtures/surfaces.h"
 
@@ -17,11 +19,7 @@ struct Run {
   std::vector<SurfaceSample> samples;
   OptimizeResult result;
   std::vector<IterationReport> reports;
-  bool operator==(const Run& other) const {
-    return std::ranges::equal(samples, other.samples, [](const SurfaceSample& a, const SurfaceSample& b) {
-      return a.position == b.position && a.facet == b.facet;
-    });
-  }
+  bool operator==(const Run& other) const { return fixtures::same(samples, other.samples); }
 };
 
 Run run(const SurfaceTask& task, const TileOptions& tiles, OptimizeOptions options) {
@@ -37,8 +35,7 @@ Run run(const SurfaceTask& task, const TileOptions& tiles, OptimizeOptions optio
 TEST_CASE("tiled optimization: any number of threads gives the same samples, each moved once an iteration") {
   const TriMesh mesh = fixtures::blob(9);
   for (const bool adaptive : {false, true}) {
-    const Sizing sizing =
-        adaptive ? fixtures::graded(mesh, 0.03, 0.04) : Sizing::uniform(hexagonal_spacing(mesh.area(), 900));
+    const Sizing sizing = adaptive ? fixtures::graded(mesh, 0.03, 0.04) : fixtures::even(mesh, 900);
     SurfaceOptions surface;
     surface.num_fixed = 30;
     const SurfaceTask task{mesh, sizing, random_samples(mesh, sizing, 900, 3), surface};
@@ -68,7 +65,7 @@ TEST_CASE(
     "too") {
   const TriMesh mesh = fixtures::blob(9);
   constexpr std::size_t n = 600;
-  const Sizing sizing = Sizing::uniform(hexagonal_spacing(mesh.area(), n));
+  const Sizing sizing = fixtures::even(mesh, n);
   SurfaceOptions surface;
   surface.num_fixed = 20;
   const SurfaceTask task{mesh, sizing, random_samples(mesh, n, 3), surface};
@@ -121,7 +118,7 @@ TEST_CASE(
 TEST_CASE("tiled optimization: as good as on the whole surface") {
   const TriMesh mesh = fixtures::blob(9);
   constexpr std::size_t n = 1200;
-  const Sizing sizing = Sizing::uniform(hexagonal_spacing(mesh.area(), n));
+  const Sizing sizing = fixtures::even(mesh, n);
   const SurfaceOptions surface;
   const auto samples = random_samples(mesh, n, 3);
   for (const Scope scope : {Scope::global, Scope::two_ring}) {
@@ -140,7 +137,7 @@ TEST_CASE("tiled optimization: as good as on the whole surface") {
 
 TEST_CASE("tiled optimization: an interruption leaves the moves done, and stops at once") {
   const TriMesh mesh = fixtures::blob(6);
-  const Sizing sizing = Sizing::uniform(hexagonal_spacing(mesh.area(), 400));
+  const Sizing sizing = fixtures::even(mesh, 400);
   const SurfaceOptions surface;
   const SurfaceTask task{mesh, sizing, random_samples(mesh, 400, 3), surface};
   std::atomic<bool> stop = false;
@@ -151,6 +148,51 @@ TEST_CASE("tiled optimization: an interruption leaves the moves done, and stops 
   CHECK(interrupted.result.reason == StopReason::interrupted);
   CHECK(interrupted.result.moves >= 151);
   CHECK(interrupted.result.moves <= 153);
-  const auto same = [](const SurfaceSample& a, const SurfaceSample& b) { return a.position == b.position; };
-  CHECK_FALSE(std::ranges::equal(interrupted.samples, task.samples, same));
+  CHECK_FALSE(fixtures::same(interrupted.samples, task.samples));
+}
+
+// What is known of the cells comes from the last round, but not if its facets were others; and when a run is
+// interrupted it looks at no cell again. Runs that reach what they are to reach in tiles make no moves after.
+TEST_CASE("tiled optimization: the last domain is that of the samples, and knows their cells from a round") {
+  constexpr std::size_t n = 500;
+  struct Case {
+    TriMesh mesh;
+    Scope scope;
+    bool facets_are_large = false, is_interrupted = false;
+  };
+  for (const Case& c : {Case{fixtures::blob(9), Scope::two_ring}, Case{fixtures::blob(9), Scope::global},
+                        Case{fixtures::box({1, 1, 0.02}, 12), Scope::global},
+                        Case{fixtures::box({1, 1, 1}, 1), Scope::global, true},
+                        Case{fixtures::blob(9), Scope::two_ring, false, true}}) {
+    CAPTURE(c.mesh.num_facets());
+    const Sizing sizing = fixtures::even(c.mesh, n);
+    REQUIRE(has_long_edges(c.mesh, sizing, 4) == c.facets_are_large);
+    const SurfaceOptions surface;
+    const SurfaceTask task{c.mesh, sizing, random_samples(c.mesh, n, 3), surface};
+    const TileOptions tiles{300, 4, 2};
+    OptimizeOptions options;
+    options.scope = c.scope;
+    options.max_iterations = c.scope == Scope::global ? 3 : 0;  // those on the whole surface
+    const OptimizeResult before = run(task, tiles, options).result;
+    options.max_iterations = 100;
+    options.target_delta = c.is_interrupted ? 1 : before.last.delta;
+    std::atomic<bool> stop = false;
+    options.interrupted = &stop;
+    if (c.is_interrupted) options.on_move = [&](std::size_t move) { stop = move >= n / 2; };
+    OptimizeResult result;
+    SurfaceDomain domain = optimize_in_tiles(task, tiles, options, result);
+    REQUIRE(result.reason == (c.is_interrupted ? StopReason::interrupted : StopReason::target_reached));
+    REQUIRE(result.last.iteration > before.last.iteration);
+    REQUIRE(result.last.iteration < 100);
+    std::size_t known = 0;
+    for (SiteId x(0); x.index() < n; x = SiteId(x.value + 1))
+      known += domain.dual().known_cell(x).shape != geom::CellShape::unknown;
+    CHECK(known == (c.facets_are_large || c.is_interrupted ? 0 : n));
+    SurfaceDomain fresh = domain.rebuilt();
+    for (SiteId x(0); x.index() < n; x = SiteId(x.value + 1))
+      REQUIRE(domain.move(x, Scope::global) == fresh.move(x, Scope::global));
+    for (SiteId x(0); x.index() < n; x = SiteId(x.value + 1))
+      CHECK(domain.sample(x).position == fresh.sample(x).position);
+    domain.check();
+  }
 }

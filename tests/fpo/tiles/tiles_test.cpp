@@ -13,8 +13,9 @@ using geom::SiteId;
 using geom::TriMesh;
 
 TEST_CASE("tiles: the boxes fill space, every sample is in one, every facet in all that it meets") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     const auto samples = random_samples(mesh, 300, 4);
     const std::vector<Tile> tiles = make_tiles(mesh, samples, {40, 7});
     CHECK(tiles.size() >= 300 / 40 + 1);

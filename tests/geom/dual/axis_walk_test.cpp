@@ -60,7 +60,7 @@ TEST_CASE("axis walk: from a circle's facet it finds the circle, in whatever ord
         std::array<SiteId, 3> sites = counterclockwise(circle);
         ++circles;
         for (int turn = 0; turn < 3; ++turn) {
-          std::ranges::rotate(sites, sites.begin() + 1);
+          std::rotate(sites.begin(), sites.begin() + 1, sites.end());
           const AxisPlace place = walk(scene, sites, circle.facet);
           if (place.facet != circle.facet) continue;
           ++found;

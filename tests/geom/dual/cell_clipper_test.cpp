@@ -20,7 +20,7 @@ namespace {
 std::vector<EdgeLabel> labels_of(std::span<const PolygonCorner> corners) {
   std::vector<EdgeLabel> labels;
   for (const PolygonCorner& c : corners) labels.push_back(c.edge);
-  std::ranges::rotate(labels, std::ranges::min_element(labels));
+  std::rotate(labels.begin(), std::ranges::min_element(labels), labels.end());
   return labels;
 }
 
@@ -29,20 +29,20 @@ std::vector<EdgeLabel> labels_of(std::span<const PolygonCorner> corners) {
 TEST_CASE("cell clipper: a cell has the polygons of the divided facets, whoever is said to be around") {
   std::vector<fixtures::NamedSurface> all = fixtures::hard_surfaces();
   for (fixtures::NamedSurface& s : fixtures::surfaces()) all.push_back(std::move(s));
-  for (const auto& [name, mesh] : all)
+  for (const auto& surface : all)
     for (const Weights weights : fixtures::all_weights) {
-      CAPTURE(name);
+      CAPTURE(surface.name);
       CAPTURE(static_cast<int>(weights));
       constexpr std::size_t n = 60;
-      DualState state(mesh, CornerTypes::c_only, nullptr);
-      const std::vector<fixtures::Placed> samples = fixtures::placed_samples(mesh, n, n, weights, 4);
+      DualState state(surface.mesh, CornerTypes::c_only, nullptr);
+      const std::vector<fixtures::Placed> samples = fixtures::placed_samples(surface.mesh, n, n, weights, 4);
       for (std::size_t i = 0; i < n; ++i) {
         state.admit(SiteId(i), samples[i].point);
         state.search.enter(SiteId(i));
       }
-      FacetCells facets(mesh, state.sites, state.clipper, state.search.tree());
+      FacetCells facets(surface.mesh, state.sites, state.clipper, state.search.tree());
       std::vector<std::vector<FacetPolygon>> expected(n);
-      for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
+      for (FacetId t(0); t.index() < surface.mesh.num_facets(); t = FacetId(t.value + 1))
         for (const FacetPolygon& polygon : facets.divide(t))
           expected[polygon.owner.index()].push_back(polygon);
       CellClipper clipper(state);

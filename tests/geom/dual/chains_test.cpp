@@ -103,19 +103,20 @@ TEST_CASE("edge chains: the circles beyond are those at the other ends of edges,
   std::size_t lone = 0, circles = 0;
   std::vector<fixtures::NamedSurface> all = fixtures::hard_surfaces();
   for (fixtures::NamedSurface& s : fixtures::surfaces()) all.push_back(std::move(s));
-  for (const auto& [name, mesh] : all)
+  for (const auto& surface : all)
     for (const Weights weights : fixtures::all_weights)
       for (const std::size_t n : {4u, 40u}) {
-        CAPTURE(name);
+        CAPTURE(surface.name);
         CAPTURE(static_cast<int>(weights));
         CAPTURE(n);
-        const std::vector<fixtures::Placed> samples = fixtures::placed_samples(mesh, n, n, weights, 14);
-        std::vector<FacetId> order = facets_along_curve(mesh);
+        const std::vector<fixtures::Placed> samples =
+            fixtures::placed_samples(surface.mesh, n, n, weights, 14);
+        std::vector<FacetId> order = facets_along_curve(surface.mesh);
         const CornerTypes types = n == 4 ? CornerTypes::c_only : CornerTypes::all;
-        const Joined along(mesh, samples, types, order);
+        const Joined along(surface.mesh, samples, types, order);
         Rng(n).shuffle(std::span(order));
-        const Joined shuffled(mesh, samples, types, order);
-        const oracle::BruteDiagram brute(mesh, along.state.sites, along.present);
+        const Joined shuffled(surface.mesh, samples, types, order);
+        const oracle::BruteDiagram brute(surface.mesh, along.state.sites, along.present);
         const std::vector<oracle::KnownCircle> expected = brute.dual(types).circles;
         CHECK(along.known() == expected);
         CHECK(shuffled.known() == expected);
@@ -124,7 +125,7 @@ TEST_CASE("edge chains: the circles beyond are those at the other ends of edges,
         // An edge of three facets, and a facet that has no area, end a chain or begin it in places of their
         // own.
         std::set<SiteId> sites;
-        for (const auto& [a, b] : edges_without_circle(mesh, brute)) sites.insert({a, b});
+        for (const auto& [a, b] : edges_without_circle(surface.mesh, brute)) sites.insert({a, b});
         for (const Joined* joined : {&along, &shuffled}) {
           const std::span<const SiteId> told = joined->chains.without_circle();
           CHECK(std::set<SiteId>(told.begin(), told.end()) == sites);

@@ -15,6 +15,7 @@
 #include "geom/rng.h"
 #include "geom/shapes/shapes.h"
 #include "tests/fixtures/hard_surfaces.h"
+#include "tests/fixtures/sheet_scene.h"
 #include "tests/fixtures/weighted_points.h"
 
 using namespace geom;
@@ -52,12 +53,8 @@ Vec3 in_triangle(const Triangle& t, Rng& rng) {
   return t[0] + s * (t[1] - t[0]) + r * (t[2] - t[0]);
 }
 
-struct Surface {
-  explicit Surface(TriMesh surface)
-      : mesh(std::move(surface)),
-        tree(mesh, facets_along_curve(mesh)),
-        levels(mesh),
-        sheets(mesh, tree, levels) {}
+struct Surface : fixtures::SheetScene {
+  using SheetScene::SheetScene;
 
   Vec3 location(FacetId t, Rng& rng) const {
     return in_triangle({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, rng);
@@ -76,11 +73,6 @@ struct Surface {
     }
     return scene;
   }
-
-  TriMesh mesh;
-  FacetTree tree;
-  FacetLevels levels;
-  Sheets sheets;
 };
 
 std::deque<Surface> curved_surfaces() {

@@ -88,8 +88,9 @@ Vec3 area_vector(const EdgeTraceScene& scene, SiteId s) {
   Vec3 sum(0, 0, 0);
   for (const auto& [key, polygon] : scene.brute->polygons()) {
     if (key.second != s) continue;
-    const auto at = [&](std::size_t k) -> Vec3 { return polygon.corners[k].point.position; };
-    for (std::size_t k = 2; k < polygon.corners.size(); ++k) sum += (at(k - 1) - at(0)).cross(at(k) - at(0));
+    const std::vector<PolygonCorner>& corners = polygon.corners;
+    const auto at = [&](std::size_t k) -> Vec3 { return corners[k].point.position; };
+    for (std::size_t k = 2; k < corners.size(); ++k) sum += (at(k - 1) - at(0)).cross(at(k) - at(0));
   }
   return sum;
 }

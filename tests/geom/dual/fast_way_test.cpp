@@ -149,14 +149,14 @@ std::vector<Placed> ring(const TriMesh& mesh, double radius) {
 TEST_CASE(
     "fast way: a site that is called regular has a cell in one piece with one border through its circles") {
   std::size_t regular = 0, sites = 0;
-  for (const auto& [name, mesh] : all_surfaces())
+  for (const auto& surface : all_surfaces())
     for (const Weights weights : fixtures::all_weights)
       for (const std::size_t n : {12u, 50u, 130u}) {
-        if (n * mesh.num_facets() > 30000) continue;
-        CAPTURE(name);
+        if (n * surface.mesh.num_facets() > 30000) continue;
+        CAPTURE(surface.name);
         CAPTURE(static_cast<int>(weights));
         CAPTURE(n);
-        const Parts parts(mesh, fixtures::placed_samples(mesh, n, n, weights, 21));
+        const Parts parts(surface.mesh, fixtures::placed_samples(surface.mesh, n, n, weights, 21));
         regular += check_regular(parts);
         sites += n;
       }
@@ -174,14 +174,14 @@ TEST_CASE("fast way: on smooth surfaces nearly all sites are regular") {
 // Who is regular is found out once; fast removals and insertions then are to keep it true for all around.
 TEST_CASE("fast way: regular sites stay so under its moves") {
   std::size_t fast = 0, general = 0;
-  for (const auto& [name, mesh] : all_surfaces())
+  for (const auto& surface : all_surfaces())
     for (const Weights weights : {Weights::none, Weights::gentle})
       for (const std::size_t n : {25u, 90u}) {
-        CAPTURE(name);
+        CAPTURE(surface.name);
         CAPTURE(static_cast<int>(weights));
         CAPTURE(n);
-        const std::vector<Placed> pool = fixtures::placed_samples(mesh, 20 * n, n, weights, 8);
-        Parts parts(mesh, {pool.begin(), pool.begin() + static_cast<std::ptrdiff_t>(n)});
+        const std::vector<Placed> pool = fixtures::placed_samples(surface.mesh, 20 * n, n, weights, 8);
+        Parts parts(surface.mesh, {pool.begin(), pool.begin() + static_cast<std::ptrdiff_t>(n)});
         Rng rng(n);
         for (int move = 0; move < fixtures::effort(8, 24); ++move) {
           CAPTURE(move);
@@ -199,7 +199,7 @@ TEST_CASE("fast way: regular sites stay so under its moves") {
           if (move % 4 == 1) check_regular(parts);
         }
         check_regular(parts);
-        const oracle::BruteDiagram brute(mesh, parts.state.sites, parts.present_list());
+        const oracle::BruteDiagram brute(surface.mesh, parts.state.sites, parts.present_list());
         std::size_t circles = 0;
         for (const KnownCircle& c : brute.dual(CornerTypes::c_only).circles) {
           ++circles;

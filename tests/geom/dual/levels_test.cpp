@@ -36,16 +36,15 @@ TEST_CASE("levels: the dual equals brute force after every insertion, removal an
 
 // The fast way is taken where all is on one level, the general way elsewhere, and where they meet both.
 TEST_CASE("levels: after each of many moves the dual is that of a rebuild, on both ways") {
-  const std::pair<const char*, TriMesh> surfaces[] = {
-      {"torus", fixtures::torus(1, 0.4, {24, 14, true, true, 0.2})},
-      {"sphere", make_shape("sphere", 5)},
-      {"thin plate", fixtures::box(Vec3(1, 0.8, 0.01), 8)}};
+  const fixtures::NamedSurface surfaces[] = {{"torus", fixtures::torus(1, 0.4, {24, 14, true, true, 0.2})},
+                                             {"sphere", make_shape("sphere", 5)},
+                                             {"thin plate", fixtures::box(Vec3(1, 0.8, 0.01), 8)}};
   std::size_t fast = 0, in_place = 0, general = 0;
-  for (const auto& [name, plain] : surfaces)
+  for (const auto& surface : surfaces)
     for (const Weights weights : {Weights::none, Weights::gentle}) {
-      CAPTURE(std::string(name));
+      CAPTURE(surface.name);
       CAPTURE(static_cast<int>(weights));
-      const TriMesh mesh = fixtures::with_levels(plain, Levels::ramp, 0.3);
+      const TriMesh mesh = fixtures::with_levels(surface.mesh, Levels::ramp, 0.3);
       DualWalk walk(mesh, {.num_sites = 90, .weights = weights, .keeps_number = true, .seed = 8});
       walk.build();
       walk.spread(1);

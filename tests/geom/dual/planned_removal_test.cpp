@@ -42,7 +42,8 @@ void for_twins(std::uint64_t seed, Count count, Visit visit) {
         CAPTURE(static_cast<int>(weights));
         CAPTURE(search);
         const std::size_t n = count(weights, search);
-        visit(Twins(surface.mesh, search, fixtures::placed_samples(surface.mesh, n, n, weights, seed)));
+        Twins twins(surface.mesh, search, fixtures::placed_samples(surface.mesh, n, n, weights, seed));
+        visit(twins);
       }
 }
 
@@ -51,7 +52,7 @@ void for_twins(std::uint64_t seed, Count count, Visit visit) {
 TEST_CASE("planned removal: a move at once is a removal and an insertion") {
   std::size_t at_once = 0, in_place = 0;
   const auto count = [](Weights, bool search) { return search ? std::size_t(60) : std::size_t(6); };
-  for_twins(31, count, [&](Twins twins) {
+  for_twins(31, count, [&](Twins& twins) {
     auto& [samples, once, steps] = twins;
     const std::size_t n = samples.size();
     Rng rng(3);
@@ -116,7 +117,7 @@ TEST_CASE(
   const auto count = [](Weights weights, bool) {
     return weights == Weights::hiding ? std::size_t(9) : std::size_t(60);
   };
-  for_twins(37, count, [&](Twins twins) {
+  for_twins(37, count, [&](Twins& twins) {
     auto& [samples, planned, removed] = twins;
     const std::size_t n = samples.size();
     for (std::size_t i = 0; i < n; ++i) {

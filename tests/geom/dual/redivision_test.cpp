@@ -48,13 +48,13 @@ std::vector<fixtures::NamedSurface> redivision_all_surfaces() {
 }  // namespace
 
 TEST_CASE("redivision: reaches are those of the cells, and plans tell what the cell has and the hole will") {
-  for (const auto& [name, mesh] : redivision_all_surfaces())
+  for (const auto& surface : redivision_all_surfaces())
     for (const Weights weights : fixtures::all_weights)
       for (const CornerTypes types : {CornerTypes::c_only, CornerTypes::all}) {
         if (types == CornerTypes::all && weights != Weights::gentle) continue;
-        CAPTURE(name);
+        CAPTURE(surface.name);
         CAPTURE(static_cast<int>(weights));
-        General g(mesh, fixtures::placed_samples(mesh, 14, 14, weights, 9), types);
+        General g(surface.mesh, fixtures::placed_samples(surface.mesh, 14, 14, weights, 9), types);
         const auto is_close = [](double bound, double reach) {
           return bound == reach || std::abs(bound - reach) <= 1e-7 * (std::abs(reach) + 1);
         };
@@ -62,7 +62,7 @@ TEST_CASE("redivision: reaches are those of the cells, and plans tell what the c
           CAPTURE(i);
           const SiteId p(i);
           const WeightedPoint3 point = g.state.sites[p];
-          const oracle::BruteDiagram before(mesh, g.state.sites, g.list());
+          const oracle::BruteDiagram before(surface.mesh, g.state.sites, g.list());
           for (const SiteId s : g.present)
             if (g.state.reach[s] > -infinity) CHECK(is_close(g.redivision.reach(s), before.reach(s)));
           bool has_neighbours = false;
@@ -75,10 +75,10 @@ TEST_CASE("redivision: reaches are those of the cells, and plans tell what the c
           const double reach = g.redivision.removal().reach(), power = g.redivision.removal().power();
           g.redivision.removal().commit(g.change);
           g.present.erase(p);
-          const oracle::BruteDiagram after(mesh, g.state.sites, g.list());
+          const oracle::BruteDiagram after(surface.mesh, g.state.sites, g.list());
           CHECK(is_close(reach, before.reach(p)));
           CHECK(power >= reach);
-          Clipper clipper(mesh, g.state.sites, extent_of(mesh));
+          Clipper clipper(surface.mesh, g.state.sites, extent_of(surface.mesh));
           for (const auto& [key, polygon] : after.polygons())
             for (std::size_t k = 0; k < polygon.corners.size(); ++k)
               if (clipper.beats_at(polygon, k, p, clipper.bisector_of(polygon.owner, p))) {

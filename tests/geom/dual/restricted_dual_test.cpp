@@ -85,15 +85,16 @@ TEST_CASE("restricted dual: equals brute force after every insertion, removal an
   for (const fixtures::NamedSurface& surface : fixtures::surfaces())
     for (const Weights weights : fixtures::all_weights)
       for (const bool search : {true, false})
-        for (const auto& [types, homes] : {std::pair(CornerTypes::c_only, 1.0),
-                                           {CornerTypes::c_only, 0.0},
-                                           {CornerTypes::c_only, 0.9},
-                                           {CornerTypes::all, 1.0}}) {
+        for (const auto& kind : {std::pair(CornerTypes::c_only, 1.0),
+                                 {CornerTypes::c_only, 0.0},
+                                 {CornerTypes::c_only, 0.9},
+                                 {CornerTypes::all, 1.0}}) {
           CAPTURE(surface.name);
           CAPTURE(static_cast<int>(weights));
           CAPTURE(search);
-          CAPTURE(static_cast<int>(types));
-          CAPTURE(homes);
+          const auto [types, homes] = kind;
+          CAPTURE(static_cast<int>(kind.first));
+          CAPTURE(kind.second);
           DualWalk walk(surface.mesh,
                         {.weights = weights, .search = search, .types = types, .share_of_homes = homes});
           for (int step = 0; step < (surface.mesh.num_facets() > 100 ? 12 : 60); ++step) {
@@ -160,9 +161,11 @@ TEST_CASE("restricted dual: built by any number of threads, it has the same ids"
     }
     for (const SiteId p : by_one.present())
       CHECK(by_many.dual().reach_bound(p) == by_one.dual().reach_bound(p));
+    CHECK(by_many.dual().known_cell(SiteId(0)).shape == CellShape::unknown);
     by_many.dual().certify();
     by_one.dual().certify();
     CHECK(by_many.dual().num_irregular() == by_one.dual().num_irregular());
+    CHECK(by_many.dual().known_cell(SiteId(0)).shape != CellShape::unknown);
   }
 }
 
@@ -228,21 +231,20 @@ TEST_CASE("restricted dual: local updates equal a rebuild after each of hundreds
 TEST_CASE(
     "restricted dual: after each of many moves circles are those of a rebuild, and reaches bound the cells") {
   const auto waves = [](double x, double y) { return 0.06 * std::sin(9 * x) * std::cos(8 * y); };
-  const std::pair<const char*, TriMesh> surfaces[] = {
-      {"torus", fixtures::torus(1, 0.4, {24, 14, true, true, 0.2})},
-      {"sphere", make_shape("sphere", 5)},
-      {"double torus", make_shape("double-torus", 12)},
-      {"thin plate", fixtures::box(Vec3(1, 0.8, 0.01), 5)},
-      {"waves", fixtures::sheet(14, 1, waves, 0.2)},
-      {"cube", fixtures::box(Vec3(1, 1, 1), 4)}};
+  const fixtures::NamedSurface surfaces[] = {{"torus", fixtures::torus(1, 0.4, {24, 14, true, true, 0.2})},
+                                             {"sphere", make_shape("sphere", 5)},
+                                             {"double torus", make_shape("double-torus", 12)},
+                                             {"thin plate", fixtures::box(Vec3(1, 0.8, 0.01), 5)},
+                                             {"waves", fixtures::sheet(14, 1, waves, 0.2)},
+                                             {"cube", fixtures::box(Vec3(1, 1, 1), 4)}};
   std::size_t fast = 0, in_place = 0, general = 0;
-  for (const auto& [name, mesh] : surfaces)
+  for (const auto& surface : surfaces)
     for (const Weights weights : {Weights::none, Weights::gentle, Weights::hiding})
       for (const std::size_t n : {std::size_t{25}, fixtures::effort<std::size_t>(60, 80)}) {
-        CAPTURE(std::string(name));
+        CAPTURE(surface.name);
         CAPTURE(static_cast<int>(weights));
         CAPTURE(n);
-        DualWalk walk(mesh, {.num_sites = n, .weights = weights, .keeps_number = true, .seed = n});
+        DualWalk walk(surface.mesh, {.num_sites = n, .weights = weights, .keeps_number = true, .seed = n});
         walk.build();
         walk.spread(1);
         for (int step = 0; step < fixtures::effort(30, 100); ++step) {
@@ -319,7 +321,8 @@ TEST_CASE("restricted dual: a cell has the polygons that it has in the whole dia
             CHECK(part.owner == p);
             RestrictedPower::Canonical fragment{part.facet, p, {}};
             for (const PolygonCorner& corner : part.corners) fragment.labels.push_back(corner.edge);
-            std::ranges::rotate(fragment.labels, std::ranges::min_element(fragment.labels));
+            std::rotate(fragment.labels.begin(), std::ranges::min_element(fragment.labels),
+                        fragment.labels.end());
             cell.push_back(std::move(fragment));
           }
           CHECK(std::ranges::is_sorted(cell));

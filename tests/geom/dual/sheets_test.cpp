@@ -15,27 +15,15 @@
 #include "geom/shapes/shapes.h"
 #include "tests/fixtures/hard_surfaces.h"
 #include "tests/fixtures/placed_samples.h"
+#include "tests/fixtures/sheet_scene.h"
 #include "tests/fixtures/weighted_points.h"
 #include "tests/oracle/restricted_dual_oracle.h"
 
 using namespace geom;
 using fixtures::Weights;
+using Place = fixtures::SheetScene;
 
 namespace {
-
-/// A surface, and what is asked about it.
-struct Place {
-  explicit Place(TriMesh surface)
-      : mesh(std::move(surface)),
-        facets(mesh, facets_along_curve(mesh)),
-        levels(mesh),
-        sheets(mesh, facets, levels) {}
-  bool is_graph(const Vec3& p, double radius) { return sheets.sheet_in(p, radius).width >= 0; }
-  TriMesh mesh;
-  FacetTree facets;
-  FacetLevels levels;
-  Sheets sheets;
-};
 
 std::array<Vec3, 3> corners(const TriMesh& mesh, FacetId t) {
   return {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};

@@ -37,8 +37,9 @@ TEST_CASE("dual state: a distance for a power is never too short, and hardly too
 // So that a site can come to it.
 TEST_CASE("dual state: a circle's center is in the box of its facet, and snapped") {
   Rng rng(2);
-  for (const auto& [name, mesh] : fixtures::hard_surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::hard_surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     DualState state(mesh, CornerTypes::c_only, nullptr);
     state.admit(SiteId(0), {mesh.corner(FacetId(0), 0), 0.01});
     for (int draw = 0; draw < 100; ++draw) {

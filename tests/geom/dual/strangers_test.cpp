@@ -28,6 +28,15 @@ Vec3 in_ball(const Vec3& center, double radius, Rng& rng) {
   return center + 0.999 * radius * v;
 }
 
+/// Is that a rim for a frame, with a place for one more?
+bool has_room_for(const std::vector<SiteId>& rim) { return rim.size() >= 3 && rim.size() + 1 <= Frame::most; }
+
+/// The frame about the place of p, of these.
+void begin(Frame& frame, const Scene& scene, SiteId p, const std::vector<SiteId>& rim) {
+  frame.begin(scene.state.sites[p]);
+  for (const SiteId r : rim) frame.add(scene.state.sites[r]);
+}
+
 /// Who is not kept, is nowhere in the ball nearer than all of these, where their power is at most that.
 struct Kept {
   WeightedPoint3 origin;  ///< of the frame
@@ -63,10 +72,9 @@ TEST_CASE("strangers: who is not kept owns nothing of the hole") {
     Frame frame;
     for (const SiteId p : scene.present) {
       std::vector<SiteId> rim = scene.link(p);
-      if (rim.size() < 3 || rim.size() + 1 > Frame::most) continue;
+      if (!has_room_for(rim)) continue;
       if (rng.below(2) == 0) rim.resize(1 + rng.below(2));  // then there are many others
-      frame.begin(scene.state.sites[p]);
-      for (const SiteId r : rim) frame.add(scene.state.sites[r]);
+      begin(frame, scene, p, rim);
       const double radius = scene.state.distance_at(scene.state.reach[p], p) * rng.uniform(0.8, 1.5);
       const double most = scene.state.reach[p] + radius * radius * rng.uniform(0, 9);
       const Vec3& center = scene.state.sites[p].position;
@@ -89,10 +97,9 @@ TEST_CASE("strangers: who is not kept owns nothing near a site, at its place or 
     Frame frame;
     for (const SiteId p : scene.present) {
       std::vector<SiteId> rim = scene.link(p), all = rim;
-      if (rim.size() < 3 || rim.size() + 1 > Frame::most) continue;
+      if (!has_room_for(rim)) continue;
       const WeightedPoint3 old = scene.state.sites[p];
-      frame.begin(old);
-      for (const SiteId r : rim) frame.add(scene.state.sites[r]);
+      begin(frame, scene, p, rim);
       const double radius = scene.state.distance_at(scene.state.reach[p], p);
       const bool has_moved = rng.below(2) == 0;
       if (has_moved) {
@@ -158,9 +165,8 @@ TEST_CASE("strangers: none is said to be beyond a location who is as near") {
     Frame frame;
     for (const SiteId p : scene.present) {
       const std::vector<SiteId> rim = scene.link(p);
-      if (rim.size() < 3 || rim.size() + 1 > Frame::most) continue;
-      frame.begin(scene.state.sites[p]);
-      for (const SiteId r : rim) frame.add(scene.state.sites[r]);
+      if (!has_room_for(rim)) continue;
+      begin(frame, scene, p, rim);
       const Vec3& center = scene.state.sites[p].position;
       const double radius = scene.state.distance_at(scene.state.reach[p], p);
       scene.strangers.forget();

@@ -132,8 +132,9 @@ TEST_CASE("aabb_tree: to the bit what trying all facets gives") {
   Rng rng(2);
   auto cases = fixtures::surfaces();
   for (const int count : {1, 2, 5, 60, 300}) cases.push_back({"soup", soup(rng, count)});
-  for (const auto& [name, mesh] : cases) {
-    CAPTURE(name);
+  for (const auto& surface : cases) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     const AabbTree tree(mesh);
     for (const Vec3& x : queries(mesh, rng, 100)) {
       const AabbTree::Closest expected = brute_force(mesh, x);

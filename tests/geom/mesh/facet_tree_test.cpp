@@ -43,8 +43,9 @@ TEST_CASE(
   Rng rng(6);
   std::vector<fixtures::NamedSurface> all = fixtures::hard_surfaces();
   for (fixtures::NamedSurface& s : fixtures::surfaces()) all.push_back(std::move(s));
-  for (const auto& [name, mesh] : all) {
-    CAPTURE(name);
+  for (const auto& surface : all) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     std::vector<FacetId> order = facets_along_curve(mesh);
     const FacetTree along(mesh, order);
     rng.shuffle(std::span(order));
@@ -118,8 +119,9 @@ TEST_CASE("facet tree: no facet is within a negative distance, or one that is no
 TEST_CASE("facet tree: only facets in balls that are of no use are left out") {
   Rng rng(8);
   std::size_t left_out = 0;
-  for (const auto& [name, mesh] : fixtures::hard_surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::hard_surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     const FacetTree tree(mesh, facets_along_curve(mesh));
     for (int query = 0; query < 20; ++query) {
       const FacetId t(static_cast<std::size_t>(rng.below(mesh.num_facets())));

@@ -7,8 +7,9 @@
 using namespace geom;
 
 TEST_CASE("submesh: corners, neighbours, box and order of ids are those of the whole") {
-  for (const auto& [name, whole] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& whole = surface.mesh;
     Rng rng(3);
     std::vector<FacetId> chosen;
     for (std::size_t t = 0; t < whole.num_facets(); ++t)

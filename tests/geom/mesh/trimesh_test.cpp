@@ -127,8 +127,9 @@ void check_against_definitions(const TriMesh& mesh) {
 }  // namespace
 
 TEST_CASE("trimesh: adjacency and topology follow from the definitions") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     check_against_definitions(mesh);
     CHECK(topology(mesh).manifold());
     CHECK(topology(mesh).misoriented_edges == 0);
@@ -192,8 +193,9 @@ TEST_CASE("trimesh: areas, normals, box") {
 }
 
 TEST_CASE("trimesh: with vertices elsewhere it is the one made of them anew") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     Table<VertexId, Vec3> moved = mesh.vertices();
     for (Vec3& v : moved) v = Vec3(2 * v.y(), 1 - v.x(), v.z() / 3);
     const TriMesh found = mesh.with_vertices(moved), anew(moved, mesh.facets());

@@ -11,8 +11,9 @@ TEST_CASE(
     "facet balls: no location of a facet is outside of its ball, nor where a ball is said not to come") {
   geom::Rng rng(4);
   int near = 0, far = 0;
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     const geom::FacetBalls balls(mesh, mesh.box().max().cwiseAbs().maxCoeff() + mesh.diagonal());
     for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
       double u = rng.uniform(), v = rng.uniform();

@@ -34,8 +34,9 @@ void check_same_surface(const TriMesh& a, const TriMesh& b) {
 }  // namespace
 
 TEST_CASE("clean: sound surfaces come back as they are") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     const Cleaned result = geom::cleaned(mesh);
     CHECK(!result.done.any());
     CHECK(geom::in_words(result.done) == "");

@@ -47,8 +47,9 @@ geom::HoleFilling holes_fill(MeshArrays& mesh, double length = any_length) {
 }  // namespace
 
 TEST_CASE("border loops: as many as topology counts, with their lengths") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     const auto loops = geom::border_loops(mesh.vertices(), mesh.facets());
     CHECK(loops.size() == geom::topology(mesh).boundary_loops);
     for (const geom::BorderLoop& loop : loops) CHECK(loop.simple);

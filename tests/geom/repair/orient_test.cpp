@@ -6,6 +6,7 @@
 #include "geom/shapes/shapes.h"
 #include "tests/fixtures/spoilt.h"
 #include "tests/fixtures/surfaces.h"
+#include "tests/fixtures/volume.h"
 #include "tests/io/sample_meshes.h"
 
 namespace {
@@ -17,13 +18,6 @@ TriMesh oriented(const TriMesh& mesh, geom::Orientation* done = nullptr) {
   const geom::Orientation result = geom::orient(arrays.vertices, arrays.facets);
   if (done) *done = result;
   return arrays.take();
-}
-
-double volume(const TriMesh& mesh) {
-  double sum = 0;
-  for (std::size_t t = 0; t < mesh.num_facets(); ++t)
-    sum += mesh.normal(FacetId(t)).dot(mesh.corner(FacetId(t), 0)) / 6;
-  return sum;
 }
 
 }  // namespace

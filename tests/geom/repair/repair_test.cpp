@@ -25,13 +25,13 @@ geom::Repaired repaired(const TriMesh& mesh) { return geom::repaired(mesh, geom:
 TEST_CASE("repair: spoilt in ten ways, closed surfaces are closed manifolds of their type again") {
   const std::pair<const char*, int> shapes[] = {{"sphere", 8}, {"torus", 24},  {"double-torus", 24},
                                                 {"blob", 8},   {"l-block", 5}, {"two-spheres", 6}};
-  for (const auto& [name, size] : shapes) {
-    const TriMesh mesh = geom::make_shape(name, size);
+  for (const auto& shape : shapes) {
+    const TriMesh mesh = geom::make_shape(shape.first, shape.second);
     const geom::Topology before = geom::topology(mesh);
     REQUIRE(before.boundary_edges == 0);
     for (std::size_t way = 0; way < fixtures::ways_to_spoil.size(); ++way)
       for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-        CAPTURE(name);
+        CAPTURE(shape.first);
         CAPTURE(fixtures::ways_to_spoil[way]);
         CAPTURE(seed);
         const TriMesh bad = fixtures::spoilt(mesh, way, seed);
@@ -54,9 +54,10 @@ TEST_CASE("repair: spoilt in ten ways, closed surfaces are closed manifolds of t
 }
 
 TEST_CASE("repair: sound meshes come back as they are, open ones stay open") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
-    if (name.find("two-sided") != std::string::npos) continue;
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
+    if (surface.name.find("two-sided") != std::string::npos) continue;
     CHECK(fixtures::identical(geom::repaired(mesh, {}).mesh, mesh));
   }
   const TriMesh square = fixtures::tilted_square(8);
@@ -178,8 +179,9 @@ TEST_CASE("t-junctions: several on one edge, on all edges of a facet, and none w
 }
 
 TEST_CASE("diagnosis: sound shapes have no faults") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     const geom::Diagnosis d = geom::diagnosis(mesh, true);
     CHECK(d.split_vertices + d.duplicate_facets + d.degenerate_facets == 0);
     CHECK(d.border_lengths.size() == geom::topology(mesh).boundary_loops);

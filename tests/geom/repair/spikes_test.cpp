@@ -13,8 +13,9 @@ using geom::Vec3;
 using geom::VertexId;
 
 TEST_CASE("spikes: shapes have none, not even at tips, and at towers that are many") {
-  for (const auto& [name, mesh] : fixtures::surfaces()) {
-    CAPTURE(name);
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
     CHECK(geom::spikes(mesh.vertices(), mesh.facets()).empty());
   }
   for (const TriMesh& mesh : {fixtures::fan(300, 40), fixtures::stretched_sphere(12, 10, 500),

@@ -6,20 +6,11 @@
 
 #include "doctest.h"
 #include "geom/shapes/layers.h"
+#include "tests/fixtures/volume.h"
 
+using fixtures::volume;
 using geom::TriMesh;
 using geom::Vec2;
-
-namespace {
-
-double volume(const TriMesh& mesh) {
-  double sum = 0;
-  for (const TriMesh::Facet& f : mesh.facets())
-    sum += mesh.position(f[0]).dot(mesh.position(f[1]).cross(mesh.position(f[2])));
-  return sum / 6;
-}
-
-}  // namespace
 
 TEST_CASE("machined shapes: volumes are those of the bodies") {
   const double pi = std::numbers::pi;

@@ -8,7 +8,9 @@
 #include "geom/check.h"
 #include "geom/shapes/mesh_parts.h"
 #include "geom/shapes/polygonise.h"
+#include "tests/fixtures/volume.h"
 
+using fixtures::volume;
 using geom::TriMesh;
 using geom::Vec3;
 
@@ -16,15 +18,6 @@ namespace {
 
 bool equal(const TriMesh& a, const TriMesh& b) {
   return a.vertices() == b.vertices() && a.facets() == b.facets();
-}
-
-/// Volume within a closed, oriented surface.
-double shapes_volume(const TriMesh& mesh) {
-  double sum = 0;
-  for (const TriMesh::Facet& f : mesh.facets()) {
-    sum += mesh.position(f[0]).dot(mesh.position(f[1]).cross(mesh.position(f[2])));
-  }
-  return sum / 6;
 }
 
 double smallest_angle(const TriMesh& mesh) {
@@ -51,7 +44,7 @@ void check_topology(const geom::ShapeInfo& info, int size) {
   CHECK((t.misoriented_edges == 0) == info.orientable);
   CHECK(t.unreferenced_vertices == 0);
   for (std::size_t f = 0; f < mesh.num_facets(); ++f) REQUIRE(mesh.area(geom::FacetId(f)) > 0);
-  if (info.boundary_loops == 0) CHECK(shapes_volume(mesh) > 0);
+  if (info.boundary_loops == 0) CHECK(volume(mesh) > 0);
 }
 
 }  // namespace
@@ -67,16 +60,16 @@ TEST_CASE("shapes: each has the topology of its row, at several sizes") {
 TEST_CASE("shapes: areas and volumes approach those of the bodies") {
   const double pi = std::numbers::pi;
   CHECK(geom::make_shape("cube", 3).area() == doctest::Approx(6));
-  CHECK(shapes_volume(geom::make_shape("cube", 3)) == doctest::Approx(1));
-  CHECK(shapes_volume(geom::make_shape("l-block")) == doctest::Approx(0.375));
-  CHECK(shapes_volume(geom::make_shape("frame", 2)) == doctest::Approx(8));
-  CHECK(shapes_volume(geom::make_shape("thin-plate")) == doctest::Approx(1.0 / 500));
+  CHECK(volume(geom::make_shape("cube", 3)) == doctest::Approx(1));
+  CHECK(volume(geom::make_shape("l-block")) == doctest::Approx(0.375));
+  CHECK(volume(geom::make_shape("frame", 2)) == doctest::Approx(8));
+  CHECK(volume(geom::make_shape("thin-plate")) == doctest::Approx(1.0 / 500));
   CHECK(geom::make_shape("square", 4).area() == doctest::Approx(1));
   CHECK(geom::make_shape("triangle", 4).area() == doctest::Approx(std::sqrt(3) / 4));
-  CHECK(shapes_volume(geom::make_shape("sphere", 40)) == doctest::Approx(4 * pi / 3).epsilon(0.002));
-  CHECK(shapes_volume(geom::make_shape("torus", 200)) == doctest::Approx(2 * pi * pi * 0.16).epsilon(0.005));
-  CHECK(shapes_volume(geom::make_shape("cylinder", 200)) == doctest::Approx(2 * pi).epsilon(0.001));
-  CHECK(shapes_volume(geom::make_shape("cone", 200)) == doctest::Approx(pi / 6).epsilon(0.001));
+  CHECK(volume(geom::make_shape("sphere", 40)) == doctest::Approx(4 * pi / 3).epsilon(0.002));
+  CHECK(volume(geom::make_shape("torus", 200)) == doctest::Approx(2 * pi * pi * 0.16).epsilon(0.005));
+  CHECK(volume(geom::make_shape("cylinder", 200)) == doctest::Approx(2 * pi).epsilon(0.001));
+  CHECK(volume(geom::make_shape("cone", 200)) == doctest::Approx(pi / 6).epsilon(0.001));
   CHECK(geom::make_shape("tube", 200).area() == doctest::Approx(4 * pi).epsilon(0.001));
 }
 
@@ -135,7 +128,7 @@ TEST_CASE("polygonised: vertices lie on the surface, triangles are decent") {
     CHECK(geom::topology(mesh).manifold());
     for (const Vec3& p : mesh.vertices()) CHECK(p.norm() == doctest::Approx(1).epsilon(1e-12));
     CHECK(smallest_angle(mesh) > 15);
-    CHECK(shapes_volume(mesh) > 0);
+    CHECK(volume(mesh) > 0);
   }
   CHECK(smallest_angle(geom::make_shape("double-torus")) > 15);
 }

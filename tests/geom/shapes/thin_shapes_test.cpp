@@ -6,19 +6,13 @@
 #include "doctest.h"
 #include "geom/check.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/volume.h"
 
+using fixtures::volume;
 using geom::TriMesh;
 using geom::Vec3;
 
 namespace {
-
-/// Volume within a closed, oriented surface.
-double thin_shapes_volume(const TriMesh& mesh) {
-  double sum = 0;
-  for (const TriMesh::Facet& f : mesh.facets())
-    sum += mesh.position(f[0]).dot(mesh.position(f[1]).cross(mesh.position(f[2])));
-  return sum / 6;
-}
 
 /// The smallest and the largest distance from the z axis of vertices whose height is at most `height`.
 std::pair<double, double> radii(const TriMesh& mesh, double height) {
@@ -36,14 +30,12 @@ std::pair<double, double> radii(const TriMesh& mesh, double height) {
 // Their topology is checked with that of all shapes, in shapes_test.
 
 TEST_CASE("thin shapes: sheets are as thin as their rows say") {
-  CHECK(thin_shapes_volume(geom::make_shape("plate")) == doctest::Approx(1.0 / 40));
-  CHECK(thin_shapes_volume(geom::make_shape("paper")) ==
-        doctest::Approx(1.0 / 100));  // a shear keeps volumes
-  CHECK(thin_shapes_volume(geom::make_shape("comb")) ==
-        doctest::Approx(0.05 * (0.2 * 0.9 + 12 * 0.8 * 0.02)));
-  CHECK(thin_shapes_volume(geom::make_shape("boxes")) == doctest::Approx(1 + 0.75 * 0.875 * 0.75));
-  const double ball = thin_shapes_volume(geom::make_shape("sphere", 24));
-  CHECK(thin_shapes_volume(geom::make_shape("shell")) == doctest::Approx(ball * (1 - 0.92 * 0.92 * 0.92)));
+  CHECK(volume(geom::make_shape("plate")) == doctest::Approx(1.0 / 40));
+  CHECK(volume(geom::make_shape("paper")) == doctest::Approx(1.0 / 100));  // a shear keeps volumes
+  CHECK(volume(geom::make_shape("comb")) == doctest::Approx(0.05 * (0.2 * 0.9 + 12 * 0.8 * 0.02)));
+  CHECK(volume(geom::make_shape("boxes")) == doctest::Approx(1 + 0.75 * 0.875 * 0.75));
+  const double ball = volume(geom::make_shape("sphere", 24));
+  CHECK(volume(geom::make_shape("shell")) == doctest::Approx(ball * (1 - 0.92 * 0.92 * 0.92)));
 }
 
 TEST_CASE("thin shapes: necks and holes are as narrow as their rows say") {
