@@ -119,6 +119,15 @@ double AabbTree::distance2(const Node& node, const Vec3& x) {
   return squared_length(outside(0), outside(1), outside(2));
 }
 
+/// The same of the box of a facet.
+double AabbTree::distance2(const Item& item, const Vec3& x) {
+  const auto& [a, b, c] = item.corners;
+  const auto outside = [&](int i) {
+    return std::max({std::min({a[i], b[i], c[i]}) - x[i], 0.0, x[i] - std::max({a[i], b[i], c[i]})});
+  };
+  return squared_length(outside(0), outside(1), outside(2));
+}
+
 void AabbTree::improve(const Item& item, const Vec3& x, Closest& best) {
   const TrianglePoint p = closest_point(x, item.corners);
   if (p.distance2 < best.distance2 ||
@@ -150,7 +159,8 @@ void AabbTree::search(const Vec3& x, Closest& best) const {
     if (at.distance2 > best.distance2) continue;
     const Node& leaf = nodes_[at.node];
     for (std::int32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
-      improve(items_[static_cast<std::size_t>(k)], x, best);
+      if (const Item& item = items_[static_cast<std::size_t>(k)]; distance2(item, x) <= best.distance2)
+        improve(item, x, best);
   }
 }
 

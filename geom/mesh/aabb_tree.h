@@ -63,6 +63,7 @@ class AabbTree {
   void build(Ordering& ordering, std::size_t first, std::size_t last);
   void search(const Vec3& x, Closest& best) const;
   static double distance2(const Node& node, const Vec3& x);
+  static double distance2(const Item& item, const Vec3& x);
   static void improve(const Item& item, const Vec3& x, Closest& best);
 
   std::vector<Node> nodes_;
