@@ -35,6 +35,18 @@ void add_parts(const fpo::TypeCheck& type, std::vector<std::string>& lines) {
       "components of the input are several of the remesh each");
 }
 
+void add_small_angles(const fpo::RemeshResult& result, std::vector<std::string>& lines) {
+  if (result.measures.angles_below_30 == 0) return;
+  std::string line = worded("%zu angles are below 30 degrees, the smallest is %.1f",
+                            result.measures.angles_below_30, result.measures.theta_min);
+  if (result.corner_angle < 30)
+    line += worded("; between creases of the input the smallest is %.1f", result.corner_angle);
+  if (result.feature_bound.samples > result.samples.size())
+    line += worded("; curves of features are close to each other for so few samples, from about -n %zu on not",
+                   result.feature_bound.samples);
+  lines.push_back(line);
+}
+
 }  // namespace
 
 std::vector<std::string> type_warnings(const geom::TriMesh& input, const fpo::RemeshResult& result,
@@ -61,12 +73,7 @@ std::vector<std::string> type_warnings(const geom::TriMesh& input, const fpo::Re
 
 std::vector<std::string> shape_warnings(const fpo::RemeshResult& result) {
   std::vector<std::string> lines;
-  if (result.measures.angles_below_30 > 0) {
-    lines.push_back(worded("%zu angles are below 30 degrees, the smallest is %.1f",
-                           result.measures.angles_below_30, result.measures.theta_min));
-    if (result.corner_angle < 30)
-      lines.back() += worded("; between creases of the input the smallest is %.1f", result.corner_angle);
-  }
+  add_small_angles(result, lines);
   if (result.broken_feature_edges > 0)
     lines.push_back(worded(
         "%zu of %zu feature edges are no edges of the remesh, the first at (%.6g, %.6g, %.6g): curves are "

@@ -78,6 +78,26 @@ TEST_CASE("fpo-remesh: fixed points are kept bit for bit, the map gives back eve
   }
 }
 
+TEST_CASE("fpo-remesh: small angles beside close curves are told with a number of samples that has room") {
+  const RemeshFeaturesPlace place;
+  io::write_mesh(place.folder / "gear.obj", geom::make_shape("gear"));
+  const std::string key = "\nsamples_for_features ", words = "; curves of features are close to each other";
+  const ProgramResult few = place.run({"gear.obj", "-n", "300"});
+  REQUIRE_MESSAGE(few.code == 0, few.err);
+  REQUIRE(few.out.find(key) != std::string::npos);
+  const std::size_t at = few.out.find(key) + key.size();
+  const std::string bound = few.out.substr(at, few.out.find('\n', at) - at);
+  CHECK_MESSAGE(few.err.find(words + " for so few samples, from about -n " + bound + " on not\n") !=
+                    std::string::npos,
+                few.err);
+  const ProgramResult enough = place.run({"gear.obj", "-n", bound});
+  CHECK_MESSAGE(enough.err.find(words) == std::string::npos, enough.err);
+  io::write_mesh(place.folder / "wedge.obj", geom::make_shape("wedge"));  // its own corners are small
+  const ProgramResult corners = place.run({"wedge.obj", "-n", "300"});
+  CHECK_MESSAGE(corners.err.find("angles are below 30 degrees") != std::string::npos, corners.err);
+  CHECK_MESSAGE(corners.err.find(words) == std::string::npos, corners.err);
+}
+
 TEST_CASE("fpo-remesh: another topology is a warning, with --strict exit code 3; the mesh is written") {
   const RemeshFeaturesPlace place;
   const std::vector<std::string> crude{"thin-plate.obj", "-n",        "300",      "--features",
