@@ -67,7 +67,7 @@ void check_interrupted(const Workplace& place, const Job& job, int signal, doubl
 
 /// `tries` at moments spread over the whole run and a little more.
 Tally interrupt_often(const Workplace& place, const Job& job, int tries, geom::Rng& rng) {
-  const double whole = place.run(job).seconds;
+  const double whole = place.run(job).seconds / fixtures::slowness;  // the moments are scaled by that again
   check_whole(job, place.take_outputs(job));
   Tally tally;
   for (int i = 0; i < tries; ++i)
@@ -107,7 +107,7 @@ TEST_CASE("interruption: killed at a random moment, no tool leaves a temporary f
   geom::Rng rng(2);
   const auto before = place.files();
   Job job{"fpo-shape", {"torus", "--size", "300", "-o", "@out.obj"}, {"out.obj"}, false, 0};
-  const double whole = place.run(job).seconds;
+  const double whole = place.run(job).seconds / fixtures::slowness;  // the moments are scaled by that again
   const auto complete = place.take_outputs(job);
   for (int i = 0; i < 6; ++i) {
     place.run(job, {.interruption = {SIGKILL, rng.uniform() * whole, false}});
