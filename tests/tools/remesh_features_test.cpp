@@ -87,9 +87,9 @@ TEST_CASE("fpo-remesh: small angles beside close curves are told with a number o
   REQUIRE(few.out.find(key) != std::string::npos);
   const std::size_t at = few.out.find(key) + key.size();
   const std::string bound = few.out.substr(at, few.out.find('\n', at) - at);
-  CHECK_MESSAGE(few.err.find(words + " for so few samples, from about -n " + bound + " on not\n") !=
-                    std::string::npos,
-                few.err);
+  CHECK_MESSAGE(
+      few.err.find(words + " for so few samples, from about -n " + bound + " not\n") != std::string::npos,
+      few.err);
   const ProgramResult enough = place.run({"gear.obj", "-n", bound});
   CHECK_MESSAGE(enough.err.find(words) == std::string::npos, enough.err);
   io::write_mesh(place.folder / "wedge.obj", geom::make_shape("wedge"));  // its own corners are small
