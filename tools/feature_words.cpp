@@ -3,9 +3,8 @@
 #include "tools/worded.h"
 
 namespace tools {
-namespace {
 
-const char* reason(fpo::FeatureNeed need) {
+const char* feature_need(fpo::FeatureNeed need) {
   switch (need) {
     case fpo::FeatureNeed::number:
       return "curves are many";
@@ -19,11 +18,9 @@ const char* reason(fpo::FeatureNeed need) {
   return "";
 }
 
-}  // namespace
-
 std::string feature_bound_line(const fpo::RemeshResult& result) {
   const std::size_t n = result.samples.size(), needed = result.feature_bound.samples;
-  const char* why = reason(result.feature_bound.need);
+  const char* why = feature_need(result.feature_bound.need);
   std::string line;
   if (needed > n)
     line =

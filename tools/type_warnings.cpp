@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "tools/feature_words.h"
 #include "tools/worded.h"
 
 namespace tools {
@@ -42,7 +43,7 @@ void add_small_angles(const fpo::RemeshResult& result, std::vector<std::string>&
   if (result.corner_angle < 30)
     line += worded("; between creases of the input the smallest is %.1f", result.corner_angle);
   if (result.feature_bound.samples > result.samples.size())
-    line += worded("; curves of features are close to each other for so few samples, from about -n %zu not",
+    line += worded("; %s, from about -n %zu on that does not matter", feature_need(result.feature_bound.need),
                    result.feature_bound.samples);
   lines.push_back(line);
 }

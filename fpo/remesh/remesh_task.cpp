@@ -62,11 +62,12 @@ SharedSizing sizing_and_features(const RemeshTask& task, const RemeshOptions& op
       share_sizing(task.surface(), task.features, points_on_surface(task.surface(), options.fixed),
                    sizing_for, {options.num_samples, options.seed, {}, options.facing_samples});
   const ThinPartOptions thin;
-  // Room is made in even lengths only: of lengths that were asked for none is changed.
-  if (options.mend && options.method == Method::fpo && options.sizing == SizingKind::uniform)
-    shared.sizing = make_room_for_small_loops(task.surface(), shared, options.num_samples, thin.gradation,
-                                              thin.most_scale)
-                        .sizing;
+  // Of lengths that were given none is changed.
+  if (options.mend && options.method == Method::fpo && options.sizing != SizingKind::given) {
+    SmallLoopOptions loops{thin.gradation, thin.most_scale};
+    if (options.sizing != SizingKind::uniform) loops.most_edges = 3;
+    shared.sizing = make_room_for_small_loops(task.surface(), shared, options.num_samples, loops).sizing;
+  }
   return shared;
 }
 

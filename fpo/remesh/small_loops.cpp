@@ -52,17 +52,18 @@ std::vector<Chain> closed_chains(const std::vector<Chain>& chains) {
   return closed;
 }
 
-std::vector<SmallLoop> small_loops(const SharedSizing& shared, double gradation) {
+std::vector<SmallLoop> small_loops(const SharedSizing& shared, const SmallLoopOptions& options) {
   std::vector<SmallLoop> loops;
   const std::vector<SurfaceSample>& samples = shared.features.samples;
   for (const Chain& chain : closed_chains(shared.features.chains)) {
+    if (chain.size() - 1 > options.most_edges) continue;
     double length = 0;
     for (std::size_t i = 0; i + 1 < chain.size(); ++i)
       length += (samples[chain[i].index()].position - samples[chain[i + 1].index()].position).norm();
     const double edge = length / static_cast<double>(chain.size() - 1);
     const double h = shared.sizing.at(samples[chain.front().index()]);
     if (!(edge > 0 && edge < small * h)) continue;
-    SmallLoop loop{extra_samples(edge, h, gradation), {}};
+    SmallLoop loop{extra_samples(edge, h, options.gradation), {}};
     for (std::size_t i = 0; i + 1 < chain.size(); ++i)
       loop.spots.push_back({samples[chain[i].index()].position, edge});
     loops.push_back(std::move(loop));
@@ -74,13 +75,13 @@ std::vector<SmallLoop> small_loops(const SharedSizing& shared, double gradation)
 }  // namespace
 
 SmallLoops make_room_for_small_loops(const geom::TriMesh& mesh, const SharedSizing& shared, std::size_t n,
-                                     double gradation, double most_scale) {
+                                     const SmallLoopOptions& options) {
   SmallLoops result{0, shared.sizing};
-  const std::vector<SmallLoop> loops = small_loops(shared, gradation);
+  const std::vector<SmallLoop> loops = small_loops(shared, options);
   if (loops.empty()) return result;
   result.loops = loops.size();
-  const double most = static_cast<double>(n) * (1 - 1 / (most_scale * most_scale));
-  auto spots = std::make_shared<Spots>(gradation);
+  const double most = static_cast<double>(n) * (1 - 1 / (options.most_scale * options.most_scale));
+  auto spots = std::make_shared<Spots>(options.gradation);
   double extra = 0;
   for (const SmallLoop& loop : loops) {
     if (extra + loop.extra > most) break;
