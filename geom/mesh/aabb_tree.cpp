@@ -121,7 +121,7 @@ double AabbTree::distance2(const Node& node, const Vec3& x) {
 
 /// The same of the box of a facet.
 double AabbTree::distance2(const Item& item, const Vec3& x) {
-  const auto& [a, b, c] = item.corners;
+  const Vec3 &a = item.corners[0], &b = item.corners[1], &c = item.corners[2];
   const auto outside = [&](int i) {
     return std::max({std::min({a[i], b[i], c[i]}) - x[i], 0.0, x[i] - std::max({a[i], b[i], c[i]})});
   };
