@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -27,6 +29,9 @@ constexpr std::array<double, 4> circles = {0.05, 0.1, 0.2, 0.3};  // in units of
 constexpr int directions_about = 12;
 constexpr std::array<double, 4> ways = {0.25, 0.5, 0.75, 1};  // to the far point
 constexpr double rounding = 1e-9;
+constexpr std::size_t most_trials = 24;  // of the places that promise most
+constexpr double least_promise = 0.95;   // of the distance
+constexpr double least_fall = 0.97;      // of the largest distance, to go on
 constexpr double passing = 0.05;  // of delta, until others have made room
 
 class Distances {
@@ -40,12 +45,25 @@ class Distances {
   FarPoint farthest(const EmptyCircle& circle, double enough = 0) {
     std::array<SurfaceSample, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) corners[i] = domain_.sample(circle.sites[i]);
-    const auto beside = [&](std::vector<SurfaceAbove::Triangle>& triangles) {
+    const auto beside = [&](std::vector<geom::DistanceFromTriangle>& triangles) {
       add_beside(circle, triangles);
     };
     const FarPoint below = triangles_.farthest(circle, enough);
     const FarPoint above = above_.farthest(corners, std::max(enough, below.distance), beside);
     return above.distance > below.distance ? above : below;
+  }
+
+  /// Of a point from the triangles around x if that is put at a place, as far as these stay the same.
+  double distance_after(SiteId x, const SurfaceSample& place, const geom::Vec3& point) const {
+    double least2 = std::numeric_limits<double>::infinity();
+    for (const CircleId c : domain_.dual().circles_of(x)) {
+      const std::array<SiteId, 3>& t = domain_.dual().circle(c).sites;
+      if (!t[2].valid()) continue;
+      const auto at = [&](std::size_t i) { return t[i] == x ? place.position : domain_.sample(t[i]).position; };
+      const geom::DistanceFromTriangle triangle({at(0), at(1), at(2)});
+      least2 = std::min(least2, triangle.distance2(point));
+    }
+    return std::sqrt(least2);
   }
 
   double largest() {
@@ -57,14 +75,14 @@ class Distances {
 
  private:
   /// Those with two corners in common come first.
-  void add_beside(const EmptyCircle& circle, std::vector<SurfaceAbove::Triangle>& triangles) const {
+  void add_beside(const EmptyCircle& circle, std::vector<geom::DistanceFromTriangle>& triangles) const {
     std::size_t across = 0;
     for (const SiteId s : circle.sites)
       for (const CircleId c : domain_.dual().circles_of(s)) {
         const std::array<SiteId, 3>& t = domain_.dual().circle(c).sites;
         if (!t[2].valid() || t == circle.sites) continue;
         const auto at = [&](std::size_t i) { return domain_.sample(t[i]).position; };
-        triangles.push_back({at(0), at(1), at(2)});
+        triangles.emplace_back(std::array{at(0), at(1), at(2)});
         const auto common = std::ranges::count_if(
             t, [&](SiteId x) { return std::ranges::find(circle.sites, x) != circle.sites.end(); });
         if (common == 2) std::swap(triangles[across++], triangles.back());
@@ -103,6 +121,7 @@ class CloserMender {
       : domain_(domain),
         distances_(distances),
         options_(options),
+        bound_(bound),
         delta_(std::min(options.enough_delta, measure(domain).delta)),
         far_(domain, beyond(distances, bound), Flaws::Sight::star),
         bad_(domain, bad_angles(domain, angles)),
@@ -114,6 +133,8 @@ class CloserMender {
   }
 
   Flaws& far() { return far_; }
+  /// Of all triangles, if any is farther than the bound; else unknown: 0.
+  double largest() { return far_.number() > 0 ? bound_ * (1 + std::sqrt(far_.worst())) : 0; }
   std::size_t moves() const { return resampling_.moves() + spreading_.moves(); }
 
   /// Undoes what leaves samples too close to each other.
@@ -135,21 +156,46 @@ class CloserMender {
 
   bool move_some(CircleId triangle) {
     const EmptyCircle circle = domain_.dual().circle(triangle);
-    const SurfaceSample farthest = distances_.farthest(circle).at;
+    const FarPoint farthest = distances_.farthest(circle);
     const double before = far_.penalty(), penalty = far_.penalty(triangle);
-    const PlacesFor places = [&](SiteId x) {
-      return places_towards(domain_, distances_.tree(), domain_.sample(x), farthest);
-    };
-    const auto cost = [&] {
-      return far_.penalty() > before - least_share_of_nudge * penalty ? before
-                                                                      : far_.penalty() + spreading_.penalty();
+    const double enough = before - least_share_of_nudge * penalty;
+    const auto cost = [&](double limit) {
+      if (far_.is_more_than(std::min(enough, limit))) return limit;
+      const double far = far_.penalty();
+      return spreading_.is_more_than(limit - far) ? limit : far + spreading_.penalty();
     };
     resampling_.require_gain(least_share * penalty);
     return in_growing_sets(domain_, circle.sites, [&](std::span<const SiteId> samples) {
       if (interrupted(options_.interrupted)) return false;
-      if (samples.size() <= few && resampling_.nudge(samples, places, cost, before)) return true;
-      return resampling_.attempt(samples, 1) || put_at(farthest, samples);
+      if (samples.size() <= few && resampling_.nudge(trials(samples, farthest), cost, before)) return true;
+      return resampling_.attempt(samples, 1) || put_at(farthest.at, samples);
     });
+  }
+
+  /// Those that would bring the far point nearer, and edges that are too short as a consequence.
+  std::vector<Trial> trials(std::span<const SiteId> samples, const FarPoint& far) const {
+    struct Estimate {
+      double cost;
+      Trial trial;
+    };
+    std::vector<Estimate> estimates;
+    for (const SiteId x : samples) {
+      if (domain_.is_fixed(x)) continue;
+      const SurfaceSample& home = domain_.sample(x);
+      const double lack = spreading_.lack(x, home);
+      for (const SurfaceSample& place : places_towards(domain_, distances_.tree(), home, far.at)) {
+        const double after = distances_.distance_after(x, place, far.at.position);
+        if (!(after < least_promise * far.distance)) continue;
+        const double beyond = std::max(after / bound_ - 1, 0.0);
+        estimates.push_back({beyond * beyond + spreading_.lack(x, place) - lack, {x, place}});
+      }
+    }
+    std::ranges::stable_sort(estimates, {}, &Estimate::cost);
+    std::vector<Trial> best;
+    for (std::size_t i = 0; i < std::min(most_trials, estimates.size()); ++i)
+      best.push_back(estimates[i].trial);
+    std::ranges::stable_sort(best, {}, &Trial::sample);
+    return best;
   }
 
   bool put_at(const SurfaceSample& place, std::span<const SiteId> samples) {
@@ -164,7 +210,7 @@ class CloserMender {
   SurfaceDomain& domain_;
   Distances& distances_;
   const ClosenessOptions& options_;
-  double delta_;
+  double bound_, delta_;
   Flaws far_, bad_;
   SampleJournal journal_;
   LocalResampling resampling_;
@@ -194,8 +240,9 @@ ClosenessResult come_closer(SurfaceDomain& domain, const AngleOptions& angles,
       futile = mended ? 0 : futile + 1;
     }
     moves += mender.moves();
-    const double before = std::exchange(result.largest_after, distances.largest());
-    if (enough() || !(result.largest_after < before)) break;
+    const double left = mender.largest();
+    const double before = std::exchange(result.largest_after, left > 0 ? left : distances.largest());
+    if (enough() || !(result.largest_after < least_fall * before)) break;
   }
   return result;
 }

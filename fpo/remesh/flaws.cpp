@@ -62,6 +62,20 @@ void Flaws::catch_up() {
   unmeasured_.clear();
 }
 
+bool Flaws::is_more_than(double limit) {
+  std::size_t measured = 0;
+  while (measured < unmeasured_.size() && penalties_.sum() <= limit) add(unmeasured_[measured++]);
+  unmeasured_.erase(unmeasured_.begin(), unmeasured_.begin() + static_cast<std::ptrdiff_t>(measured));
+  return penalties_.sum() > limit;
+}
+
+double Flaws::worst() {
+  catch_up();
+  double most = 0;
+  for (std::size_t i = 0; i < penalties_.num_ids(); ++i) most = std::max(most, penalties_.of(CircleId(i)));
+  return most;
+}
+
 CircleId Flaws::take_worst() {
   catch_up();
   if (untried_.empty()) return CircleId();
@@ -113,13 +127,18 @@ bool LocalResampling::resample(SiteId x) {
   return domain_.move(x, Scope::two_ring);
 }
 
-bool LocalResampling::better() const {
-  return flaws_[0]->penalty() < before_[0] - std::max(gain_, drift) && others_no_worse();
+void LocalResampling::remember_penalties() {
+  for (std::size_t i = 0; i < flaws_.size(); ++i) before_[i] = flaws_[i]->penalty();
 }
 
-bool LocalResampling::others_no_worse() const {
+bool LocalResampling::better() {
+  const double enough = before_[0] - std::max(gain_, drift);
+  return !flaws_[0]->is_more_than(enough) && flaws_[0]->penalty() < enough && others_no_worse();
+}
+
+bool LocalResampling::others_no_worse() {
   for (std::size_t i = 1; i < flaws_.size(); ++i)
-    if (flaws_[i]->penalty() > before_[i] + drift) return false;
+    if (flaws_[i]->is_more_than(before_[i] + drift)) return false;
   return true;
 }
 
@@ -153,7 +172,7 @@ bool LocalResampling::settle(std::span<const Backup> samples, std::span<const Ba
 }
 
 bool LocalResampling::attempt(std::span<const SiteId> samples, double weight_share) {
-  for (std::size_t i = 0; i < flaws_.size(); ++i) before_[i] = flaws_[i]->penalty();
+  remember_penalties();
   const std::vector<Backup> backups = backups_of(samples);
   std::vector<Backup> moving = backups;
   for (std::size_t i = 1; i < 3 && weight_share < 1; ++i) {
@@ -165,29 +184,31 @@ bool LocalResampling::attempt(std::span<const SiteId> samples, double weight_sha
 
 bool LocalResampling::attempt_at(std::span<const SiteId> samples, const SurfaceSample& place) {
   if (domain_.is_fixed(samples[0])) return false;
-  for (std::size_t i = 0; i < flaws_.size(); ++i) before_[i] = flaws_[i]->penalty();
+  remember_penalties();
   const std::vector<Backup> backups = backups_of(samples);
   move({samples[0], place, backups[0].weight_share});
   return settle(backups, std::span(backups).subspan(1));
 }
 
 bool LocalResampling::nudge(std::span<const SiteId> corners) {
-  const auto cost = [&] { return flaws_[0]->penalty(); };
-  return nudge(
-      corners, [&](SiteId x) { return places_around(x); }, cost, (1 - least_nudge_gain) * cost());
+  std::vector<Trial> trials;
+  for (const SiteId x : corners)
+    if (can_move(x))
+      for (const SurfaceSample& place : places_around(x)) trials.push_back({x, place});
+  const auto cost = [&](double) { return flaws_[0]->penalty(); };
+  return nudge(trials, cost, (1 - least_nudge_gain) * flaws_[0]->penalty());
 }
 
-bool LocalResampling::nudge(std::span<const SiteId> samples, const PlacesFor& places,
-                            const std::function<double()>& cost, double least) {
-  for (std::size_t i = 0; i < flaws_.size(); ++i) before_[i] = flaws_[i]->penalty();
+bool LocalResampling::nudge(std::span<const Trial> trials, const CostBelow& cost, double least) {
+  remember_penalties();
   std::optional<Backup> best;
-  for (const SiteId x : samples) {
-    if (!can_move(x)) continue;
+  for (std::size_t i = 0; i < trials.size();) {
+    const SiteId x = trials[i].sample;
     const Backup home = backup(x);
-    for (const SurfaceSample& place : places(x)) {
-      move({x, place, home.weight_share});
-      const double now = cost();
-      if (now >= least || !others_no_worse() || !wide_enough(x) || !is_joined(x)) continue;
+    for (; i < trials.size() && trials[i].sample == x; ++i) {
+      move({x, trials[i].place, home.weight_share});
+      const double now = cost(least);
+      if (now >= least || !fits(x)) continue;
       least = now;
       best = backup(x);
     }
@@ -197,10 +218,23 @@ bool LocalResampling::nudge(std::span<const SiteId> samples, const PlacesFor& pl
   return best.has_value();
 }
 
+bool LocalResampling::nudge_as_first(std::span<const Trial> trials, const CostBelow& cost, double least) {
+  remember_penalties();
+  std::optional<Backup> home;
+  for (const auto& [x, place] : trials) {
+    if (home && home->id != x) move(*std::exchange(home, {}));
+    if (!home) home = backup(x);
+    move({x, place, home->weight_share});
+    if (cost(least) < least && fits(x)) return true;
+  }
+  if (home) move(*home);
+  return false;
+}
+
 bool LocalResampling::attempt_to_slide(std::span<const SiteId> samples) {
   if (!can_slide(samples[0])) return false;
   for (const SurfaceSample& place : slides_->places(domain_, samples[0])) {
-    for (std::size_t i = 0; i < flaws_.size(); ++i) before_[i] = flaws_[i]->penalty();
+    remember_penalties();
     const std::vector<Backup> backups = backups_of(samples);
     move({samples[0], place, backups[0].weight_share});
     if (settle(backups, std::span(backups).subspan(1))) return true;

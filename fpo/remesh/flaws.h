@@ -37,6 +37,8 @@ class Flaws final : public Follower<geom::RestrictedDual::Change> {
 
   std::size_t number() { return catch_up(), penalties_.number(); }
   double penalty() { return catch_up(), penalties_.sum(); }      ///< the sum of all measures
+  bool is_more_than(double limit);  ///< the penalty: measures no more of what is new than it takes to say so
+  double worst();                   ///< the largest of all measures; 0 if there is none. O(triangles)
   double penalty(CircleId c) const { return penalties_.of(c); }  ///< of one that take_worst() gave
 
   /// The worst that take_worst() has not given yet since try_all_again(); none if there is none.
@@ -64,7 +66,13 @@ class Flaws final : public Follower<geom::RestrictedDual::Change> {
 };
 
 /// Where else a sample may be tried.
-using PlacesFor = std::function<std::vector<SurfaceSample>(SiteId)>;
+struct Trial {
+  SiteId sample;
+  SurfaceSample place;
+};
+
+/// What a trial costs, or anything not below the limit if it costs as much.
+using CostBelow = std::function<double(double limit)>;
 
 /// Moves some samples and keeps that only if it betters things.
 class LocalResampling {
@@ -94,10 +102,11 @@ class LocalResampling {
   /// Moves a corner of a triangle by a small step to where the first penalty is least, if that is less than
   /// now: what no empty circle mends this often does, for farthest points do not have the best angles.
   bool nudge(std::span<const SiteId> corners);
-  /// Moves one of the samples to that one of its places where the cost is least, if that is below `least` and
-  /// all penalties but the first are no more.
-  bool nudge(std::span<const SiteId> samples, const PlacesFor& places, const std::function<double()>& cost,
-             double least);
+  /// Moves a sample as that trial says whose cost is least, if that is below `least` and all penalties but
+  /// the first are no more. Those of one sample stand together.
+  bool nudge(std::span<const Trial> trials, const CostBelow& cost, double least);
+  /// As the first trial says of which that is true.
+  bool nudge_as_first(std::span<const Trial> trials, const CostBelow& cost, double least);
   /// Gives x its full weight back unless that makes the first flaws worse. Whether it has it now.
   bool restore_weight(SiteId x);
   /// Removals with an insertion so far, and samples found in their places when all was put back: a bound of
@@ -117,9 +126,11 @@ class LocalResampling {
   void move(const Backup& x);
   bool resample(SiteId x);  ///< whether it moved
   bool settle(std::span<const Backup> samples, std::span<const Backup> moving);
-  bool better() const;
-  bool others_no_worse() const;
+  bool better();
+  bool others_no_worse();
   bool wide_enough(SiteId x);
+  bool fits(SiteId x) { return others_no_worse() && wide_enough(x) && is_joined(x); }
+  void remember_penalties();
   bool can_slide(SiteId x) const { return slides_ && slides_->can_slide(x); }
   bool can_move(SiteId x) const { return !domain_.is_fixed(x) || can_slide(x); }
   /// Are the samples of curves around it still joined to those before and after them?

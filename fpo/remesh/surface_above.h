@@ -2,10 +2,12 @@
 // The part of the surface that a triangle of the remesh stands for.
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
 #include "fpo/remesh/triangle_distances.h"
+#include "geom/mesh/distance_from_triangle.h"
 
 namespace fpo {
 
@@ -15,20 +17,26 @@ namespace fpo {
 /// triangle is convex, so that what is left of the facets' edges in the prism shows the largest one.
 class SurfaceAbove {
  public:
-  using Triangle = std::array<geom::Vec3, 3>;
+  using Beside = std::function<void(std::vector<geom::DistanceFromTriangle>&)>;
 
   explicit SurfaceAbove(const geom::TriMesh& mesh) : mesh_(mesh) {}
 
   /// The farthest point among those that are nearer to this triangle than to those beside it, which
   /// `beside` adds, nearest first, if it is asked; distance 0 if there is none farther than `enough`, or if
   /// the triangle has no area. O(facets in the prism).
-  FarPoint farthest(const std::array<SurfaceSample, 3>& corners, double enough,
-                    const std::function<void(std::vector<Triangle>&)>& beside);
+  FarPoint farthest(const std::array<SurfaceSample, 3>& corners, double enough, const Beside& beside);
 
  private:
+  class Query;
+
+  void begin();
+  bool is_reached(geom::FacetId t) const { return reached_[t] == query_; }
+
   const geom::TriMesh& mesh_;
-  std::vector<geom::FacetId> facets_;  ///< scratch, and so is:
-  std::vector<Triangle> beside_;
+  std::uint64_t query_ = 0;  ///< its number
+  geom::Table<geom::FacetId, std::uint64_t> reached_, done_;  ///< the last query that did it
+  std::vector<geom::FacetId> facets_;                         ///< scratch, and so is:
+  std::vector<geom::DistanceFromTriangle> beside_;
 };
 
 }  // namespace fpo

@@ -67,8 +67,9 @@ TEST_CASE("surface above: the largest distance of the surface from triangles is 
     for_triangles(domain.dual(), [&](const geom::EmptyCircle& circle) {
       std::array<SurfaceSample, 3> corners;
       for (std::size_t i = 0; i < 3; ++i) corners[i] = domain.sample(circle.sites[i]);
-      const auto all = [&](std::vector<SurfaceAbove::Triangle>& others) {
-        for (std::size_t t = 0; t < dual.num_facets(); ++t) others.push_back(tree.triangle(geom::FacetId(t)));
+      const auto all = [&](std::vector<geom::DistanceFromTriangle>& others) {
+        for (std::size_t t = 0; t < dual.num_facets(); ++t)
+          others.emplace_back(tree.triangle(geom::FacetId(t)));
       };
       const FarPoint far = above.farthest(corners, 0, all);
       found = std::max(found, far.distance);
