@@ -117,7 +117,7 @@ RemeshOptions remesh_options(const geom::TriMesh& input, const Options& given) {
   options.surface.corners = given.corners;
   options.surface.farthest = given.farthest;
   if (given.min_angle) set_least_angle(options.angles, *given.min_angle);
-  if (given.min_delta) options.angles.enough_delta = *given.min_delta;
+  if (given.min_delta) options.angles.enough_delta = options.closer_delta = *given.min_delta;
   options.optimize.interrupted = given.interrupted;
   options.optimize.on_iteration = given.on_iteration;
   options.optimize.on_move = given.on_move;
@@ -127,6 +127,7 @@ RemeshOptions remesh_options(const geom::TriMesh& input, const Options& given) {
                   .tile_samples = given.tile_samples,
                   .optimize_angles = given.optimize_angles,
                   .improve_fidelity = given.improve_fidelity,
+                  .come_closer = given.come_closer,
                   .rest = given.rest};
   use_effort(given.quality, options, choices);
   if (given.target_delta) options.optimize.target_delta = *given.target_delta;

@@ -52,7 +52,7 @@ struct Options {
   Sheets sheets = Sheets::automatic;
   bool maximal = false;  ///< in the end samples are moved until their disks cover the surface (maximal.h)
   /// What angle optimization wants, degrees (the largest angle wanted is 156 - 4/3 of it), and how low delta
-  /// may become for it.
+  /// may become for it and to come closer.
   std::optional<double> min_angle{}, min_delta{};
   geom::CornerTypes corners = geom::CornerTypes::c_only;  ///< where farthest points may be
   Priority farthest = by_radius;                          ///< which empty circle is the farthest point
@@ -61,7 +61,7 @@ struct Options {
   std::optional<Scope> scope{};
   std::optional<double> weight_scale{};
   std::optional<std::size_t> tile_samples{};  ///< 0: no tiles
-  std::optional<bool> optimize_angles{}, improve_fidelity{};
+  std::optional<bool> optimize_angles{}, improve_fidelity{}, come_closer{};
   /// Looked at before each move: once true, the moves so far are the result.
   const std::atomic<bool>* interrupted = nullptr;
   /// Called after each iteration, and before each move with its number (of about count times iterations),

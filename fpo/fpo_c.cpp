@@ -119,6 +119,7 @@ void add_choices(const fpo_options& given, fpo::Options& options) {
     options.scope = given.search == fpo_search_everywhere ? fpo::Scope::global : fpo::Scope::two_ring;
   options.optimize_angles = given_choice(given.optimize_angles);
   options.improve_fidelity = given_choice(given.improve_fidelity);
+  options.come_closer = given_choice(given.come_closer);
   geom::require(given.num_fixed >= 0 && (given.num_fixed == 0 || given.fixed), "fixed points are missing");
   if (given.num_fixed > 0) options.fixed = Rows<double>(given.fixed, given.num_fixed, 3);
 }
@@ -247,7 +248,8 @@ extern "C" {
   options->min_angle = options->min_delta = -1;
   options->gradation = options->min_size = options->max_size = options->weight_scale = -1;
   options->tile_samples = -1;
-  options->search = options->optimize_angles = options->improve_fidelity = fpo_by_default;
+  options->search = fpo_by_default;
+  options->optimize_angles = options->improve_fidelity = options->come_closer = fpo_by_default;
 }
 
 [[gnu::visibility("default")]] int fpo_remesh(const double* vertices, std::int64_t num_vertices,

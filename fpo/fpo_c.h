@@ -57,7 +57,7 @@ typedef struct fpo_options {
   double weight_scale;         /* a sample's weight is (this times the wanted length)^2; negative: default */
   int64_t tile_samples;        /* at most, in a tile; 0: no tiles; negative: default */
   int32_t search;              /* everywhere, nearby, or fpo_by_default */
-  int32_t optimize_angles, improve_fidelity; /* fpo_no, fpo_yes, fpo_by_default */
+  int32_t optimize_angles, improve_fidelity, come_closer; /* fpo_no, fpo_yes, fpo_by_default */
   const double* fixed; /* x, y, z of points of the surface that become the first vertices; may be null */
   int64_t num_fixed;
 } fpo_options;

@@ -306,21 +306,24 @@ void declare_mending(CommandLine& cli, RemeshArguments& a, Unsettled& u) {
        .help = "smallest angle that angle optimization wants, in degrees; the largest is 156 - 4A/3",
        .standard = "33"},
       [&](const std::string& text) { fpo::set_least_angle(a.remesh.angles, parse_number(text, 1, 45)); });
-  cli.number({.name = "min-delta",
+  cli.custom({.name = "min-delta",
               .value = "D",
-              .help = "angle optimization and improvement of fidelity lower delta to this, not further: what "
-                      "one gains the other pays"},
-             a.remesh.angles.enough_delta, 0, 1);
+              .help = "angle optimization, improvement of fidelity and --closer lower delta to this, not "
+                      "further: what one gains the other pays",
+              .standard = "0.915, --closer 0.88"},
+             [&](const std::string& text) {
+               a.remesh.angles.enough_delta = a.remesh.closer_delta = parse_number(text, 0, 1);
+             });
   cli.group("Expert: optimization");
   cli.toggle({.name = "improve-fidelity",
               .help = "mend triangles that are far from the surface",
               .standard = "on with fpo"},
              a.choices.improve_fidelity);
-  cli.flag(
-      {.name = "closer",
-       .help = "then bring the remesh closer to INPUT, both ways, as far as delta stays above .9 or what "
-               "--min-delta says"},
-      a.remesh.come_closer);
+  cli.toggle({.name = "closer",
+              .help = "then bring the remesh closer to INPUT, both ways, as far as delta stays above what "
+                      "--min-delta says",
+              .standard = "for a while, with the quality best, where lengths are even and no features kept"},
+             a.choices.come_closer);
   cli.choice(
       {.name = "sheets",
        .value = "auto|apart|together",

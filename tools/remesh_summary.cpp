@@ -153,7 +153,7 @@ void add_rest(Summary& s, const RemeshArguments& a, const fpo::RemeshResult& res
     s.count("far_triangles_tried", result.fidelity.tried);
     s.count("far_triangles_mended", result.fidelity.mended);
   }
-  if (a.remesh.come_closer) {
+  if (a.remesh.closer == fpo::Closer::always || result.closeness.tried > 0) {
     s.count("closer_tried", result.closeness.tried);
     s.count("closer_mended", result.closeness.mended);
   }

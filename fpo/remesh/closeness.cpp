@@ -136,6 +136,10 @@ class CloserMender {
   /// Of all triangles, if any is farther than the bound; else unknown: 0.
   double largest() { return far_.number() > 0 ? bound_ * (1 + std::sqrt(far_.worst())) : 0; }
   std::size_t moves() const { return resampling_.moves() + spreading_.moves(); }
+  bool is_far_in_many_places() {
+    const auto triangles = 2 * static_cast<double>(domain_.num_samples());  // of a closed surface, about
+    return static_cast<double>(far_.number()) > options_.most_far * triangles;
+  }
 
   /// Undoes what leaves samples too close to each other.
   bool mend(CircleId triangle) {
@@ -232,6 +236,7 @@ ClosenessResult come_closer(SurfaceDomain& domain, const AngleOptions& angles,
     const auto enough = [&] {
       return moves + mender.moves() > options.most_moves || interrupted(options.interrupted);
     };
+    if (mender.is_far_in_many_places()) break;
     std::size_t futile = 0;  // in a row
     for (CircleId c; futile < most_futile && !enough() && (c = mender.far().take_worst()).valid();
          ++result.tried) {

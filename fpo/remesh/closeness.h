@@ -13,7 +13,10 @@ namespace fpo {
 struct ClosenessOptions {
   double share_of_largest = 0.7;  ///< a round brings all distances below this share of the largest
   int rounds = 4;
-  double enough_delta = 0.9;  ///< with uniform sizing delta is not made smaller than this
+  double enough_delta = 0.88;  ///< with uniform sizing delta is not made smaller than this
+  /// A share of the triangles: if more than that are beyond the bound, the largest distance is one of many,
+  /// and all stays as it is.
+  double most_far = 1;
   std::size_t most_moves = std::numeric_limits<std::size_t>::max();  ///< give or take one triangle's
   const std::atomic<bool>* interrupted = nullptr;                    ///< looked at before each triangle
 };

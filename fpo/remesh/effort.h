@@ -22,6 +22,7 @@ inline void use_effort(Effort effort, RemeshOptions& options, Choices& choices) 
   if (effort == Effort::draft && !choices.iterations) choices.iterations = draft_iterations;
   if (effort == Effort::good) options.optimize.target_delta = good_delta;
   if (effort == Effort::good) choices.rest = true;
+  if (!choices.come_closer) choices.come_closer = false;
 }
 
 /// The smallest angle that angle optimization wants, and the largest that goes with it (33 and 112 by

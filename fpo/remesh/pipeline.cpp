@@ -28,7 +28,8 @@ namespace fpo {
 namespace {
 
 constexpr std::size_t least_fidelity_moves = 2000;
-constexpr std::size_t moves_to_come_closer = 20;    // a sample
+constexpr std::size_t moves_to_come_closer = 20;    // a sample, if it is asked for
+constexpr double most_far = 1.0 / 12;               // of the triangles, if it is not
 constexpr std::array<double, 2> softer = {0.3, 1};  // least lengths in even spacings, where n is too small
 
 RemeshResult remesh_smoothed_or_not(const geom::TriMesh& surface, const RemeshOptions& options);
@@ -81,10 +82,6 @@ std::unique_ptr<SurfaceDomain> with_room(std::unique_ptr<SurfaceDomain> domain, 
   return make_room_for_thin_parts(std::move(domain), shared.features, type, room, result.thin_parts);
 }
 
-double delta_to_come_closer(const RemeshOptions& options) {
-  return std::min(ClosenessOptions().enough_delta, options.angles.enough_delta);
-}
-
 struct Improvement {
   const SharedSizing& shared;
   const geom::SurfaceType& type;
@@ -94,6 +91,14 @@ struct Improvement {
 
 void prove_edges(SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options) {
   if (how.curves && !interrupted(options)) empty_balls(domain, *how.curves, how.shared.features);
+}
+
+/// Where lengths are even and neither features nor thin parts are in the way.
+bool comes_closer_by_itself(const SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options,
+                            const RemeshResult& result) {
+  return options.closer == Closer::automatic && options.method == Method::fpo &&
+         domain.sizing().is_uniform() && how.shared.features.samples.empty() &&
+         options.sheets != Sheets::apart && result.thin_parts.faults_before == 0;
 }
 
 void come_nearer(SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options,
@@ -109,10 +114,14 @@ void come_nearer(SurfaceDomain& domain, const Improvement& how, const RemeshOpti
     fidelity.enough_delta = std::min(0.9, fidelity.enough_delta);
   }
   result.fidelity = improve_fidelity(domain, how.angles, fidelity);
-  if (!options.come_closer) return;
+  const bool wanted = options.closer == Closer::always;
+  if (!wanted && !comes_closer_by_itself(domain, how, options, result)) return;
   ClosenessOptions closeness;
-  closeness.enough_delta = delta_to_come_closer(options);
-  closeness.most_moves = least_fidelity_moves + moves_to_come_closer * domain.num_samples();
+  closeness.enough_delta = std::min(options.closer_delta, options.angles.enough_delta);
+  closeness.most_moves =
+      wanted ? least_fidelity_moves + moves_to_come_closer * domain.num_samples()
+             : least_fidelity_moves + result.optimization.moves / 12;
+  closeness.most_far = wanted ? 1 : most_far;
   closeness.interrupted = options.optimize.interrupted;
   result.closeness = come_closer(domain, how.angles, closeness);
 }
@@ -258,8 +267,8 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
     result.finish = finish(domain, shared.features, type,
                            {.angles = angle_options(options),
                             .mend_angles = options.optimize_angles && !options.maximal,
-                            .all_wanted = options.come_closer,
-                            .least_edge = delta_to_come_closer(options),
+                            .all_wanted = options.closer == Closer::always || result.closeness.mended > 0,
+                            .least_edge = std::min(options.closer_delta, options.angles.enough_delta),
                             .keep_cells = options.keep_cells,
                             .slides = slides ? &*slides : nullptr},
                            dual);

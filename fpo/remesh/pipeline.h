@@ -32,6 +32,10 @@ namespace fpo {
 /// apart if without that the remesh is of another type or has angles below 30 degrees, and it helps.
 enum class Sheets { together, apart, automatic };
 
+/// Whether the remesh is brought closer to the surface than fidelity.h brings it (closeness.h), paid for with
+/// delta and time. Left to us: where lengths are even and nothing is in the way, for a while.
+enum class Closer { never, automatic, always };
+
 /// Its initial values are plain; those of fpo-remesh depend on one another: remesh_defaults.h.
 struct RemeshOptions {
   Method method = Method::fpo;
@@ -60,7 +64,8 @@ struct RemeshOptions {
   bool optimize_angles = true;   ///< afterwards (section 5)
   AngleOptions angles;           ///< wanted then; its interruption is overruled
   bool improve_fidelity = true;  ///< where the remesh is farthest from the input (fidelity.h)
-  bool come_closer = false;      ///< and more so, both ways, paid for with delta and time (closeness.h)
+  Closer closer = Closer::never;
+  double closer_delta = ClosenessOptions().enough_delta;  ///< then delta is not made smaller than this
   bool maximal = false;     ///< then move samples until the set is a maximal Poisson-disk set (maximal.h)
   bool keep_cells = false;  ///< fill RemeshResult::cells
 };

@@ -41,6 +41,7 @@ struct Choices {
   std::optional<int> iterations{};            ///< at most
   std::optional<std::size_t> tile_samples{};  ///< at most, in a tile; 0: no tiles
   std::optional<bool> optimize_angles{}, improve_fidelity{};
+  std::optional<bool> come_closer{};  ///< left out: where that is cheap, unless another target is set
   bool rest = false;  ///< do not move samples where the target is met already (rest.h)
 };
 
@@ -57,6 +58,10 @@ inline void complete(RemeshOptions& options, const Choices& choices) {
   use_method(options, options.method);
   if (choices.optimize_angles) options.optimize_angles = *choices.optimize_angles;
   if (choices.improve_fidelity) options.improve_fidelity = *choices.improve_fidelity;
+  if (choices.come_closer)
+    options.closer = *choices.come_closer ? Closer::always : Closer::never;
+  else if (optimize.target_delta == OptimizeOptions().target_delta)
+    options.closer = Closer::automatic;
   if (choices.iterations) optimize.max_iterations = *choices.iterations;
   options.tile_samples =
       choices.tile_samples.value_or(default_tile_samples(options.num_samples, choices.rest));
