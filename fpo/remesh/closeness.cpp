@@ -11,6 +11,7 @@
 #include "fpo/optimize.h"
 #include "fpo/remesh/flaws.h"
 #include "fpo/remesh/nearby_places.h"
+#include "fpo/remesh/remembered_samples.h"
 #include "fpo/remesh/spreading.h"
 #include "fpo/remesh/surface_above.h"
 #include "geom/mesh/scaling.h"
@@ -32,7 +33,7 @@ constexpr double rounding = 1e-9;
 constexpr std::size_t most_trials = 24;  // of the places that promise most
 constexpr double least_promise = 0.95;   // of the distance
 constexpr double least_fall = 0.97;      // of the largest distance, to go on
-constexpr double passing = 0.05;  // of delta, until others have made room
+constexpr double passing = 0.05;         // of delta, until others have made room
 
 class Distances {
  public:
@@ -40,6 +41,7 @@ class Distances {
       : domain_(domain), triangles_(domain), above_(domain.mesh()) {}
 
   const geom::AabbTree& tree() const { return triangles_.tree(); }
+  std::size_t looks() const { return above_.looks(); }
 
   /// Both ways; those left out that are seen at once to be no farther than `enough`.
   FarPoint farthest(const EmptyCircle& circle, double enough = 0) {
@@ -59,7 +61,9 @@ class Distances {
     for (const CircleId c : domain_.dual().circles_of(x)) {
       const std::array<SiteId, 3>& t = domain_.dual().circle(c).sites;
       if (!t[2].valid()) continue;
-      const auto at = [&](std::size_t i) { return t[i] == x ? place.position : domain_.sample(t[i]).position; };
+      const auto at = [&](std::size_t i) {
+        return t[i] == x ? place.position : domain_.sample(t[i]).position;
+      };
       const geom::DistanceFromTriangle triangle({at(0), at(1), at(2)});
       least2 = std::min(least2, triangle.distance2(point));
     }
@@ -221,12 +225,9 @@ class CloserMender {
   Spreading spreading_;
 };
 
-}  // namespace
-
-ClosenessResult come_closer(SurfaceDomain& domain, const AngleOptions& angles,
-                            const ClosenessOptions& options) {
-  ClosenessResult result;
-  if (interrupted(options.interrupted)) return result;
+/// Round after round, until that brings nothing more.
+void mend_in_rounds(SurfaceDomain& domain, const AngleOptions& angles, const ClosenessOptions& options,
+                    ClosenessResult& result) {
   Distances distances(domain);
   result.largest_before = result.largest_after = distances.largest();
   std::size_t moves = 0;
@@ -234,9 +235,10 @@ ClosenessResult come_closer(SurfaceDomain& domain, const AngleOptions& angles,
     const double bound = options.share_of_largest * result.largest_after;
     CloserMender mender(domain, distances, angles, bound, options);
     const auto enough = [&] {
-      return moves + mender.moves() > options.most_moves || interrupted(options.interrupted);
+      return moves + mender.moves() > options.most_moves || distances.looks() > options.most_looks ||
+             interrupted(options.interrupted);
     };
-    if (mender.is_far_in_many_places()) break;
+    if (mender.is_far_in_many_places()) return;
     std::size_t futile = 0;  // in a row
     for (CircleId c; futile < most_futile && !enough() && (c = mender.far().take_worst()).valid();
          ++result.tried) {
@@ -247,7 +249,22 @@ ClosenessResult come_closer(SurfaceDomain& domain, const AngleOptions& angles,
     moves += mender.moves();
     const double left = mender.largest();
     const double before = std::exchange(result.largest_after, left > 0 ? left : distances.largest());
-    if (enough() || !(result.largest_after < least_fall * before)) break;
+    if (enough() || !(result.largest_after < least_fall * before)) return;
+  }
+}
+
+}  // namespace
+
+ClosenessResult come_closer(SurfaceDomain& domain, const AngleOptions& angles,
+                            const ClosenessOptions& options) {
+  ClosenessResult result;
+  if (interrupted(options.interrupted)) return result;
+  const RememberedSamples before(domain);
+  mend_in_rounds(domain, angles, options, result);
+  if (result.mended > 0 && !(result.largest_after < least_fall * result.largest_before)) {
+    before.put_back(domain);
+    result.largest_after = result.largest_before;
+    result.mended = 0;
   }
   return result;
 }

@@ -18,7 +18,8 @@ struct ClosenessOptions {
   /// and all stays as it is.
   double most_far = 1;
   std::size_t most_moves = std::numeric_limits<std::size_t>::max();  ///< give or take one triangle's
-  const std::atomic<bool>* interrupted = nullptr;                    ///< looked at before each triangle
+  std::size_t most_looks = most_moves;             ///< at edges of the surface (surface_above.h), likewise
+  const std::atomic<bool>* interrupted = nullptr;  ///< looked at before each triangle
 };
 
 /// Distances in the units of the surface: from it of the RRT's triangles (triangle_distances.h), and of what
@@ -32,7 +33,7 @@ struct ClosenessResult {
 /// around it or on the way to the far point, where the triangles that are too far are less so and as few
 /// samples as possible come too close to others; else the samples are resampled as in fidelity.h. Then those
 /// that are too close are pushed apart (spreading.h); where that fails, all is undone, and so is what makes
-/// angles worse. The number of samples stays; fixed ones stay where they are. Deterministic. Some seconds
+/// angles worse, and in the end everything if the largest distance is hardly smaller. The number of samples stays; fixed ones stay where they are. Deterministic. Some seconds
 /// for 2000 samples.
 ClosenessResult come_closer(SurfaceDomain& domain, const AngleOptions& angles,
                             const ClosenessOptions& options = {});

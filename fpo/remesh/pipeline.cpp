@@ -30,6 +30,7 @@ namespace {
 constexpr std::size_t least_fidelity_moves = 2000;
 constexpr std::size_t moves_to_come_closer = 20;    // a sample, if it is asked for
 constexpr double most_far = 1.0 / 12;               // of the triangles, if it is not
+constexpr std::size_t looks_a_move = 20;            // of the optimization, then: about a quarter of its time
 constexpr std::array<double, 2> softer = {0.3, 1};  // least lengths in even spacings, where n is too small
 
 RemeshResult remesh_smoothed_or_not(const geom::TriMesh& surface, const RemeshOptions& options);
@@ -118,10 +119,9 @@ void come_nearer(SurfaceDomain& domain, const Improvement& how, const RemeshOpti
   if (!wanted && !comes_closer_by_itself(domain, how, options, result)) return;
   ClosenessOptions closeness;
   closeness.enough_delta = std::min(options.closer_delta, options.angles.enough_delta);
-  closeness.most_moves =
-      wanted ? least_fidelity_moves + moves_to_come_closer * domain.num_samples()
-             : least_fidelity_moves + result.optimization.moves / 12;
-  closeness.most_far = wanted ? 1 : most_far;
+  closeness.most_moves = wanted ? least_fidelity_moves + moves_to_come_closer * domain.num_samples()
+                                : least_fidelity_moves + result.optimization.moves / 12;
+  if (!wanted) closeness.most_far = most_far, closeness.most_looks = looks_a_move * result.optimization.moves;
   closeness.interrupted = options.optimize.interrupted;
   result.closeness = come_closer(domain, how.angles, closeness);
 }

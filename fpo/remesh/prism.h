@@ -25,14 +25,21 @@ class Prism {
 
   const geom::Vec3& up() const { return up_; }
 
-  /// The share [from, to] of a segment that lies within.
-  std::optional<std::pair<double, double>> share(const geom::Vec3& a, const geom::Vec3& b) const {
+  /// How far within each side a point is, in units of the side's own; negative: outside.
+  using Depths = std::array<double, 5>;
+  Depths depths(const geom::Vec3& x) const {
+    Depths result;
+    for (std::size_t i = 0; i < sides_.size(); ++i) result[i] = sides_[i].inside(x);
+    return result;
+  }
+
+  /// The share [from, to] of a segment that lies within, by the depths of its ends.
+  static std::optional<std::pair<double, double>> share(const Depths& a, const Depths& b) {
     double from = 0, to = 1;
-    for (const Side& side : sides_) {
-      const double at_a = side.inside(a), at_b = side.inside(b);
-      if (at_a < 0 && at_b < 0) return {};
-      if (at_a < 0) from = std::max(from, at_a / (at_a - at_b));
-      if (at_b < 0) to = std::min(to, at_a / (at_a - at_b));
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      if (a[i] < 0 && b[i] < 0) return {};
+      if (a[i] < 0) from = std::max(from, a[i] / (a[i] - b[i]));
+      if (b[i] < 0) to = std::min(to, a[i] / (a[i] - b[i]));
     }
     if (from > to) return {};
     return std::pair(from, to);

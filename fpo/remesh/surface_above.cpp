@@ -60,16 +60,35 @@ class SurfaceAbove::Query {
     if (other.valid() && above_.done_[other] == above_.query_) return;
     if (e == 2) above_.done_[t] = above_.query_;
     const Vec3 &a = above_.mesh_.corner(t, e), &b = above_.mesh_.corner(t, (e + 1) % 3);
-    const auto share = prism_.share(a, b);
+    const SeenVertex &at_a = see(t, e), &at_b = see(t, (e + 1) % 3);
+    ++above_.looks_;
+    const auto share = Prism::share(at_a.depths, at_b.depths);
     if (!share) return;
     if (other.valid()) reach(other);
+    // The distance is convex along an edge.
+    if (at_a.distance2 <= most2_ && at_b.distance2 <= most2_) return;
     const auto at = [&](double way) -> Vec3 {
       const double s = share->first + (share->second - share->first) * way;
       return s == 0 ? a : s == 1 ? b : Vec3(a + s * (b - a));
     };
-    // The distance is convex along an edge.
-    if (triangle_.distance2(at(0)) <= most2_ && triangle_.distance2(at(1)) <= most2_) return;
-    look_along(at, t);
+    const Vec3 from = at(0), to = at(1);
+    if (triangle_.distance2(from) <= most2_ && triangle_.distance2(to) <= most2_) return;
+    if (!is_near_another(from, to)) look_along(at, t);
+  }
+
+  /// Whether one of them is no farther than what counts from the whole segment.
+  bool is_near_another(const Vec3& a, const Vec3& b) {
+    return is_any_beside([&](const geom::DistanceFromTriangle& other) {
+      return other.distance2(a) <= most2_ && other.distance2(b) <= most2_;
+    });
+  }
+
+  const SeenVertex& see(FacetId t, int corner) {
+    const geom::VertexId v = above_.mesh_.facet(t)[static_cast<std::size_t>(corner)];
+    SeenVertex& seen = above_.seen_[v];
+    if (seen.query == above_.query_) return seen;
+    const Vec3& x = above_.mesh_.corner(t, corner);
+    return seen = {above_.query_, triangle_.distance2(x), prism_.depths(x)};
   }
 
   template <class At>
@@ -94,15 +113,20 @@ class SurfaceAbove::Query {
     return true;
   }
 
-  /// What one of them excludes the same one mostly excludes next.
   bool is_nearer_to_others(const Vec3& x, double distance2) {
-    std::vector<geom::DistanceFromTriangle>& others = above_.beside_;
-    if (others.empty()) beside_(others);
-    const auto nearer = std::ranges::find_if(others, [&](const geom::DistanceFromTriangle& other) {
+    return is_any_beside([&](const geom::DistanceFromTriangle& other) {
       return other.distance2(x) < (1 - rounding) * distance2;
     });
-    if (nearer == others.end()) return false;
-    std::swap(*nearer, others.front());
+  }
+
+  /// What holds for one of them mostly holds for the same one next.
+  template <class Property>
+  bool is_any_beside(const Property& property) {
+    std::vector<geom::DistanceFromTriangle>& others = above_.beside_;
+    if (others.empty()) beside_(others);
+    const auto found = std::ranges::find_if(others, property);
+    if (found == others.end()) return false;
+    std::swap(*found, others.front());
     return true;
   }
 
@@ -117,6 +141,7 @@ class SurfaceAbove::Query {
 void SurfaceAbove::begin() {
   reached_.resize(mesh_.num_facets(), 0);
   done_.resize(mesh_.num_facets(), 0);
+  seen_.resize(mesh_.num_vertices(), SeenVertex{});
   ++query_;
   facets_.clear();
   beside_.clear();

@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "fpo/remesh/prism.h"
 #include "fpo/remesh/triangle_distances.h"
 #include "geom/mesh/distance_from_triangle.h"
 
@@ -26,16 +27,25 @@ class SurfaceAbove {
   /// the triangle has no area. O(facets in the prism).
   FarPoint farthest(const std::array<SurfaceSample, 3>& corners, double enough, const Beside& beside);
 
+  std::size_t looks() const { return looks_; }  ///< at edges of the surface, so far: most of what it has cost
+
  private:
   class Query;
+  struct SeenVertex {
+    std::uint64_t query = 0;  ///< the last one
+    double distance2 = 0;     ///< from its triangle
+    Prism::Depths depths{};   ///< in its prism
+  };
 
   void begin();
   bool is_reached(geom::FacetId t) const { return reached_[t] == query_; }
 
   const geom::TriMesh& mesh_;
-  std::uint64_t query_ = 0;  ///< its number
+  std::size_t looks_ = 0;
+  std::uint64_t query_ = 0;                                   ///< its number
   geom::Table<geom::FacetId, std::uint64_t> reached_, done_;  ///< the last query that did it
-  std::vector<geom::FacetId> facets_;                         ///< scratch, and so is:
+  geom::Table<geom::VertexId, SeenVertex> seen_;
+  std::vector<geom::FacetId> facets_;  ///< scratch, and so is:
   std::vector<geom::DistanceFromTriangle> beside_;
 };
 
