@@ -14,6 +14,7 @@
 #include "fpo/surface/initial_samples.h"
 #include "geom/rng.h"
 #include "geom/shapes/mesh_parts.h"
+#include "geom/shapes/shapes.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
@@ -88,25 +89,49 @@ TEST_CASE("surface above: the largest distance of the surface from triangles is 
   }
 }
 
-TEST_CASE("closeness: the surfaces are nearer, samples as many and not too close, angles no worse") {
+TEST_CASE("closeness: mostly the surfaces are nearer, never farther; samples as many and not too close") {
   const TriMesh mesh = folded();
-  constexpr std::size_t n = 60;
-  SurfaceDomain domain = optimized(mesh, n, 20);
-  const AngleOptions angles;
+  int nearer = 0;
+  for (std::size_t n = 60; n < 140; n += 10) {
+    CAPTURE(n);
+    SurfaceDomain domain = optimized(mesh, n, 20);
+    const AngleOptions angles;
+    ClosenessOptions options;
+    options.enough_delta = 0.8;
+    const double delta = std::min(measure(domain).delta, options.enough_delta);
+    const double bad = Flaws(domain, bad_angles(domain, angles)).penalty();
+    const double distance = surface_distance(dual_mesh(domain), domain.mesh()).max;
+    const std::vector<SurfaceSample> before = samples_in(domain);
+    const ClosenessResult result = come_closer(domain, angles, options);
+    CHECK(result.tried > 0);
+    CHECK(domain.num_samples() == n);
+    CHECK(measure(domain).delta >= delta * (1 - 1e-9));
+    CHECK(Flaws(domain, bad_angles(domain, angles)).penalty() <= bad + 1e-6);
+    domain.check();
+    if (result.mended == 0) {  // all is as it was
+      CHECK(result.largest_after == result.largest_before);
+      for (std::size_t i = 0; i < n; ++i) CHECK(domain.sample(SiteId(i)).position == before[i].position);
+      continue;
+    }
+    ++nearer;
+    CHECK(result.largest_after < result.largest_before);
+    CHECK(surface_distance(dual_mesh(domain), domain.mesh()).max < distance);
+  }
+  CHECK(nearer >= 4);
+}
+
+TEST_CASE("closeness: a largest distance that is one of many is left alone, and looks can be few") {
+  const TriMesh mesh = geom::make_shape("sphere", 12);
+  SurfaceDomain domain = optimized(mesh, 100, 20);
   ClosenessOptions options;
-  options.enough_delta = 0.8;
-  options.rounds = 1;
-  const double delta = std::min(measure(domain).delta, options.enough_delta);
-  const double bad = Flaws(domain, bad_angles(domain, angles)).penalty();
-  const double distance = surface_distance(dual_mesh(domain), domain.mesh()).max;
-  const ClosenessResult result = come_closer(domain, angles, options);
-  CHECK(result.mended > 0);
-  CHECK(result.largest_after < result.largest_before);
-  CHECK(surface_distance(dual_mesh(domain), domain.mesh()).max < distance);
-  CHECK(domain.num_samples() == n);
-  CHECK(measure(domain).delta >= delta * (1 - 1e-9));
-  CHECK(Flaws(domain, bad_angles(domain, angles)).penalty() <= bad + 1e-6);
-  domain.check();
+  options.enough_delta = 0.5;
+  options.most_far = 0;
+  CHECK(come_closer(domain, {}, options).tried == 0);
+  options.most_far = 1;
+  options.most_looks = 0;
+  CHECK(come_closer(domain, {}, options).tried == 0);
+  options.most_looks = ClosenessOptions().most_looks;
+  CHECK(come_closer(domain, {}, options).tried > 0);
 }
 
 TEST_CASE("closeness: interrupted, or without moves to spare, little is done") {
