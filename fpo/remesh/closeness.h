@@ -29,12 +29,13 @@ struct ClosenessResult {
   std::size_t tried = 0, mended = 0;  ///< triangles
 };
 
-/// Takes the farthest triangle first. Of its corners and those around it, the one is nudged that has a place,
-/// around it or on the way to the far point, where the triangles that are too far are less so and as few
-/// samples as possible come too close to others; else the samples are resampled as in fidelity.h. Then those
-/// that are too close are pushed apart (spreading.h); where that fails, all is undone, and so is what makes
-/// angles worse, and in the end everything if the largest distance is hardly smaller. The number of samples stays; fixed ones stay where they are. Deterministic. Some seconds
-/// for 2000 samples.
+/// Takes the farthest triangle first. Of its corners and those around it, the one is nudged that has a
+/// place, around it or on the way to the far point, where the triangles that are too far are less so and
+/// as few samples as possible come too close to others; else the samples are resampled as in fidelity.h.
+/// Then those that are too close are pushed apart (spreading.h); where that fails, all is undone, and so
+/// is what makes angles worse, and in the end everything if the largest distance is hardly smaller. The
+/// number of samples stays; fixed ones stay where they are. Deterministic. Cost: a second for 2000
+/// samples, where cells have a dozen facets.
 ClosenessResult come_closer(SurfaceDomain& domain, const AngleOptions& angles,
                             const ClosenessOptions& options = {});
 
