@@ -42,7 +42,7 @@ struct Choices {
   std::optional<std::size_t> tile_samples{};  ///< at most, in a tile; 0: no tiles
   std::optional<bool> optimize_angles{}, improve_fidelity{};
   std::optional<bool> come_closer{};  ///< left out: where that is cheap, unless another target is set
-  bool rest = false;  ///< do not move samples where the target is met already (rest.h)
+  bool rest = false;                  ///< do not move samples where the target is met already (rest.h)
 };
 
 /// Completes options of which the method, the sizing, the number of samples and the goal are set. Throws
