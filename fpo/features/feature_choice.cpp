@@ -185,6 +185,38 @@ bool is_disorder(const TriMesh& mesh, const Features& features) {
          !is_polyhedron(mesh, features);
 }
 
+struct EdgeSum {
+  std::size_t number = 0;
+  double length = 0;
+  double mean() const { return number > 0 ? length / static_cast<double>(number) : 0; }
+};
+
+/// Edges that were cut off in steps, as where a surface was taken from a lattice: many curves of a few edges,
+/// no longer than others, in a fine mesh. Creases of a part consist of many edges there, or of long ones.
+bool is_stepped(const TriMesh& mesh, const Features& features) {
+  constexpr std::size_t many = 50, edges_of_long = 5, many_others = 20;
+  constexpr double longer = 2;
+  std::set<std::pair<VertexId, VertexId>> creases;
+  std::size_t curves = 0;
+  for (const FeatureCurve& curve : features.curves) {
+    curves += curve.sheets == 2;
+    for (std::size_t i = 0; i < curve.facets.size() && curve.sheets == 2; ++i)
+      creases.insert(std::minmax(curve.vertices[i], curve.vertices[(i + 1) % curve.vertices.size()]));
+  }
+  if (curves <= many || creases.size() >= edges_of_long * curves) return false;
+  EdgeSum sharp, others;
+  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
+    for (std::size_t e = 0; e < 3; ++e) {
+      const FacetId u = mesh.across(t, static_cast<int>(e));
+      if (!u.valid() || u < t) continue;
+      const std::pair<VertexId, VertexId> ends = std::minmax(mesh.facet(t)[e], mesh.facet(t)[(e + 1) % 3]);
+      EdgeSum& sum = creases.contains(ends) ? sharp : others;
+      ++sum.number;
+      sum.length += (mesh.position(ends.second) - mesh.position(ends.first)).norm();
+    }
+  return others.number > many_others * sharp.number && sharp.mean() < longer * others.mean();
+}
+
 double total_strength(const SeenCurves& curves) {
   double sum = 0;
   for (const double strength : curves.strengths)
@@ -249,8 +281,10 @@ void judge_fading(FeatureOptions& options, double spacing) {
 Features all_features(const TriMesh& mesh, FeatureOptions options, double spacing) {
   judge_fading(options, spacing);
   Features features = find_features(mesh, options);
-  if (options.yielding && (is_noise(fold_sides(mesh, features)) || is_disorder(mesh, features))) return {};
-  return features;
+  const auto is_in_vain = [&] {
+    return is_noise(fold_sides(mesh, features)) || is_disorder(mesh, features) || is_stepped(mesh, features);
+  };
+  return options.yielding && is_in_vain() ? Features{} : features;
 }
 
 FeatureChoice choose_features(const TriMesh& mesh, FeatureOptions options, const SamplingPlan& plan) {
@@ -261,9 +295,10 @@ FeatureChoice choose_features(const TriMesh& mesh, FeatureOptions options, const
   // Collapsing takes its time where there are thousands of short curves: noise goes first.
   const bool noise = options.yielding && is_noise(fold_sides(mesh, result.features));
   const bool disorder = options.yielding && is_disorder(mesh, result.features);
+  const bool stepped = options.yielding && is_stepped(mesh, result.features);
   const bool too_many = options.yielding && has_creases(result.features) && 2 * needed() > plan.num_samples;
   std::optional<StrongCurves> strong;
-  if ((too_many || (plan.strong_only && options.yielding)) && !noise && !disorder)
+  if ((too_many || (plan.strong_only && options.yielding)) && !noise && !disorder && !stepped)
     strong = strong_curves(mesh, options, result.features, plan);
   if (strong) {
     if (strong->given_up > 0)
@@ -272,7 +307,7 @@ FeatureChoice choose_features(const TriMesh& mesh, FeatureOptions options, const
                         " curves, the flattest, shortest and closest to others: samples are too few for all";
     options = strong->options;
     result.features = strong->features;
-  } else if (noise || disorder || too_many) {
+  } else if (noise || disorder || stepped || too_many) {
     const std::size_t curves = result.features.curves.size(), least = needed();
     options.crease_angle = options.weak_crease_angle = 180;
     options.apex_angle = 0;
@@ -280,8 +315,9 @@ FeatureChoice choose_features(const TriMesh& mesh, FeatureOptions options, const
     result.given_up = "creases dropped: " + std::to_string(curves) + " curves ";
     result.given_up += noise      ? "are folded to both sides by turns, as in noise"
                        : disorder ? "cross each other everywhere"
+                       : stepped  ? "are edges cut off in steps"
                                   : "would take at least " + std::to_string(least) + " of " +
-                                        std::to_string(plan.num_samples) + " samples";
+                                       std::to_string(plan.num_samples) + " samples";
     if (least <= plan.num_samples) result.given_up += "; --features 45 keeps them";
   }
   if (options.yielding && needed() > plan.num_samples) {

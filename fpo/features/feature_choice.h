@@ -36,8 +36,8 @@ struct FeatureChoice {
 /// dropped if shorter than two. Where the features would need more than half of the samples, the weakest
 /// creases (weak_curves.h) are given up until they need a third, and no two are side by side with hardly a
 /// triangle between. All creases are dropped if that takes half of what there is to be seen, if they cross
-/// each other everywhere, or if they are folded as noise is (fold_sides.h); then corners, if borders need
-/// more samples than there are. Borders stay. Else nothing is dropped.
+/// each other everywhere, are edges cut off in steps by a lattice, or are folded as noise is (fold_sides.h);
+/// then corners, if borders need more samples than there are. Borders stay. Else nothing is dropped.
 FeatureChoice choose_features(const geom::TriMesh& mesh, FeatureOptions options, const SamplingPlan& plan);
 
 /// All those that could be kept with enough samples: with turns seen between mesh edges, none given up, none

@@ -8,6 +8,7 @@
 #include "fpo/surface/sizing.h"
 #include "geom/rng.h"
 #include "geom/shapes/mesh_parts.h"
+#include "geom/shapes/polygonise.h"
 #include "geom/shapes/shapes.h"
 #include "tests/fixtures/surfaces.h"
 
@@ -34,6 +35,27 @@ TriMesh noisy(const TriMesh& mesh, double share_of_diagonal) {
     for (int a = 0; a < 3; ++a) q[a] += share_of_diagonal * mesh.diagonal() * rng.uniform(-1, 1);
     return q;
   });
+}
+
+/// The cup of all points within half the wall's thickness of a profile that is turned about the z axis: a
+/// bottom and a wall, with a sharp edge where they meet inside.
+geom::ImplicitSurface cup_surface() {
+  const auto from_segment = [](const geom::Vec2& p, const geom::Vec2& a, const geom::Vec2& b) {
+    const double s = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+    return (p - a - s * (b - a)).norm();
+  };
+  const auto value = [from_segment](const Vec3& p) {
+    const geom::Vec2 q(std::hypot(p.x(), p.y()), p.z()), corner(0.4, -0.5);
+    return std::min(from_segment(q, {0, -0.5}, corner), from_segment(q, corner, {0.4, 0.5})) - 0.04;
+  };
+  const auto at = [value](const Vec3& p) -> geom::ImplicitSurface::Sample {
+    constexpr double step = 1e-5;
+    Vec3 gradient;
+    for (int a = 0; a < 3; ++a)
+      gradient[a] = (value(p + step * Vec3::Unit(a)) - value(p - step * Vec3::Unit(a))) / (2 * step);
+    return {value(p), gradient};
+  };
+  return {at, {Vec3(-0.6, -0.6, -0.6), Vec3(0.7, 0.6, 0.6)}};
 }
 
 /// A cube with its edges cut off at 45 degrees.
@@ -129,6 +151,26 @@ TEST_CASE("feature choice: plane faces whose edges meet by fours are no disorder
   const FeatureChoice bent = choose_features(noisy(cubes, 0.01), automatic_features(), plan_of(cubes, 3000));
   CHECK(bent.features.curves.empty());
   CHECK(!bent.given_up.empty());
+}
+
+TEST_CASE("feature choice: plane faces beside a finer mesh are no disorder") {
+  TriMesh cubes = geom::make_shape("square", 100);  // flat, and nearly all edges are its own
+  for (int i = 1; i < 4; ++i)
+    cubes = geom::joined(cubes, geom::mapped(chamfered_cube(0.1), [i](const Vec3& p) -> Vec3 {
+                           return p + 2 * i * Vec3::UnitX();
+                         }));
+  CHECK(choose_features(cubes, automatic_features(), plan_of(cubes, 3000)).features.curves.size() ==
+        4 + 3 * 48);
+}
+
+TEST_CASE("feature choice: edges that a lattice cut off in steps are no creases") {
+  const geom::ImplicitSurface cup = cup_surface();
+  for (const int cells : {30, 35, 50, 60}) {
+    CAPTURE(cells);
+    const TriMesh mesh = geom::polygonised(cup, cells);
+    REQUIRE(geom::topology(mesh).euler == 2);
+    for (const std::size_t n : {500, 2000}) CHECK(automatic(mesh, n).curves.empty());
+  }
 }
 
 TEST_CASE("feature choice: what nobody asked for is never refused, and what is given up is said") {
