@@ -4,7 +4,8 @@
 //          /|\             On a facet the differences F, G of the powers of two sites to that of the third
 //         / | \            are affine, so at its corners l = F x G are the barycentric coordinates, up to
 //        / t|  \           scale, of where both vanish (construct.h). If none is negative the axis meets the
-//       /___|___\          facet. Else the walk goes on across the edge opposite the corner of least l.
+//       /___|___\          facet. Else the walk goes on across the edge opposite the corner of least l, at
+//                          whose ends F and G are known.
 //
 // The l are rounded and off by a bound: if all are more than that, the axis surely meets the inside of the
 // facet, and the sign of their sum tells on which side of the surface the sites turn counterclockwise. Which
@@ -17,8 +18,10 @@
 namespace geom {
 
 struct AxisPlace {
-  FacetId facet;       ///< none: not certain, or too far
-  RoundedPoint point;  ///< Clipper::meeting() there
+  FacetId facet;                ///< none: not certain, or too far
+  RoundedPoint point;           ///< Clipper::meeting() there
+  std::array<SiteId, 3> sites;  ///< ascending
+  bool clockwise = false;       ///< ascending they turn clockwise, seen from outside
 };
 
 /// The sites turn counterclockwise there, seen from outside. Cost: the facets on the way.

@@ -63,7 +63,8 @@ bool CellProof::prove_present() {
   return around_.on_sheet || (trace(state.home[p]) && single_.is_all(reach_, known));
 }
 
-/// Of the new cell of p, empty but for strangers.
+/// Of the new cell of p, empty but for strangers. At each p and two sites are equally near, so those two are
+/// not certainly farther; nobody else may be that.
 bool CellProof::find_corners() {
   const Rim& rim = around_.rim;
   const DualState& state = around_.state;
@@ -72,13 +73,13 @@ bool CellProof::find_corners() {
   corners_.clear();
   Frame::Values values;
   for (int j = 0; j < rim.size(); ++j) {
-    const auto [t, point] =
+    const AxisPlace place =
         around_.meeting({around_.p, rim[j], rim[rim.next(j)]}, state.circles[rim.inner(j)].facet);
-    if (!t.valid()) return false;
+    if (!place.facet.valid()) return false;
+    const RoundedPoint& point = place.point;
     around_.frame.evaluate(point.position - around_.frame.origin().position, point.tolerance, values);
-    for (int i = 0; i < rim.size(); ++i)
-      if (!values.nearer(p, i) && i != j && i != rim.next(j)) return false;
-    corners_.push_back({t, point});
+    if (values.num_not_farther(p, rim.size()) > 2) return false;
+    corners_.push_back({place.facet, point});
   }
   return true;
 }
@@ -103,12 +104,18 @@ bool CellProof::may_beat_unreached() {
   });
 }
 
-/// Of p at the corners of its cell.
-double CellProof::power_bound_at_corners() const {
-  double far2 = 0;
-  for (const Corner& corner : corners_)
-    far2 = std::max(far2, (corner.point.position - around_.site().position).squaredNorm());
-  return around_.with_tolerance(far2) - around_.site().weight;
+/// Of p at the corners of its cell. Sets far2_.
+double CellProof::power_bound_at_corners() {
+  const Vec3& position = around_.site().position;
+  double most = 0;
+  far2_.clear();
+  for (const Corner& corner : corners_) {
+    const double dx = corner.point.position[0] - position[0], dy = corner.point.position[1] - position[1],
+                 dz = corner.point.position[2] - position[2];
+    far2_.push_back(dx * dx + dy * dy + dz * dz);
+    most = std::max(most, far2_.back());
+  }
+  return around_.with_tolerance(most) - around_.site().weight;
 }
 
 /// Those who may lose something farther from p than that, the farthest first.
@@ -134,20 +141,29 @@ double CellProof::distance_to_search(double near, const WeightedPoint3& old) {
 }
 
 /// Is the cell of p what its corners say (chart.h), and all that p has where the chart is, at least within
-/// that distance? Sets reach_ and arcs_.
+/// that distance? reach_ is that of the corners; sets it and arcs_.
 bool CellProof::enclose_on_sheet(double distance) {
   const Rim& rim = around_.rim;
   const WeightedPoint3& site = around_.site();
   const Vec3& origin = around_.frame.origin().position;
-  const double enough = bend * (power_bound_at_corners() + site.weight);
+  const double stretch = farthest_on_edge(1, infinity, around_.chart.steepest(around_.spokes));
+  const double enough = bend * (reach_ + site.weight);  // that at the corners
   double own2 = 0;
   arcs_.clear();
   for (int j = 0; j < rim.size(); ++j) {
-    const Corner &from = corners_[static_cast<std::size_t>(rim.previous(j))],
-                 &to = corners_[static_cast<std::size_t>(j)];
-    const Surroundings::Edge arc{
-        around_.self, j, from.facet, to.facet, from.point.position - origin, to.point.position - origin};
-    const double far2 = around_.with_tolerance(around_.farthest2(arc, enough));
+    const auto from = static_cast<std::size_t>(rim.previous(j)), to = static_cast<std::size_t>(j);
+    double far2 = std::max(far2_[from], far2_[to]) * stretch * stretch;
+    if (stretch > margin::stretch) {
+      const Corner &start = corners_[from], &end = corners_[to];
+      const Surroundings::Edge arc{around_.self,
+                                   j,
+                                   start.facet,
+                                   end.facet,
+                                   start.point.position - origin,
+                                   end.point.position - origin};
+      far2 = around_.farthest2(arc, enough);
+    }
+    far2 = around_.with_tolerance(far2);
     arcs_.push_back(far2 - site.weight);
     own2 = std::max(own2, far2);
   }
@@ -161,7 +177,8 @@ bool CellProof::enclose_on_sheet(double distance) {
     link_.push_back({around_.frame.offset(j) - middle, Frame::constant(around_.site(j), site)});
   if (!Sheets::has_one_component(around_.sheet, own, link_)) return false;
   reach_ = own2 - site.weight;
-  return (own <= kept_radius_ || has_no_stranger(own)) && around_.is_simple_with_strangers(radius);
+  return (own <= kept_radius_ || has_no_stranger(own)) &&
+         around_.leaves_strangers_out({around_.spokes, rim.size(), 1}, radius);
 }
 
 /// Sets reach_. `home`: a facet with the location of p.

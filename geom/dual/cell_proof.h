@@ -43,7 +43,7 @@ class CellProof {
   bool find_corners();
   bool prove_inserted(const Place& place);
   bool may_beat_unreached();
-  double power_bound_at_corners() const;
+  double power_bound_at_corners();
   void find_far_rivals(double distance);
   double distance_to_search(double near, const WeightedPoint3& old);
   bool enclose_on_sheet(double distance);
@@ -56,7 +56,8 @@ class CellProof {
   std::vector<Corner> corners_;
   double reach_ = 0;
   std::vector<double> arcs_;
-  double kept_radius_ = 0;  ///< strangers are kept for a ball of that radius
+  std::vector<double> far2_;  ///< of each corner from p, squared
+  double kept_radius_ = 0;    ///< strangers are kept for a ball of that radius
   struct FarRival {
     double distance;  ///< from p: it loses nothing farther away
     SiteId site;

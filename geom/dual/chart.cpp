@@ -26,59 +26,86 @@ void Chart::begin(const Sheet& sheet) {
 }
 
 void Chart::set(int i, const Vec3& d, double c) {
-  const auto k = static_cast<std::size_t>(i);
-  x_[k] = d.dot(u_);
-  y_[k] = d.dot(v_);
-  z_[k] = d.dot(m_);
+  const std::size_t k = at(i);
+  const double dx = d.x(), dy = d.y(), dz = d.z();
+  x_[k] = dx * u_[0] + dy * u_[1] + dz * u_[2];
+  y_[k] = dx * v_[0] + dy * v_[1] + dz * v_[2];
+  z_[k] = dx * m_[0] + dy * m_[1] + dz * m_[2];
   c_[k] = c;
-  largest2_ = std::max({largest2_, d.squaredNorm(), std::abs(c)});
-  largest_ = std::sqrt(largest2_);
+  largest2_ = std::max(std::max(largest2_, dx * dx + dy * dy + dz * dz), std::abs(c));
 }
 
-// n = e x e' is steep if |n_z| > su |n_x| + sv |n_y|, which is at most 2 Z (su Y + sv X) for the largest
-// components X, Y, Z.
+// |n_z| > su |n_x| + sv |n_y| if |n_z| is more than 2 Z (su Y + sv X) for the largest components X, Y, Z of e
+// and e'.
+Chart::Spread Chart::spread(int count) const {
+  const auto width = [count](const auto& of) {
+    double least = of[0], most = of[0];
+    for (std::size_t i = 1; i < at(count); ++i) {
+      least = std::min(least, of[i]);
+      most = std::max(most, of[i]);
+    }
+    return most - least;
+  };
+  const double X = width(x_), Y = width(y_), Z = width(z_), least = small * largest();
+  return {2 * Z * (slope_u_ * Y + slope_v_ * X) + 4 * small * largest2_, slope_u_ * Z + least,
+          slope_v_ * Z + least};
+}
+
+// n_z of three sites is twice the area of their triangle: the sum of those of its sides with the origin.
+bool Chart::is_simple(int count, double radius) const {
+  const Spread wide = spread(count);
+  std::array<std::array<double, most_sites>, most_sites> area;
+  for (int i = 1; i < count; ++i)
+    for (int j = 0; j < i; ++j) {
+      if (!is_pair_fine(i, j, wide)) return false;
+      area[at(i)][at(j)] = x_[at(j)] * y_[at(i)] - y_[at(j)] * x_[at(i)];
+    }
+  for (int i = 2; i < count; ++i)
+    for (int j = 1; j < i; ++j)
+      for (int k = 0; k < j; ++k) {
+        const double nz = area[at(j)][at(k)] + area[at(i)][at(j)] - area[at(i)][at(k)];
+        if (!(std::abs(nz) > wide.enough) && !meets_axis_once(i, j, k, radius)) return false;
+      }
+  return true;
+}
+
 bool Chart::is_simple_with(int last, double radius) const {
-  const auto k = static_cast<std::size_t>(last);
-  const double least = small * largest_, least2 = 4 * small * largest_ * largest_;
-  std::array<double, most_sites> ex, ey, ez;
-  double X = 0, Y = 0, Z = 0;
-  for (std::size_t i = 0; i < k; ++i) {
-    ex[i] = x_[i] - x_[k];
-    ey[i] = y_[i] - y_[k];
-    ez[i] = z_[i] - z_[k];
-    X = std::max(X, std::abs(ex[i]));
-    Y = std::max(Y, std::abs(ey[i]));
-    Z = std::max(Z, std::abs(ez[i]));
-    if (!(std::abs(ex[i]) > std::abs(ez[i]) * slope_u_ + least) &&
-        !(std::abs(ey[i]) > std::abs(ez[i]) * slope_v_ + least))
-      return false;
+  const Spread wide = spread(last + 1);
+  std::array<double, most_sites> ex, ey;
+  const double x = x_[at(last)], y = y_[at(last)];
+  for (int i = 0; i < last; ++i) {
+    if (!is_pair_fine(i, last, wide)) return false;
+    ex[at(i)] = x_[at(i)] - x;
+    ey[at(i)] = y_[at(i)] - y;
   }
-  const double enough = 2 * Z * (slope_u_ * Y + slope_v_ * X) + least2;
-  for (std::size_t i = 1; i < k; ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      const double nz = std::abs(ex[j] * ey[i] - ey[j] * ex[i]);
-      if (nz > enough) continue;
-      const double nx = ey[j] * ez[i] - ez[j] * ey[i], ny = ez[j] * ex[i] - ex[j] * ez[i];
-      if (!(nz > slope_u_ * std::abs(nx) + slope_v_ * std::abs(ny) + least2) &&
-          !is_far(static_cast<int>(i), static_cast<int>(j), last, radius))
-        return false;
+  for (int i = 1; i < last; ++i)
+    for (int j = 0; j < i; ++j) {
+      const double nz = ex[at(j)] * ey[at(i)] - ey[at(j)] * ex[at(i)];
+      if (!(std::abs(nz) > wide.enough) && !meets_axis_once(i, j, last, radius)) return false;
     }
   return true;
 }
 
 bool Chart::is_monotone(int first, int second) const {
   const std::size_t i = at(first), j = at(second);
-  const double least = small * largest_, rise = std::abs(z_[i] - z_[j]);
+  const double least = small * largest(), rise = std::abs(z_[i] - z_[j]);
   return std::abs(x_[i] - x_[j]) > rise * slope_u_ + least ||
          std::abs(y_[i] - y_[j]) > rise * slope_v_ + least;
 }
 
 bool Chart::meets_axis_once(int first, int second, int third, double radius) const {
   const std::size_t i = at(first), j = at(second), k = at(third);
-  const Vec3 e(x_[i] - x_[k], y_[i] - y_[k], z_[i] - z_[k]), f(x_[j] - x_[k], y_[j] - y_[k], z_[j] - z_[k]);
-  const Vec3 n = e.cross(f).cwiseAbs();
-  return n.z() > slope_u_ * n.x() + slope_v_ * n.y() + 4 * small * largest_ * largest_ ||
-         is_far(first, second, third, radius);
+  const double ex = x_[i] - x_[k], ey = y_[i] - y_[k], ez = z_[i] - z_[k];
+  const double fx = x_[j] - x_[k], fy = y_[j] - y_[k], fz = z_[j] - z_[k];
+  const double nx = std::abs(ey * fz - ez * fy), ny = std::abs(ez * fx - ex * fz),
+               nz = std::abs(ex * fy - ey * fx);
+  return nz > slope_u_ * nx + slope_v_ * ny + 4 * small * largest2_ || is_far(first, second, third, radius);
+}
+
+bool Chart::meets_axes_once(int site, std::span<const Edge> edges, double radius) const {
+  for (const auto& [a, b] : edges)
+    if (a != site && b != site && !meets_axis_once(a, b, site, radius)) return false;
+  return true;
 }
 
 // The axis is where 2 e.y = f and 2 e'.y = f' for e = d_i - d_k, f = c_i - c_k, and e', f' of j: its place
@@ -122,6 +149,21 @@ Chart::Gain Chart::most_gain(int count, double radius, double weight, double hea
   const Gain most{std::max(most_c, most_far), std::max(distance(most_c), radius + distance(most_far))};
   const double slack = 1e-9 * (std::abs(most.power) + std::abs(weight) + radius * radius);
   return {steeper * most.power + slack - weight, steeper * most.range + std::sqrt(slack)};
+}
+
+// Of the pairs the one with the largest |a| / |e_h| counts: k^2 = s^2 (1 + tau^2) / (1 - s^2 tau^2) for that
+// ratio tau (farthest2).
+double Chart::steepest(std::span<const Edge> edges) const {
+  double tau2 = slope2_;
+  for (const auto& [first, second] : edges) {
+    const std::size_t i = at(first), j = at(second);
+    const double ex = x_[i] - x_[j], ey = y_[i] - y_[j], ez = z_[i] - z_[j];
+    const double h2 = ex * ex + ey * ey, a2 = ez * ez;
+    if (!(a2 <= tau2 * h2)) tau2 = a2 / h2;
+  }
+  const double cosine2 = 1 - slope2_ * tau2;
+  if (!(cosine2 > small)) return std::numeric_limits<double>::infinity();
+  return steeper * std::sqrt(slope2_ * (1 + tau2) / cosine2);
 }
 
 // In the plane of the bisector let w be the horizontal direction and m' the one across, tilted from m by psi,

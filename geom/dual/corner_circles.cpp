@@ -77,13 +77,14 @@ CellCorner CornerCircles::corner_of(const EmptyCircle& circle, double tolerance)
   return corner;
 }
 
-void CornerCircles::center(EmptyCircle& circle, const Vec3& corner) const {
-  const Vec3 &q0 = mesh_.corner(circle.facet, 0), &q1 = mesh_.corner(circle.facet, 1),
-             &q2 = mesh_.corner(circle.facet, 2);
-  circle.center =
-      snapped(corner.cwiseMax(q0.cwiseMin(q1).cwiseMin(q2)).cwiseMin(q0.cwiseMax(q1).cwiseMax(q2)));
-  const double level = clipper_.levels().at(circle.facet, circle.center);
-  circle.radius2 = power(Location3(circle.center, level), sites_[circle.sites[0]]);
+CornerCircles::Place CornerCircles::place_of(const Vec3& corner, FacetId facet, SiteId site) const {
+  const auto [v0, v1, v2] = mesh_.facet(facet);
+  const Vec3 &q0 = mesh_.position(v0), &q1 = mesh_.position(v1), &q2 = mesh_.position(v2);
+  const Vec3 least = q0.cwiseMin(q1).cwiseMin(q2), most = q0.cwiseMax(q1).cwiseMax(q2);
+  Place place{snapped(corner.cwiseMax(least).cwiseMin(most)), 0};
+  const double level = clipper_.levels().at(facet, place.center);
+  place.radius2 = power(Location3(place.center, level), sites_[site]);
+  return place;
 }
 
 }  // namespace geom

@@ -36,11 +36,21 @@ class CornerCircles {
   EmptyCircle circle_of(const std::array<SiteId, 3>& sites, FacetId facet, const RoundedPoint& place) const;
   /// A circle as a corner of the cell of its first site. `tolerance`: of its center.
   CellCorner corner_of(const EmptyCircle& circle, double tolerance) const;
-  /// Sets center and radius2 of a circle whose facet and sites are known. The corner is rounded; a site may
-  /// come to the center: not outside of the facet's box, hence the mesh's.
-  void center(EmptyCircle& circle, const Vec3& corner) const;
+  /// Center and radius2 of a circle in the facet that touches the site. The corner is rounded; a site may come
+  /// to the center: not outside of the facet's box, hence the mesh's.
+  struct Place {
+    Vec3 center;
+    double radius2;
+  };
+  Place place_of(const Vec3& corner, FacetId facet, SiteId site) const;
 
  private:
+  void center(EmptyCircle& circle, const Vec3& corner) const {
+    const Place place = place_of(corner, circle.facet, circle.sites[0]);
+    circle.center = place.center;
+    circle.radius2 = place.radius2;
+  }
+
   const Clipper& clipper_;
   const TriMesh& mesh_;
   const Clipper::Sites& sites_;

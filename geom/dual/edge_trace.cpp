@@ -21,7 +21,10 @@ class LeftLead {
     error_ = 0x1p-49 * (d2 + std::abs(heavier));
     error_in_y_ = 0x1p-49 * std::sqrt(d2);
   }
-  Sure at(const Vec3& y) const { return {c_ - 2 * d_.dot(y), error_ + error_in_y_ * y.lpNorm<1>()}; }
+  Sure at(const Vec3& y) const {
+    return {c_ - 2 * (d_[0] * y[0] + d_[1] * y[1] + d_[2] * y[2]),
+            error_ + error_in_y_ * (std::abs(y[0]) + std::abs(y[1]) + std::abs(y[2]))};
+  }
 
  private:
   Vec3 d_;

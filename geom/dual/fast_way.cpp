@@ -84,10 +84,9 @@ bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, Dua
   raise_reaches(old);
   for (int j = 0; j < rim.size(); ++j) {
     const CellProof::Corner& corner = cell_.corners()[static_cast<std::size_t>(j)];
-    EmptyCircle moved = state_.circles[rim.inner(j)];
-    moved.facet = corner.facet;
-    state_.corners.center(moved, corner.point.position);
-    state_.circles.move(rim.inner(j), moved.center, moved.radius2, moved.facet);
+    const CornerCircles::Place place =
+        state_.corners.place_of(corner.point.position, corner.facet, state_.circles[rim.inner(j)].sites[0]);
+    state_.circles.move(rim.inner(j), place.center, place.radius2, corner.facet);
     change.circles_moved.push_back(rim.inner(j));
   }
   state_.reach.set(p, cell_.reach());
@@ -121,10 +120,18 @@ void FastWay::raise_reaches(const WeightedPoint3& old) {
     const EmptyCircle& was = state_.circles[rim.inner(j)];
     if (geom::power(was.center, site) <= was.radius2) continue;  // else the edge goes on inwards
     const CellProof::Corner& is = cell_.corners()[static_cast<std::size_t>(j)];
-    const double far2 = extent_of_edge(state_.mesh, state_.sites[left], state_.sites[right],
-                                       {was.facet, is.facet, was.center, is.point.position})
-                            .far2;
-    const double power = std::min(around_.with_tolerance(far2) - state_.sites[left].weight, max_radius2());
+    const Vec3 &start = was.center, &end = is.point.position;
+    const WeightedPoint3 &of_left = state_.sites[left], &of_right = state_.sites[right];
+    const double to_left = around_.power_along(of_left, start, end, hole_.steepest()),
+                 to_right = around_.power_along(of_right, start, end, hole_.steepest());
+    if (std::max(to_left, to_right) < infinity) {
+      state_.reach.raise(left, std::min(to_left, max_radius2()));
+      state_.reach.raise(right, std::min(to_right, max_radius2()));
+      continue;
+    }
+    const double far2 =
+        extent_of_edge(state_.mesh, of_left, of_right, {was.facet, is.facet, start, end}).far2;
+    const double power = std::min(around_.with_tolerance(far2) - of_left.weight, max_radius2());
     state_.reach.raise(left, power);
     state_.reach.raise(right, power);
   }

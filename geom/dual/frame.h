@@ -59,6 +59,13 @@ class Frame {
     bool nearer(int i, int j) const {
       return g[at(j)] - g[at(i)] > 4 * error;
     }  ///< certainly, i is nearer than j
+    /// How many of the first so many sites are not certainly farther than site i.
+    int num_not_farther(int i, int count) const {
+      const double least = g[at(i)] + 4 * error;
+      int number = 0;
+      for (int k = 0; k < count; ++k) number += !(g[at(k)] > least);
+      return number;
+    }
     Sure difference(int i, int j) const { return {g[at(i)] - g[at(j)], 4 * error}; }
     static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   };

@@ -44,7 +44,7 @@ void Hole::cancel() {
   if (state.paper) state.paper->insert(around_.p, around_.site(), around_.rim[0]);
 }
 
-/// Puts the rim and p into a chart: is the surface a sheet there, and the chart simple?
+/// Puts the rim and p into a chart, if the surface is a sheet there.
 bool Hole::chart_star() {
   const DualState& state = around_.state;
   const SiteId p = around_.p;
@@ -54,10 +54,26 @@ bool Hole::chart_star() {
   const Sheet* sheet = around_.sheets.around(p, {site.position, site.level}, state.distance_at(range, p));
   if (!sheet) return false;
   around_.chart_sites(*sheet);
-  const double known = state.distance_at(state.reach[p], p);
-  for (int k = 1; k < around_.chart.size(); ++k)
-    if (!around_.chart.is_simple_with(k, known)) return false;
   return true;
+}
+
+/// Those across which two triangles lie, and those from the rim inwards.
+void Hole::find_edges() {
+  edges_.clear();
+  for (std::size_t i = 0; i < triangles().size(); ++i)
+    for (std::size_t e = 0; e < 3; ++e) {
+      const Triangle& triangle = triangles()[i];
+      if (triangle.beyond[e] < static_cast<int>(i))
+        edges_.push_back({triangle.corners[e == 2 ? 0 : e + 1], triangle.corners[e == 0 ? 2 : e - 1]});
+    }
+}
+
+bool Hole::is_chart_simple() const {
+  const DualState& state = around_.state;
+  const double known = state.distance_at(state.reach[around_.p], around_.p);
+  const Chart& chart = around_.chart;
+  return chart.is_simple(around_.rim.size(), known) &&
+         chart.meets_axes_once(around_.rim.size(), edges_, known);
 }
 
 /// Sets reach_ and max_radius2_ but for the circles.
@@ -67,10 +83,12 @@ bool Hole::prove() {
   if (state.paper) state.paper->remove(p);
   around_.flood.clear();
   reach_ = state.reach[p];
-  around_.on_sheet = around_.on_sheet && bound_on_sheet();
+  if (around_.on_sheet) find_edges();
+  around_.on_sheet = around_.on_sheet && is_chart_simple() && bound_on_sheet();
   if (around_.on_sheet) {
     if (!has_no_stranger()) return cancel(), false;
-    if (around_.is_simple_with_strangers(state.distance_at(reach_, p))) return true;
+    const Surroundings::Division division{edges_, 0, around_.rim.size()};
+    if (around_.leaves_strangers_out(division, state.distance_at(reach_, p))) return true;
     around_.on_sheet = false;
   }
   if (trace() && has_no_stranger()) return true;
@@ -88,8 +106,12 @@ bool Hole::bound_on_sheet() {
   const auto facet = [&](int j) { return state.circles[rim.inner(j)].facet; };
   double corner2 = 0, own2 = 0;
   for (int j = 0; j < rim.size(); ++j) corner2 = std::max(corner2, corner(j).squaredNorm());
+  steepest_ = around_.chart.steepest(edges_);
   if (reach_ + site.weight > tight * corner2) {
-    for (int j = 0; j < rim.size(); ++j) {
+    const double stretch = farthest_on_edge(1, infinity, around_.chart.steepest(around_.spokes));
+    const bool is_flat = stretch <= margin::stretch;
+    if (is_flat) own2 = around_.with_tolerance(corner2 * stretch * stretch);
+    for (int j = 0; !is_flat && j < rim.size(); ++j) {
       const int i = rim.previous(j);
       const Surroundings::Edge arc{around_.self, j, facet(i), facet(j), corner(i), corner(j)};
       own2 = std::max(own2, around_.with_tolerance(around_.farthest2(arc, bend * corner2)));
@@ -186,8 +208,15 @@ void Hole::raise_reaches() const {
         edge.to = corner.facet;
         edge.end = corner.center;
       }
-      const WeightedPoint3& left = state.sites[b];
-      const double far2 = extent_of_edge(state.mesh, left, state.sites[a], edge).far2;
+      const WeightedPoint3 &left = state.sites[b], &right = state.sites[a];
+      const double to_left = around_.power_along(left, edge.start, edge.end, steepest_),
+                   to_right = around_.power_along(right, edge.start, edge.end, steepest_);
+      if (std::max(to_left, to_right) < infinity) {
+        state.reach.raise(a, std::min(to_right, max_radius2_));
+        state.reach.raise(b, std::min(to_left, max_radius2_));
+        continue;
+      }
+      const double far2 = extent_of_edge(state.mesh, left, right, edge).far2;
       const double power = std::min(around_.with_tolerance(far2) - left.weight, max_radius2_);
       state.reach.raise(a, power);
       state.reach.raise(b, power);

@@ -32,12 +32,16 @@ class Hole {
   double max_radius2() const { return max_radius2_; }
   /// Was it proven on a sheet? Else its facets are traced: around.flood.
   bool is_on_sheet() const { return is_on_sheet_; }
+  /// How steep its edges are, inside and to the old circles, if it is on a sheet (chart.h).
+  double steepest() const { return steepest_; }
   /// What the rim has of the hole once it has it.
   void raise_reaches() const;
 
  private:
   bool chart_star();
   bool prove();
+  void find_edges();
+  bool is_chart_simple() const;
   bool bound_on_sheet();
   bool trace();
   bool has_no_stranger();
@@ -48,7 +52,9 @@ class Hole {
   double reach_ = 0, max_radius2_ = 0;
   double range_ = 0;  ///< who owns something of the hole is that near to p
   bool is_on_sheet_ = false;
-  std::vector<FacetId> facets_;  // workspace
+  std::vector<Chart::Edge> edges_;  ///< of the division, by the places of their sites on the rim
+  double steepest_ = 0;             ///< of the edges, on the sheet
+  std::vector<FacetId> facets_;     // workspace
 };
 
 }  // namespace geom

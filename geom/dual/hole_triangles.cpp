@@ -90,17 +90,17 @@ int HoleTriangles::apex(int first, int last) const {
 
 bool HoleTriangles::find_circle(Triangle& triangle, FacetId start) {
   const auto& [a, b, c] = triangle.corners;
-  const auto [facet, point] = around_.meeting({around_.rim[a], around_.rim[b], around_.rim[c]}, start);
-  if (!facet.valid()) return false;
-  triangle.facet = facet;
-  triangle.point = point;
+  const AxisPlace place = around_.meeting({around_.rim[a], around_.rim[b], around_.rim[c]}, start);
+  if (!place.facet.valid()) return false;
+  triangle.facet = place.facet;
+  triangle.point = place.point;
   around_.frame.evaluate(triangle.point.position - around_.frame.origin().position, triangle.point.tolerance,
                          triangle.values);
   return true;
 }
 
 /// The surface has the last word: flips edges until no circle holds the corner across, then looks at the
-/// whole rim.
+/// whole rim, of which only the triangle's corners are not certainly farther.
 bool HoleTriangles::flip_until_empty() {
   const auto holds = [&](const Triangle& triangle, int site, bool& certain) {
     const Sure lead = triangle.values.difference(site, triangle.corners[0]);
@@ -128,10 +128,7 @@ bool HoleTriangles::flip_until_empty() {
   for (int flips = 0; find_flip(); ++flips)
     if (!certain || flips > 4 * around_.rim.size()) return false;
   for (const Triangle& triangle : triangles_) {
-    for (int s = 0; s < around_.rim.size(); ++s)
-      if (!triangle.values.nearer(triangle.corners[0], s) &&
-          std::ranges::find(triangle.corners, s) == triangle.corners.end())
-        return false;
+    if (triangle.values.num_not_farther(triangle.corners[0], around_.rim.size()) > 3) return false;
     if (!holds(triangle, Frame::none, certain)) return false;  // in the cell of p
   }
   return certain;

@@ -63,12 +63,14 @@ void Strangers::find_rivals_beyond(double power, SiteId p, std::vector<SiteId>& 
 void Strangers::keep_near(const Frame& frame, SiteId p, std::span<const SiteId> rim, const Ball& ball,
                           int first) {
   kept_.clear();
+  mark_.resize(state_.sites.size(), 0);
+  ++calls_;
+  for (const SiteId r : rim) mark_[r] = calls_;
+  mark_[p] = calls_;
   const WeightedPoint3& origin = frame.origin();
   const double within2 = within_ * within_ * beyond;
   for (const SiteId s : found_) {
-    if (!((state_.sites[s].position - around_).squaredNorm() <= within2) || s == p ||
-        std::ranges::find(rim, s) != rim.end())
-      continue;
+    if (mark_[s] == calls_ || !((state_.sites[s].position - around_).squaredNorm() <= within2)) continue;
     const WeightedPoint3 seen = seen_from(origin.level, state_.sites[s]);
     const Vec3 d = Frame::offset(seen, origin);
     const double c = Frame::constant(seen, origin);

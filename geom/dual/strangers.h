@@ -55,6 +55,8 @@ class Strangers {
   Vec3 around_{0, 0, 0};  ///< what was last asked for is that near to this
   double within_ = infinity;
   std::vector<Stranger> kept_;
+  Table<SiteId, std::uint32_t> mark_;  ///< of the rim and p: how often keep_near() was called
+  std::uint32_t calls_ = 0;
 };
 
 }  // namespace geom

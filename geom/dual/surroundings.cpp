@@ -27,7 +27,11 @@ void Surroundings::see_rim() {
 void Surroundings::chart_sites(const Sheet& found) {
   sheet = found;
   chart.begin(sheet);
-  for (int j = 0; j < rim.size(); ++j) chart.add(frame.offset(j), frame.constant(j));
+  spokes.clear();
+  for (int j = 0; j < rim.size(); ++j) {
+    chart.add(frame.offset(j), frame.constant(j));
+    spokes.push_back({rim.size(), j});
+  }
   chart.add(frame.offset(self), frame.constant(self));
 }
 
@@ -52,6 +56,14 @@ bool Surroundings::is_flood_level() const {
   return true;
 }
 
+double Surroundings::power_along(const WeightedPoint3& own, const Vec3& from, const Vec3& to,
+                                 double steepest) const {
+  const double far =
+      std::sqrt(std::max((from - own.position).squaredNorm(), (to - own.position).squaredNorm()));
+  const double most = farthest_on_edge(far, (to - from).norm(), steepest);
+  return most <= margin::stretch * far ? with_tolerance(most * most) - own.weight : infinity;
+}
+
 /// Across one edge of the surface tracing is cheaper than the chart's bound.
 double Surroundings::farthest2(const Edge& edge, double enough) const {
   const Vec3 d = frame.offset(edge.left);
@@ -72,18 +84,21 @@ double Surroundings::farthest2(const Edge& edge, double enough) const {
   return is_short || bound <= enough ? bound : std::min(bound, by_tracing());
 }
 
-bool Surroundings::is_simple_with_strangers(double radius) {
+bool Surroundings::leaves_strangers_out(const Division& division, double radius) {
   return std::ranges::all_of(strangers.kept(), [&](const Strangers::Stranger& stranger) {
+    const int number = chart.size();
     chart.add(stranger.d, stranger.c);
-    const bool is_simple = chart.is_simple_with(rim.size() + 1, radius);
+    bool is_out = chart.meets_axes_once(number, division.edges, radius);
+    for (int i = 0; is_out && i < division.count; ++i) is_out = chart.is_monotone(division.first + i, number);
     chart.take_back();
-    return is_simple;
+    return is_out;
   });
 }
 
 AxisPlace Surroundings::meeting(const std::array<SiteId, 3>& sites, FacetId start) const {
-  const AxisPlace place = walk_to_axis(state.mesh, state.clipper, sites, start);
-  return place.facet.valid() && is_level(place.facet) ? place : AxisPlace{};
+  AxisPlace place = walk_to_axis(state.mesh, state.clipper, sites, start);
+  if (place.facet.valid() && !is_level(place.facet)) place.facet = FacetId();
+  return place;
 }
 
 }  // namespace geom

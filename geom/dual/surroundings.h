@@ -17,6 +17,7 @@ namespace geom {
 namespace margin {
 constexpr double more = 1 + 1e-9;  ///< for the rounding of distances
 constexpr double bend = 1.1;       ///< of an edge does not matter
+constexpr double stretch = 1.05;   ///< beyond the ends of an edge is not worth a closer look
 constexpr double ampler = 1.15;    ///< a cell than its corners
 constexpr double widest = 1.35;    ///< in radii of a cell: the distance for which a sheet is made
 }  // namespace margin
@@ -42,6 +43,9 @@ struct Surroundings {
   const WeightedPoint3& site() const { return state.sites[p]; }
   /// That of the rim.
   const WeightedPoint3& site(int j) const { return state.sites[rim[j]]; }
+  /// A bound of the power, to that site, along an edge of its cell between these circles with slopes of at most
+  /// `steepest` (chart.h). Infinite if a closer look is worth while.
+  double power_along(const WeightedPoint3& own, const Vec3& from, const Vec3& to, double steepest) const;
   /// A bound of the squared distance where circles may be off.
   double with_tolerance(double distance2) const {
     const double off = 2 * state.clipper.most_tolerance();
@@ -56,9 +60,14 @@ struct Surroundings {
   /// A bound, squared, of how far an edge of the diagram comes from one of its sites: by the chart, if that
   /// is enough, else from facet to facet.
   double farthest2(const Edge& edge, double enough) const;
-  /// Is the chart with each of the strangers simple? All that is spoken of is that near to the frame's
-  /// origin.
-  bool is_simple_with_strangers(double radius);
+  /// Have the strangers nothing beside edges of the chart at whose ends they are farther (chart.h), nor of what
+  /// these surround: the cells of the first so many of the chart's sites from that one on? All that is spoken
+  /// of is that near to the frame's origin.
+  struct Division {
+    std::span<const Chart::Edge> edges;
+    int first, count;
+  };
+  bool leaves_strangers_out(const Division& division, double radius);
   /// Where the axis of three sites meets the surface, in facets of the level of the frame's origin.
   AxisPlace meeting(const std::array<SiteId, 3>& sites, FacetId start) const;
 
@@ -71,7 +80,8 @@ struct Surroundings {
   Sheets sheets;
   Sheet sheet;  ///< of the chart
   Chart chart;
-  bool on_sheet = false;  ///< the chart is simple, and what is proven is proven there
+  bool on_sheet = false;            ///< the chart is simple, and what is proven is proven there
+  std::vector<Chart::Edge> spokes;  ///< in the chart: p and each of the rim
   Strangers strangers;
   Flood flood;
 };

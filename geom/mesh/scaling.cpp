@@ -31,17 +31,6 @@ TriMesh mapped_vertices(const TriMesh& mesh, const Map& map) {
 
 }  // namespace
 
-// Between 2^52 and 2^53 units doubles are one unit apart: the sum is rounded to a multiple, and the
-// difference is exact. A zero comes out positive.
-double snapped(double x, double unit) {
-  const double shift = std::copysign(0x1p52 * unit, x);
-  return std::abs(x) < 0x1p52 * unit ? (x + shift) - shift + 0.0 : x;
-}
-
-Vec3 snapped(const Vec3& p) {
-  return {snapped(p.x(), coordinate_unit), snapped(p.y(), coordinate_unit), snapped(p.z(), coordinate_unit)};
-}
-
 double factor_to_unit_box(const TriMesh& mesh) { return factor_for(largest_coordinate(mesh)); }
 
 double factor_to_unit_box(const TriMesh& a, const TriMesh& b) {

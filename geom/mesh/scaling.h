@@ -5,6 +5,8 @@
 // coordinate of more than 2^-107 of it; facets smaller than that degenerate. Nothing is refused for being
 // fine.
 
+#include <cmath>
+
 #include "geom/mesh/trimesh.h"
 
 namespace geom {
@@ -14,9 +16,18 @@ inline constexpr double coordinate_unit = 0x1p-160;
 
 /// The nearest multiple of `unit`, a power of two; halfway to even. Values beyond 2^53 units are multiples
 /// already. Never leaves an interval whose ends are multiples.
-double snapped(double x, double unit);
+///
+/// Between 2^52 and 2^53 units doubles are one unit apart: the sum is rounded to a multiple, and the
+/// difference is exact. A zero comes out positive.
+inline double snapped(double x, double unit) {
+  if (!(std::abs(x) < 0x1p52 * unit)) return x;
+  const double shift = std::copysign(0x1p52 * unit, x);
+  return (x + shift) - shift + 0.0;
+}
 /// Every coordinate snapped to coordinate_unit.
-Vec3 snapped(const Vec3& p);
+inline Vec3 snapped(const Vec3& p) {
+  return {snapped(p.x(), coordinate_unit), snapped(p.y(), coordinate_unit), snapped(p.z(), coordinate_unit)};
+}
 
 /// The power of two that brings the largest coordinate of the meshes together into [1/2, 1); 1 if all are 0.
 /// Throws InputError unless that coordinate is between 2^-900 and 2^900: beyond, results could not be scaled

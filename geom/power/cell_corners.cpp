@@ -96,12 +96,7 @@ RoundedPoint CellCorners::corner_between(FacetId facet, SiteId owner, EdgeLabel 
   return corner(facet, other, owner, site.site(), bisector_of(owner, site.site()));
 }
 
-RoundedPoint CellCorners::meeting(FacetId facet, const std::array<SiteId, 3>& s,
-                                  const AxisMinors& minors) const {
-  const auto [v0, v1, v2] = mesh_.facet(facet);
-  const RoundedPoint point =
-      corner_in_facet(mesh_.position(v0), mesh_.position(v1), mesh_.position(v2), minors, extent_);
-  if (point.tolerance <= most_tolerance()) return point;
+RoundedPoint CellCorners::exact_meeting(FacetId facet, const std::array<SiteId, 3>& s) const {
   const FacetCorners q = corners_of(facet);
   return exact_corner_in_facet(q.at(0), q.at(1), q.at(2), ranked(s[0]), ranked(s[1]), ranked(s[2]), extent_);
 }

@@ -28,6 +28,15 @@ class CellCorners {
   const FacetLevels& levels() const { return facets_->levels(); }
   Bisector bisector_of(SiteId owner, SiteId j) const { return bisector(sites_[owner], sites_[j], extent_); }
 
+  /// Both at once, if the three have one level.
+  BisectorPair bisectors_of(SiteId owner, SiteId first, SiteId second) const {
+    return {sites_[owner], sites_[first], sites_[second], extent_};
+  }
+  bool have_one_level(const std::array<SiteId, 3>& s) const {
+    const double level = sites_[s[0]].level;
+    return sites_[s[1]].level == level && sites_[s[2]].level == level;
+  }
+
   /// The whole facet, labelled by its own edges.
   void start(FacetPolygon& polygon, FacetId facet, SiteId owner) const;
 
@@ -65,7 +74,12 @@ class CellCorners {
                                form_on(facet, bisector_of(sites[0], sites[2]))));
   }
   /// Given the minors of these forms.
-  RoundedPoint meeting(FacetId facet, const std::array<SiteId, 3>& sites, const AxisMinors& minors) const;
+  RoundedPoint meeting(FacetId facet, const std::array<SiteId, 3>& sites, const AxisMinors& minors) const {
+    const auto [v0, v1, v2] = mesh_.facet(facet);
+    const RoundedPoint point =
+        corner_in_facet(mesh_.position(v0), mesh_.position(v1), mesh_.position(v2), minors, extent_);
+    return point.tolerance <= most_tolerance() ? point : exact_meeting(facet, sites);
+  }
   /// No corner is farther than this from its rounded place.
   double most_tolerance() const { return 0x1p-32 * extent_; }
 
@@ -74,6 +88,10 @@ class CellCorners {
     const auto [v0, v1, v2] = mesh_.facet(facet);
     if (b.rise == 0) return {{b(mesh_.position(v0)), b(mesh_.position(v1)), b(mesh_.position(v2))}, b.error};
     return linear_form(b, at(v0), at(v1), at(v2));
+  }
+  /// The value of a bisector at a vertex.
+  double value_at(VertexId v, const Bisector& b) const {
+    return b.rise == 0 ? b(mesh_.position(v)) : b(at(v));
   }
   /// The corner of the owner's polygon between edges with these labels: what a clipper computes there.
   RoundedPoint corner_between(FacetId facet, SiteId owner, EdgeLabel before, EdgeLabel after) const;
@@ -84,6 +102,7 @@ class CellCorners {
   }
 
  private:
+  RoundedPoint exact_meeting(FacetId facet, const std::array<SiteId, 3>& sites) const;
   RankedPoint3 ranked(SiteId s) const { return {&sites_[s], s.value}; }
   Location3 at(VertexId v) const { return {mesh_.position(v), mesh_.level(v)}; }
   FacetCorners corners_of(FacetId t) const {

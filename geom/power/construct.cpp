@@ -26,20 +26,6 @@ RoundedPoint corner_on_edge(const Vec3& a, const Vec3& b, double fa, double fb, 
   return {a + t * ab, 2 * (dt * ab.lpNorm<Eigen::Infinity>() + 8 * unit_roundoff * extent)};
 }
 
-// With D the sum of the l_i, x = sum (l_i / D) q_i. Since each exact l_i / D is in [0, 1], each rounded one
-// is off by at most (error + sum_error) / |D| + 4u.
-RoundedPoint corner_in_facet(const Vec3& q0, const Vec3& q1, const Vec3& q2, const AxisMinors& minors,
-                             double extent) {
-  const auto& [l, sum, e_lambda, e_sum] = minors;
-  if (!(std::abs(sum) > 4 * e_sum)) return {(q0 + q1 + q2) / 3, unknown};
-  const double inverse = 1 / sum;
-  const double b1 = std::clamp(l[1] * inverse, 0.0, 1.0), b2 = std::clamp(l[2] * inverse, 0.0, 1.0);
-  const Vec3 u = q1 - q0, v = q2 - q0;
-  const double db = 1.01 * (e_lambda + e_sum) * std::abs(inverse) + 8 * unit_roundoff;
-  const double size = u.lpNorm<Eigen::Infinity>() + v.lpNorm<Eigen::Infinity>();
-  return {q0 + b1 * u + b2 * v, 2 * (db * size + 16 * unit_roundoff * extent)};
-}
-
 // Each exact value is rounded with a relative error of at most 2u, so a quotient in [0, 1] is off by 5u. With
 // M the extent, a coordinate is off by 5u * 2M and another 5u M for a + t (b - a), or by 2 * 5u * 2M and
 // another 12u M for q0 + b1 u + b2 v; times sqrt(3) that makes 26u M and 56u M.

@@ -48,13 +48,13 @@ TEST_CASE("dual state: a circle's center is in the box of its facet, and snapped
       circle.sites[0] = SiteId(0);
       const Vec3 corner =
           mesh.corner(circle.facet, static_cast<int>(rng.below(3))) + 1e-9 * fixtures::random_vector(rng);
-      state.corners.center(circle, corner);
+      const CornerCircles::Place place = state.corners.place_of(corner, circle.facet, SiteId(0));
       Box3 box;
       for (int i = 0; i < 3; ++i) box.extend(mesh.corner(circle.facet, i));
-      CHECK(box.contains(circle.center));
-      CHECK((circle.center - corner).norm() <= 2e-9);
-      CHECK(snapped(circle.center) == circle.center);
-      CHECK(circle.radius2 == power(circle.center, state.sites[SiteId(0)]));
+      CHECK(box.contains(place.center));
+      CHECK((place.center - corner).norm() <= 2e-9);
+      CHECK(snapped(place.center) == place.center);
+      CHECK(place.radius2 == power(place.center, state.sites[SiteId(0)]));
     }
   }
 }
