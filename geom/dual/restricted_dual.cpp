@@ -20,6 +20,15 @@ void RestrictedDual::expect(SiteId p, int calls) const {
   }
 }
 
+std::vector<CircleId> RestrictedDual::circles() const {
+  std::vector<CircleId> found;
+  found.reserve(state_.circles.size());
+  for (SiteId p(0); p.index() < state_.sites.size(); p = SiteId(p.value + 1))
+    for (const CircleId c : circles_of(p))
+      if (circle(c).sites[0] == p) found.push_back(c);
+  return found;
+}
+
 void RestrictedDual::link(SiteId p, std::vector<SiteId>& out) const {
   out.clear();
   for (const CircleId c : circles_of(p))
