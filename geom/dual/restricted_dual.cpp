@@ -13,10 +13,11 @@ void RestrictedDual::expect(SiteId p, int calls) const {
   for (const CircleId c : circles_of(p)) {
     if (calls == 2) state_.circles.prefetch(c);
     if (calls != 1) continue;
-    for (const SiteId s : circle(c).sites)
-      if (s.valid()) prefetch(&state_.sites[s]), state_.circles.prefetch_list(s);
-    for (const CircleId beyond : circle(c).beyond)
-      if (beyond.valid()) state_.circles.prefetch(beyond);
+    const EmptyCircle& own = circle(c);
+    const std::size_t i = own.index_of(p);
+    if (const SiteId s = own.sites[own.after(i)]; s.valid())
+      prefetch(&state_.sites[s]), state_.circles.prefetch_list(s);
+    if (own.beyond[i].valid()) state_.circles.prefetch(own.beyond[i]);
   }
 }
 
