@@ -33,7 +33,7 @@ void FrameVertices::find_signs(Vertex& v) const {
   v.has_signs = true;
 }
 
-/// Certainly nearer than the second one is nearer than all: differences round in the order of what they are of.
+/// Nearer than the second one, it is so than all: rounding keeps the order of differences.
 int FrameVertices::nearest(const Vertex& v) const {
   int nearest = 0;
   double least = v.g[0], second = std::numeric_limits<double>::infinity();
