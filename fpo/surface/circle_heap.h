@@ -2,7 +2,9 @@
 // Line 6 of Algorithm 1 on a surface: the empty circles by how far their centers are (farthest.h), the
 // farthest first.
 
+#include <limits>
 #include <span>
+#include <vector>
 
 #include "fpo/domain.h"
 #include "fpo/farthest.h"
@@ -28,7 +30,13 @@ struct SurfacePriority {
   bool goes_before(const geom::EmptyCircle& a, const geom::EmptyCircle& b) const;
 };
 
-/// The circles of a dual under change that a guard, if there is one, offers.
+/// The circles of a dual under change that a guard, if there is one, offers. What the guard says of a circle
+/// must not change until the circle does.
+///
+/// Farthest point optimization only ever asks for the top, and most circles never are. So the heap holds
+/// those whose priority is not below a bar, some percent of them: all others are below its top. When these are
+/// used up (or have become too many) the bar is set anew by one pass over all circles. The answer is that of
+/// a heap of all; most changes never touch it, and none does until somebody asks.
 class CircleHeap {
  public:
   /// Empty. Keeps references.
@@ -38,14 +46,14 @@ class CircleHeap {
   /// May this circle, of the dual or not, be the farthest point?
   bool is_offered(const geom::EmptyCircle& circle) const;
 
-  /// Follows one change of the dual. O(log n) a circle.
+  /// Follows one change of the dual. O(1) a circle, O(log n) at or above the bar.
   void apply(const geom::RestrictedDual::Change& change);
   /// The first of all; none if there is none.
-  CircleId top() const { return heap_.empty() ? CircleId() : heap_.top().slot; }
+  CircleId top();
   /// The first of those on these cells, offered or not; none if there is none.
   CircleId first_on(std::span<const SiteId> cells) const;
-  /// Throws geom::Bug. O(circles).
-  void check() const { heap_.check(); }
+  /// Is every circle on its side of the bar? Throws geom::Bug. O(circles).
+  void check() const;
 
  private:
   struct Order {
@@ -53,10 +61,20 @@ class CircleHeap {
     bool operator()(CircleId a, CircleId b) const { return circle_before(dual->circle(a), dual->circle(b)); }
   };
 
+  using Heap = geom::IndexedHeap<CircleId, Order>;
+
+  static constexpr double none = std::numeric_limits<double>::infinity(), all = -none;  ///< bars
+
+  bool belongs(const geom::EmptyCircle& circle) const;
+  void refill();
+
   const geom::RestrictedDual& dual_;
   SurfacePriority priority_;
   const MoveGuard* guard_;
-  geom::IndexedHeap<CircleId, Order> heap_;
+  Heap heap_;                         ///< all that are offered with priority >= bar_
+  double bar_ = none;                 ///< at first nobody has asked for the top
+  std::size_t most_ = 0;              ///< more entries than these call for a higher bar
+  std::vector<Heap::Entry> scratch_;  ///< workspace
 };
 
 }  // namespace fpo

@@ -72,7 +72,7 @@ void SurfaceDomain::remove(SiteId x) {
 Circle SurfaceDomain::largest_empty(Scope scope) {
   std::span<const SiteId> around = last_change().cells;
   if (around.empty() && near_removed_.valid()) around = {&near_removed_, 1};
-  const CircleHeap& circles = state_->circles;
+  CircleHeap& circles = state_->circles;
   const CircleId found = scope == Scope::global ? circles.top() : circles.first_on(around);
   if (!found.valid()) return {-std::numeric_limits<double>::infinity(), found};
   return {dual().circle(found).radius2, found};

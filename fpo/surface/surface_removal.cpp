@@ -52,7 +52,7 @@ bool SurfaceRemoval::find_largest(Scope scope) {
 /// Among the circles that the hole would have, and all others in scope that do not touch x.
 void SurfaceRemoval::find_planned(Scope scope) {
   const RestrictedDual& dual = state_.dual;
-  const CircleHeap& heap = state_.circles;
+  CircleHeap& heap = state_.circles;
   const auto consider = [&](const EmptyCircle& circle, const geom::PlannedRemoval::Target& target) {
     if (largest_ && !heap.priority().goes_before(circle, *largest_)) return;
     largest_ = &circle;

@@ -12,9 +12,9 @@ bool circle_before(const EmptyCircle& a, const EmptyCircle& b) {
 }
 
 void EmptyCircle::sort_counterclockwise() {
-  std::rotate(sites.begin(), std::ranges::min_element(sites), sites.end());
-  clockwise = sites[2] < sites[1];
-  if (clockwise) std::swap(sites[1], sites[2]);
+  const auto [a, b, c] = sites;
+  clockwise = (a < b) + (b < c) + (c < a) == 1;  // else they ascend twice on the way round
+  sites = {std::min({a, b, c}), std::max(std::min(a, b), std::min(std::max(a, b), c)), std::max({a, b, c})};
 }
 
 CircleId EmptyCircles::create(const EmptyCircle& circle) {

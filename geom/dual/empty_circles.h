@@ -40,14 +40,17 @@ struct EmptyCircle {
   /// The place of p among the sites.
   std::size_t index_of(SiteId p) const { return sites[0] == p ? 0 : sites[1] == p ? 1 : 2; }
   /// The place after i, counterclockwise; the place before it.
-  std::size_t after(std::size_t i) const { return (i + (clockwise ? 2 : 1)) % 3; }
-  std::size_t before(std::size_t i) const { return (i + (clockwise ? 1 : 2)) % 3; }
+  std::size_t after(std::size_t i) const { return wrapped(i + 1 + clockwise); }
+  std::size_t before(std::size_t i) const { return wrapped(i + 2 - clockwise); }
   /// The place of the circle opposite to the edge of a and b.
   std::size_t opposite(SiteId a, SiteId b) const {
     for (std::size_t i = 0; i < 2; ++i)
       if (sites[i] != a && sites[i] != b) return i;
     return 2;
   }
+
+ private:
+  static std::size_t wrapped(std::size_t i) { return i < 3 ? i : i - 3; }
 };
 
 /// The order of circles of equal radius2: by facet, place and sites.

@@ -79,9 +79,8 @@ bool Flood::add_point(const FrameVertices::Vertex& u, const FrameVertices::Verte
   return true;
 }
 
-bool Flood::add_vertex(FrameVertices::Slot s) {
+bool Flood::add_new_vertex(FrameVertices::Slot s) {
   if (s >= vertex_seen_.size()) vertex_seen_.resize(s + 64, 0);
-  if (vertex_seen_[s] == trace_) return true;
   vertex_seen_[s] = trace_;
   const FrameVertices::Vertex& v = vertices_[s];
   const int nearest = division_ ? vertices_.nearest(v) : Frame::none;

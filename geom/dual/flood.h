@@ -80,7 +80,10 @@ class Flood {
   bool trace_edge(MetFacets::Slot slot, std::size_t e);
   bool divide(const FrameVertices::Vertex& u, const FrameVertices::Vertex& v, const EdgePart& part);
   bool add_point(const FrameVertices::Vertex& u, const FrameVertices::Vertex& v, int i, int j);
-  bool add_vertex(FrameVertices::Slot s);
+  bool add_vertex(FrameVertices::Slot s) {
+    return (s < vertex_seen_.size() && vertex_seen_[s] == trace_) || add_new_vertex(s);
+  }
+  bool add_new_vertex(FrameVertices::Slot s);
 
   const TriMesh& mesh_;
   FrameVertices& vertices_;

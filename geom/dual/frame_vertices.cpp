@@ -33,13 +33,17 @@ void FrameVertices::find_signs(Vertex& v) const {
   v.has_signs = true;
 }
 
+/// Nearer than the second one, it is so than all: rounding keeps the order of differences.
 int FrameVertices::nearest(const Vertex& v) const {
   int nearest = 0;
-  for (int i = 1; i < frame_.size(); ++i)
-    if (v.g[i] < v.g[nearest]) nearest = i;
-  for (int i = 0; i < frame_.size(); ++i)
-    if (i != nearest && !v.nearer(nearest, i)) return -1;
-  return nearest;
+  double least = v.g[0], second = std::numeric_limits<double>::infinity();
+  for (int i = 1; i < frame_.size(); ++i) {
+    const double g = v.g[i];
+    if (g < least) nearest = i;
+    second = std::min(second, std::max(g, least));
+    least = std::min(least, g);
+  }
+  return second - least > 4 * v.error ? nearest : -1;
 }
 
 }  // namespace geom

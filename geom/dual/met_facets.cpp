@@ -2,8 +2,7 @@
 
 namespace geom {
 
-MetFacets::Slot MetFacets::meet(FacetId t, FrameVertices& vertices) {
-  if (has(t)) return slot_of_[t];
+MetFacets::Slot MetFacets::add(FacetId t, FrameVertices& vertices) {
   const auto slot = static_cast<Slot>(facets_.size());
   slot_of_[t] = slot;
   const TriMesh::Facet& corners = mesh_.facet(t);

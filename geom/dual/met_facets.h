@@ -32,7 +32,7 @@ class MetFacets {
 
   void clear() { facets_.clear(); }
   /// One that was not met before has no edge that is done, and no ends; its corners come with their signs.
-  Slot meet(FacetId t, FrameVertices& vertices);
+  Slot meet(FacetId t, FrameVertices& vertices) { return has(t) ? slot_of_[t] : add(t, vertices); }
 
   bool has(FacetId t) const { return slot_of_[t] < facets_.size() && facets_[slot_of_[t]].id == t; }
   /// Of a facet that was met.
@@ -43,6 +43,8 @@ class MetFacets {
   std::span<const Facet> items() const { return facets_.items(); }
 
  private:
+  Slot add(FacetId t, FrameVertices& vertices);
+
   const TriMesh& mesh_;
   Reused<Facet> facets_;
   Table<FacetId, Slot> slot_of_;  ///< if that slot says so, too

@@ -13,11 +13,21 @@ void RestrictedDual::expect(SiteId p, int calls) const {
   for (const CircleId c : circles_of(p)) {
     if (calls == 2) state_.circles.prefetch(c);
     if (calls != 1) continue;
-    for (const SiteId s : circle(c).sites)
-      if (s.valid()) prefetch(&state_.sites[s]), state_.circles.prefetch_list(s);
-    for (const CircleId beyond : circle(c).beyond)
-      if (beyond.valid()) state_.circles.prefetch(beyond);
+    const EmptyCircle& own = circle(c);
+    const std::size_t i = own.index_of(p);
+    if (const SiteId s = own.sites[own.after(i)]; s.valid())
+      prefetch(&state_.sites[s]), state_.circles.prefetch_list(s);
+    if (own.beyond[i].valid()) state_.circles.prefetch(own.beyond[i]);
   }
+}
+
+std::vector<CircleId> RestrictedDual::circles() const {
+  std::vector<CircleId> found;
+  found.reserve(state_.circles.size());
+  for (SiteId p(0); p.index() < state_.sites.size(); p = SiteId(p.value + 1))
+    for (const CircleId c : circles_of(p))
+      if (circle(c).sites[0] == p) found.push_back(c);
+  return found;
 }
 
 void RestrictedDual::link(SiteId p, std::vector<SiteId>& out) const {

@@ -50,6 +50,8 @@ class RestrictedDual {
   const EmptyCircle& circle(CircleId c) const { return state_.circles[c]; }
   /// The circles that touch p: the corners of its cell. Valid until the next update.
   std::span<const CircleId> circles_of(SiteId p) const { return state_.circles.of_site(p); }
+  /// All circles, each once, those of a smaller first site first. O(circles).
+  std::vector<CircleId> circles() const;
   /// The sites that share a circle with p, ascending: with type C corners the link of p in the dual, the
   /// restricted regular triangulation.
   void link(SiteId p, std::vector<SiteId>& out) const;

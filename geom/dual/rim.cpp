@@ -1,42 +1,34 @@
 #include "geom/dual/rim.h"
 
 #include <algorithm>
-#include <array>
 
 namespace geom {
-
-void Rim::clear() {
-  sites_.clear();
-  inner_.clear();
-  outer_.clear();
-  inside_.clear();
-}
 
 bool Rim::open_star(const DualState& state, SiteId p) {
   const std::span<const CircleId> own = state.circles.of_site(p);
   const std::size_t n = own.size();
+  clear();
   if (n < 3 || n > most) return false;
-  sites_.resize(n);
-  inner_.resize(n);
-  outer_.resize(n);
+  const double level = state.sites[p].level;
   CircleId c = own.front();
   SiteId first = SiteId();  // of the next circle
   for (std::size_t j = 0; j < n; ++j) {
     const EmptyCircle& circle = state.circles[c];
-    const std::size_t i = circle.index_of(p);
-    const SiteId site = circle.sites[circle.after(i)];
+    const std::size_t i = circle.index_of(p), after = circle.after(i);
+    const SiteId site = circle.sites[after];
     if (j > 0 && site != first) return false;
-    first = circle.sites[circle.before(i)];
-    for (std::size_t k = 0; k < j; ++k)
-      if (sites_[k] == site) return false;
-    if (!circle.beyond[i].valid() || !state.is_level(circle, state.sites[p].level)) return false;
+    first = circle.sites[3 - i - after];
+    bool is_new = true;
+    for (std::size_t k = 0; k < j; ++k) is_new &= sites_[k] != site;
+    if (!is_new || !circle.beyond[i].valid() || !state.is_level(circle, level)) return false;
     sites_[j] = site;
-    inner_[j] = c;
+    inner_[j] = inside_[j] = c;
     outer_[j] = circle.beyond[i];
-    c = circle.beyond[circle.after(i)];
+    c = circle.beyond[after];
     if (!c.valid() || (c == own.front()) != (j + 1 == n)) return false;
   }
-  inside_ = inner_;
+  size_ = static_cast<int>(n);
+  num_inside_ = n;
   return true;
 }
 
@@ -44,20 +36,20 @@ bool Rim::find_conflict(const DualState& state, const WeightedPoint3& point, Cir
   std::array<Edge, 3 * most> edges;
   std::size_t num_edges = 0;
   clear();
-  inside_.push_back(first);
+  inside_[num_inside_++] = first;
   if (!state.lead_at(state.circles[first], point).negative()) return false;
-  for (std::size_t n = 0; n < inside_.size(); ++n) {
+  for (std::size_t n = 0; n < num_inside_; ++n) {
     const EmptyCircle circle = state.circles[inside_[n]];
     if (!state.is_level(circle, point.level)) return false;
     for (std::size_t i = 0; i < 3; ++i) {
       const CircleId other = circle.beyond[i];
       if (!other.valid()) return false;
-      if (std::ranges::find(inside_, other) != inside_.end()) continue;
+      if (std::ranges::find(inside(), other) != inside().end()) continue;
       const Sure found = state.lead_at(state.circles[other], point);
       if (!found.certain()) return false;
       if (found.value < 0) {
-        if (inside_.size() == 2 * most) return false;
-        inside_.push_back(other);
+        if (num_inside_ == inside_.size()) return false;
+        inside_[num_inside_++] = other;
       } else {
         if (num_edges == edges.size()) return false;
         edges[num_edges++] = {circle.sites[circle.after(i)], circle.sites[circle.before(i)], other,
@@ -65,7 +57,7 @@ bool Rim::find_conflict(const DualState& state, const WeightedPoint3& point, Cir
       }
     }
   }
-  if (num_edges != inside_.size() + 2 || num_edges > most) return false;
+  if (num_edges != num_inside_ + 2 || num_edges > most) return false;
   return put_in_order({edges.data(), num_edges});
 }
 
@@ -73,10 +65,11 @@ bool Rim::find_conflict(const DualState& state, const WeightedPoint3& point, Cir
 bool Rim::put_in_order(std::span<const Edge> edges) {
   auto edge = edges.begin();
   for (std::size_t j = 0; j < edges.size(); ++j) {
-    if (std::ranges::find(sites_, edge->from) != sites_.end()) return false;
-    sites_.push_back(edge->from);
-    outer_.push_back(edge->outer);
-    inner_.push_back(edge->inner);
+    if (std::ranges::find(sites(), edge->from) != sites().end()) return false;
+    sites_[j] = edge->from;
+    outer_[j] = edge->outer;
+    inner_[j] = edge->inner;
+    ++size_;
     edge = std::ranges::find(edges, edge->to, &Edge::from);
     if (edge == edges.end()) return false;
   }

@@ -6,8 +6,8 @@
 //         /|inner|\         outside, which stays.
 //        / |     | \ .
 
+#include <array>
 #include <span>
-#include <vector>
 
 #include "geom/dual/frame.h"
 #include "geom/dual/state.h"
@@ -24,17 +24,17 @@ class Rim {
   /// together; else false.
   bool find_conflict(const DualState& state, const WeightedPoint3& point, CircleId first);
 
-  int size() const { return static_cast<int>(sites_.size()); }
-  int next(int j) const { return j + 1 == size() ? 0 : j + 1; }
-  int previous(int j) const { return j == 0 ? size() - 1 : j - 1; }
+  int size() const { return size_; }
+  int next(int j) const { return j + 1 == size_ ? 0 : j + 1; }
+  int previous(int j) const { return j == 0 ? size_ - 1 : j - 1; }
   SiteId operator[](int j) const { return sites_[static_cast<std::size_t>(j)]; }
-  std::span<const SiteId> sites() const { return sites_; }
+  std::span<const SiteId> sites() const { return {sites_.data(), static_cast<std::size_t>(size_)}; }
   /// At the ends of the edge between j and j + 1.
   CircleId inner(int j) const { return inner_[static_cast<std::size_t>(j)]; }
   CircleId outer(int j) const { return outer_[static_cast<std::size_t>(j)]; }
-  std::span<const CircleId> outer_circles() const { return outer_; }
+  std::span<const CircleId> outer_circles() const { return {outer_.data(), static_cast<std::size_t>(size_)}; }
   /// All circles inside, each once. Of a star: in the order of inner().
-  std::span<const CircleId> inside() const { return inside_; }
+  std::span<const CircleId> inside() const { return {inside_.data(), num_inside_}; }
 
  private:
   /// An edge of the border, as it is found.
@@ -43,10 +43,13 @@ class Rim {
     CircleId outer, inner;
   };
   bool put_in_order(std::span<const Edge> edges);
-  void clear();
+  void clear() { size_ = 0, num_inside_ = 0; }
 
-  std::vector<SiteId> sites_;
-  std::vector<CircleId> inner_, outer_, inside_;
+  int size_ = 0;
+  std::size_t num_inside_ = 0;
+  std::array<SiteId, most> sites_;
+  std::array<CircleId, most> inner_, outer_;
+  std::array<CircleId, 2 * most> inside_;
 };
 
 }  // namespace geom

@@ -22,6 +22,17 @@ void FacetTree::Box::extend(const Box& other) {
   }
 }
 
+/// Mostly one axis is enough to tell that it does not.
+bool FacetTree::Box::comes_near(const Vec3& x, double limit2) const {
+  double distance2 = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double gap = std::max(std::max(low[i] - x[i], x[i] - high[i]), 0.0);
+    distance2 += gap * gap;
+    if (distance2 > limit2) return false;
+  }
+  return true;
+}
+
 FacetTree::FacetTree(const TriMesh& mesh, std::vector<FacetId> order) : order_(std::move(order)) {
   std::vector<Box> boxes;
   for (const FacetId t : order_) {
@@ -49,8 +60,8 @@ FacetTree::FacetTree(const TriMesh& mesh, std::vector<FacetId> order) : order_(s
 void FacetTree::near(const Vec3& x, double distance, std::vector<FacetId>& out) const {
   if (!(distance >= 0)) return;
   const double limit2 = distance * distance * (1 + 1e-9);
-  descend(
-      levels_.size() - 1, 0, limit2, x, [](const Box&) { return false; }, out);
+  search(
+      limit2, x, [](const Box&) { return false; }, out);
 }
 
 void FacetTree::near_but(const Vec3& x, double distance, const OfNoUse& is_of_no_use,
@@ -65,26 +76,33 @@ void FacetTree::near_but(const Vec3& x, double distance, const OfNoUse& is_of_no
     const double radius = 0.5 * (high - low).norm() * (1 + 1e-9);
     return radius <= distance && is_of_no_use(0.5 * (low + high), radius);
   };
-  descend(levels_.size() - 1, 0, limit2, x, is_box_of_no_use, out);
+  search(limit2, x, is_box_of_no_use, out);
 }
 
 template <class Skip>
+void FacetTree::search(double limit2, const Vec3& x, const Skip& is_of_no_use,
+                       std::vector<FacetId>& out) const {
+  const Box& root = levels_.back().front();
+  if (root.comes_near(x, limit2) && !is_of_no_use(root))
+    descend(levels_.size() - 1, 0, limit2, x, is_of_no_use, out);
+}
+
+/// Down from a box that is near enough and of use.
+template <class Skip>
 void FacetTree::descend(std::size_t level, std::size_t node, double limit2, const Vec3& x,
                         const Skip& is_of_no_use, std::vector<FacetId>& out) const {
-  const Box& box = levels_[level][node];
-  double distance2 = 0;
-  for (int i = 0; i < 3; ++i) {
-    const double gap = std::max({box.low[i] - x[i], x[i] - box.high[i], 0.0});
-    distance2 += gap * gap;
+  const std::size_t size = level == 0 ? order_.size() : levels_[level - 1].size(),
+                    end = std::min(arity * (node + 1), size);
+  if (level == 0) {
+    const auto begin = order_.begin();
+    out.insert(out.end(), begin + static_cast<std::ptrdiff_t>(arity * node),
+               begin + static_cast<std::ptrdiff_t>(end));
+    return;
   }
-  if (distance2 > limit2 || is_of_no_use(box)) return;
-  const std::size_t size = level == 0 ? order_.size() : levels_[level - 1].size();
-  for (std::size_t i = arity * node; i < std::min(arity * (node + 1), size); ++i) {
-    if (level == 0)
-      out.push_back(order_[i]);
-    else
+  const Box* const boxes = levels_[level - 1].data();
+  for (std::size_t i = arity * node; i < end; ++i)
+    if (boxes[i].comes_near(x, limit2) && !is_of_no_use(boxes[i]))
       descend(level - 1, i, limit2, x, is_of_no_use, out);
-  }
 }
 
 }  // namespace geom

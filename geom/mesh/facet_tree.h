@@ -28,9 +28,13 @@ class FacetTree {
   struct Box {
     float low[3], high[3];
     void extend(const Box& other);
+    /// Is its squared distance from x at most that?
+    bool comes_near(const Vec3& x, double limit2) const;
   };
   static constexpr std::size_t arity = 4;
 
+  template <class Skip>
+  void search(double limit2, const Vec3& x, const Skip& is_of_no_use, std::vector<FacetId>& out) const;
   template <class Skip>
   void descend(std::size_t level, std::size_t node, double limit2, const Vec3& x, const Skip& is_of_no_use,
                std::vector<FacetId>& out) const;

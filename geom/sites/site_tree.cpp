@@ -1,6 +1,7 @@
 #include "geom/sites/site_tree.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -17,7 +18,9 @@ double root(double x) { return x > 0 ? std::sqrt(x) : 0; }
 
 float rounded_up(double x) {
   const auto f = static_cast<float>(x);
-  return f < x ? std::nextafterf(f, std::numeric_limits<float>::infinity()) : f;
+  if (!(f < x)) return f;
+  const auto bits = std::bit_cast<std::int32_t>(f);
+  return std::bit_cast<float>(bits < 0 ? bits - 1 : bits + 1);  // the next one
 }
 
 }  // namespace
@@ -27,27 +30,45 @@ double SiteTree::distance2(const Vec3& x, const Entry& e) const {
   return dx * dx + dy * dy + dz * dz;
 }
 
+SiteTree::Entry SiteTree::entry_of(SiteId id, const WeightedPoint3& point) {
+  const Vec3& x = point.position;
+  return {{static_cast<float>(x.x()), static_cast<float>(x.y()), static_cast<float>(x.z())},
+          rounded_up(point.weight),
+          nothing,
+          id};
+}
+
+void SiteTree::know(SiteId id, const WeightedPoint3& point) {
+  points_[id] = point;
+  slack_ = std::max(slack_, 0x1p-22 * point.position.lpNorm<Eigen::Infinity>() + 1e-44);
+}
+
+SiteTree::NodeId SiteTree::leaf_of(const Entry& entry, int& depth) const {
+  NodeId node(0);
+  for (depth = 0; !nodes_[node].leaf(); ++depth) {
+    const Node& inner = nodes_[node];
+    const bool upper = entry.position[static_cast<std::size_t>(inner.axis)] >= inner.plane;
+    node = NodeId(inner.child.value + upper);
+  }
+  return node;
+}
+
 void SiteTree::insert(SiteId id, const WeightedPoint3& point, SiteId) {
   if (id.index() >= places_.size()) {
     places_.resize(id.index() + 1);
     points_.resize(id.index() + 1);
   }
   ensure(!places_[id].node.valid(), "site tree: the site is already in");
-  points_[id] = point;
-  slack_ = std::max(slack_, 0x1p-22 * point.position.lpNorm<Eigen::Infinity>() + 1e-44);
-  Entry entry{{}, rounded_up(point.weight), nothing, id};
-  for (int i = 0; i < 3; ++i)
-    entry.position[static_cast<std::size_t>(i)] = static_cast<float>(point.position[i]);
-  NodeId node(0);
+  know(id, point);
+  insert(entry_of(id, point));
+}
+
+void SiteTree::insert(const Entry& entry) {
   int depth = 0;
-  for (; !nodes_[node].leaf(); ++depth) {
-    const Node& inner = nodes_[node];
-    const bool upper = entry.position[static_cast<std::size_t>(inner.axis)] >= inner.plane;
-    node = NodeId(inner.child.value + upper);
-  }
+  const NodeId node = leaf_of(entry, depth);
   add(node, entry);
   if (leaves_[node].size() > leaf_capacity && depth < max_depth) split(node);
-  refresh(places_[id].node);
+  raise(places_[entry.site].node, entry);
 }
 
 void SiteTree::add(NodeId node, const Entry& entry) {
@@ -62,19 +83,34 @@ void SiteTree::remove(SiteId id) {
   refresh(place.node);
 }
 
+/// Mostly it stays in its leaf.
 void SiteTree::move(SiteId id, const WeightedPoint3& point) {
-  remove(id);
-  insert(id, point);
+  const Place place = places_[id];
+  Entry& before = leaves_[place.node][place.slot];
+  Entry entry = entry_of(id, point);
+  entry.reach = before.reach;
+  know(id, point);
+  int depth = 0;
+  if (leaf_of(entry, depth) == place.node) {
+    const bool is_lighter = entry.weight < before.weight;
+    before = entry;
+    if (is_lighter)
+      refresh(place.node);
+    else
+      raise(place.node, entry);
+  } else {
+    remove(id);
+    insert(entry);
+  }
 }
 
 void SiteTree::set_reach(SiteId j, double max_radius2) {
   const Place place = places_[j];
-  float& reach = leaves_[place.node][place.slot].reach;
-  const float before = reach;
-  reach = rounded_up(max_radius2);
-  if (reach >= before)
-    for (NodeId i = place.node; i.valid() && nodes_[i].max_reach < reach; i = nodes_[i].parent)
-      nodes_[i].max_reach = reach;
+  Entry& entry = leaves_[place.node][place.slot];
+  const float before = entry.reach;
+  entry.reach = rounded_up(max_radius2);
+  if (entry.reach >= before)
+    raise(place.node, entry);
   else if (before == nodes_[place.node].max_reach)
     refresh(place.node);
 }
@@ -113,6 +149,16 @@ void SiteTree::split(NodeId node) {
   refresh(upper);
 }
 
+/// Raises the bounds of a node to those of an entry below it, and so on up as far as they change.
+void SiteTree::raise(NodeId node, const Entry& entry) {
+  for (; node.valid(); node = nodes_[node].parent) {
+    Node& n = nodes_[node];
+    if (entry.reach <= n.max_reach && entry.weight <= n.max_weight) return;
+    n.max_reach = std::max(n.max_reach, entry.reach);
+    n.max_weight = std::max(n.max_weight, entry.weight);
+  }
+}
+
 /// Recomputes the bounds of a node from below and carries them up as far as they change.
 void SiteTree::refresh(NodeId node) {
   for (; node.valid(); node = nodes_[node].parent) {
@@ -144,6 +190,7 @@ template <class Limit2, class OnEntry>
 void SiteTree::visit(const Vec3& x, Limit2 limit2, OnEntry on_entry) const {
   const double widest = limit2(nodes_[NodeId(0)]);
   const auto look_into = [&](NodeId leaf, double leaf_limit2) {
+    if (leaf_limit2 < 0) return;
     for (const Entry& e : leaves_[leaf])
       if (const double d2 = distance2(x, e); d2 <= leaf_limit2) on_entry(e, d2);
   };

@@ -30,7 +30,7 @@ class SiteTree final : public NeighbourOracle {
 
   void insert(SiteId id, const WeightedPoint3& point, SiteId hint = SiteId()) override;
   void remove(SiteId id) override;
-  /// remove() and insert(); it has no reach then.
+  /// It was elsewhere. Its reach is what was said last.
   void move(SiteId id, const WeightedPoint3& point);
   bool contains(SiteId id) const { return id.index() < places_.size() && places_[id].node.valid(); }
   void rivals(SiteId p, std::vector<SiteId>& out) const override;
@@ -75,8 +75,13 @@ class SiteTree final : public NeighbourOracle {
     double distance2() const { return gap[0] * gap[0] + gap[1] * gap[1] + gap[2] * gap[2]; }
   };
 
+  static Entry entry_of(SiteId id, const WeightedPoint3& point);
+  void know(SiteId id, const WeightedPoint3& point);
+  NodeId leaf_of(const Entry& entry, int& depth) const;
+  void insert(const Entry& entry);
   void add(NodeId node, const Entry& entry);
   void split(NodeId node);
+  void raise(NodeId node, const Entry& entry);
   void refresh(NodeId node);
   double distance2(const Vec3& x, const Entry& e) const;
   double limit2(double reach) const;
