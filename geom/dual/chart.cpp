@@ -51,20 +51,25 @@ Chart::Spread Chart::spread(int count) const {
           slope_v_ * Z + least};
 }
 
-// n_z of three sites is twice the area of their triangle: the sum of those of its sides with the origin.
-bool Chart::is_simple(int count, double radius) const {
-  const Spread wide = spread(count);
+// n_z of three sites is twice the area of their triangle: the sum of those of its sides with any location.
+bool Chart::is_simple(int count, std::span<const Edge> edges, double radius) const {
+  const Spread wide = spread(count + 1);
+  const double x = x_[at(count)], y = y_[at(count)];
   std::array<std::array<double, most_sites>, most_sites> area;
   for (int i = 1; i < count; ++i)
     for (int j = 0; j < i; ++j) {
       if (!is_pair_fine(i, j, wide)) return false;
-      area[at(i)][at(j)] = x_[at(j)] * y_[at(i)] - y_[at(j)] * x_[at(i)];
+      area[at(i)][at(j)] = (x_[at(j)] - x) * (y_[at(i)] - y) - (y_[at(j)] - y) * (x_[at(i)] - x);
     }
+  const auto is_wide = [&wide](double nz) { return std::abs(nz) > wide.enough; };
+  for (const auto& [i, j] : edges)
+    if (!is_wide(area[at(std::max(i, j))][at(std::min(i, j))]) && !meets_axis_once(i, j, count, radius))
+      return false;
   for (int i = 2; i < count; ++i)
     for (int j = 1; j < i; ++j)
       for (int k = 0; k < j; ++k) {
         const double nz = area[at(j)][at(k)] + area[at(i)][at(j)] - area[at(i)][at(k)];
-        if (!(std::abs(nz) > wide.enough) && !meets_axis_once(i, j, k, radius)) return false;
+        if (!is_wide(nz) && !meets_axis_once(i, j, k, radius)) return false;
       }
   return true;
 }

@@ -78,19 +78,19 @@ class Chart {
   double x(int i) const { return x_[static_cast<std::size_t>(i)]; }
   double y(int i) const { return y_[static_cast<std::size_t>(i)]; }
 
-  /// (1) and (2) for all pairs and triples of the first so many sites. `radius`: all that is spoken of is that
-  /// near to the origin.
-  bool is_simple(int count, double radius) const;
-  /// The same for those pairs and triples that have that site, of it and those before.
-  bool is_simple_with(int last, double radius) const;
-  /// (1) for two, and (2) for three of the sites.
-  bool is_monotone(int first, int second) const;
-  bool meets_axis_once(int first, int second, int third, double radius) const;
   /// (2) for that site and both sites of each of these edges.
   struct Edge {
     int first, second;
   };
   bool meets_axes_once(int site, std::span<const Edge> edges, double radius) const;
+  /// (1) and (2) for all pairs and triples of the first so many sites, and (2) for those edges and the site
+  /// after them. `radius`: all that is spoken of is that near to the origin.
+  bool is_simple(int count, std::span<const Edge> edges, double radius) const;
+  /// The same for those pairs and triples that have that site, of it and those before.
+  bool is_simple_with(int last, double radius) const;
+  /// (1) for two, and (2) for three of the sites.
+  bool is_monotone(int first, int second) const;
+  bool meets_axis_once(int first, int second, int third, double radius) const;
   /// Of the sites before the last, in counterclockwise order around that one, the origin, whose cell is in
   /// the ball of that radius: bounds of the power to the nearest of them there, and of the distance of a site
   /// that may be nearer there, if its weight is at most that of the heaviest. Infinite if they do not

@@ -71,9 +71,7 @@ void Hole::find_edges() {
 bool Hole::is_chart_simple() const {
   const DualState& state = around_.state;
   const double known = state.distance_at(state.reach[around_.p], around_.p);
-  const Chart& chart = around_.chart;
-  return chart.is_simple(around_.rim.size(), known) &&
-         chart.meets_axes_once(around_.rim.size(), edges_, known);
+  return around_.chart.is_simple(around_.rim.size(), edges_, known);
 }
 
 /// Sets reach_ and max_radius2_ but for the circles.
