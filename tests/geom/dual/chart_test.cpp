@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <span>
 
 #include "doctest.h"
 #include "geom/mesh/aabb_tree.h"
@@ -271,6 +272,10 @@ TEST_CASE("chart: between two locations on it a bisector is no farther than the 
         const Vec3 eye = rng.below(3) != 0 ? away * scene.radius * fixtures::random_vector(rng) : a.d;
         const double bound =
             trial.chart.farthest2(static_cast<int>(i), static_cast<int>(j), from - eye, to - eye);
+        const Chart::Edge edge{static_cast<int>(i), static_cast<int>(j)};
+        const double by_slope =
+            farthest_on_edge(std::max((from - eye).norm(), (to - eye).norm()), (to - from).norm(),
+                             trial.chart.steepest(std::span(&edge, 1)));
         const auto along = [&](const Vec3& z) { return e.x() * scene.y(z) - e.y() * scene.x(z); };
         const auto [first, last] = std::minmax({along(from), along(to)});
         const double ends2 = std::max((from - eye).squaredNorm(), (to - eye).squaredNorm());
@@ -278,6 +283,7 @@ TEST_CASE("chart: between two locations on it a bisector is no farther than the 
           if (along(z) < first || along(z) > last) continue;
           ++checks;
           CHECK((z - eye).squaredNorm() <= bound);
+          CHECK((z - eye).norm() <= by_slope * (1 + 1e-9));
           farther_than_ends += (z - eye).squaredNorm() > (1 + 1e-4) * ends2;
         }
         if (turn < 0.5) CHECK(bound <= std::pow(std::sqrt(ends2) + 1.2 * (to - from).norm(), 2));
@@ -290,7 +296,7 @@ TEST_CASE("chart: between two locations on it a bisector is no farther than the 
 // Three places, each pair of which is no steeper than the slope: there is a surface through them.
 TEST_CASE("chart: a bisector on the worst surface there may be is no farther than the bound") {
   Rng rng(13);
-  std::size_t nearly = 0;
+  std::size_t nearly = 0, nearly_by_slope = 0;
   for (int draw = 0; draw < 20000; ++draw) {
     Sheet sheet;
     sheet.axis = fixtures::random_vector(rng).normalized();
@@ -324,8 +330,14 @@ TEST_CASE("chart: a bisector on the worst surface there may be is no farther tha
     const double bound = chart.farthest2(0, 1, from - eye, to - eye);
     CHECK((top - eye).squaredNorm() <= bound);
     nearly += (top - eye).squaredNorm() > 0.95 * bound;
+    const Chart::Edge edge{0, 1};
+    const double ends = std::max((from - eye).norm(), (to - eye).norm());
+    const double by_slope = farthest_on_edge(ends, (to - from).norm(), chart.steepest(std::span(&edge, 1)));
+    CHECK((top - eye).norm() <= by_slope * (1 + 1e-9));
+    nearly_by_slope += (top - eye).norm() - ends > 0.5 * (by_slope - ends);
   }
   CHECK(nearly > 1000);
+  CHECK(nearly_by_slope > 300);
 }
 
 TEST_CASE("chart: what sites all around leave of the sheet's power, and how far off who is nearer may be") {
@@ -437,6 +449,45 @@ TEST_CASE("chart: sites that do not surround the origin, or run clockwise, leave
   CHECK(gain({0, 1, 2}).power == std::numeric_limits<double>::infinity());
   CHECK(gain({0, 1, 2}).range == std::numeric_limits<double>::infinity());
   CHECK(gain({4, 2, 0}).power == std::numeric_limits<double>::infinity());
+}
+
+TEST_CASE("chart: all pairs and triples at once are those one by one") {
+  std::size_t simple = 0, refused = 0;
+  for_scenes(60, [&](const Scene& scene, Rng& rng) {
+    for (const int n : {2, 3, 5, 8}) {
+      Trial trial(scene, n, rng);  // mostly fewer
+      Chart& chart = trial.chart;
+      if (rng.below(2) == 0) {
+        const Site any = any_site(scene, trial.sites, rng);
+        chart.add(any.d, any.c);
+      }
+      const Site middle = any_site(scene, trial.sites, rng);
+      chart.add(middle.d, middle.c);
+      const int count = chart.size() - 1;
+      std::vector<Chart::Edge> edges;
+      for (int i = 0; i < count; ++i)
+        if (const int j = static_cast<int>(rng.below(static_cast<std::uint64_t>(count))); i != j)
+          edges.push_back({i, j});
+      bool expected = chart.meets_axes_once(count, edges, scene.radius);
+      for (const auto& [a, b] : edges)
+        if (!chart.meets_axis_once(a, b, count, scene.radius)) CHECK(!expected);
+      for (int i = 0; i < count; ++i)
+        for (int j = 0; j < i; ++j) {
+          expected &= chart.is_monotone(i, j);
+          for (int k = 0; k < j; ++k) expected &= chart.meets_axis_once(i, j, k, scene.radius);
+        }
+      CHECK(chart.is_simple(count, edges, scene.radius) == expected);
+      bool with_middle = true;
+      for (int i = 0; i < count; ++i) {
+        with_middle &= chart.is_monotone(i, count);
+        for (int j = 0; j < i; ++j) with_middle &= chart.meets_axis_once(i, j, count, scene.radius);
+      }
+      CHECK(chart.is_simple_with(count, scene.radius) == with_middle);
+      (expected ? simple : refused) += 1;
+    }
+  });
+  CHECK(simple > 200);
+  CHECK(refused > 100);
 }
 
 TEST_CASE("chart: a site above another one is refused where the sheet bends") {

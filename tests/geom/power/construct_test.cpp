@@ -161,6 +161,33 @@ TEST_CASE("construct: the error of a bisector stays within its bound") {
   });
 }
 
+// Whichever way a corner is found, it must have the same bits.
+TEST_CASE("construct: bisectors side by side have the bits of each by itself, and so have their minors") {
+  construct_for_each_scene(4, [](const ConstructScene& s, ConstructCount& count) {
+    ++count.corners;
+    const geom::BisectorPair pair(s.site[0], s.site[1], s.site[2], s.extent);
+    geom::FormPair forms;
+    for (int lane = 0; lane < 2; ++lane) {
+      const Bisector b = s.bisector(lane + 1);
+      CHECK(pair.error[lane] == b.error);
+      for (std::size_t i = 0; i < 3; ++i) {
+        forms.f[i] = pair(s.q[i]);
+        CHECK(forms.f[i][lane] == b(s.q[i]));
+      }
+    }
+    forms.error = pair.error;
+    const geom::LinearForm first = linear_form(s.bisector(1), s.q[0], s.q[1], s.q[2]),
+                           second = linear_form(s.bisector(2), s.q[0], s.q[1], s.q[2]);
+    const geom::AxisMinors minors = axis_minors(forms, axis_numbers(forms));
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      CHECK(minors.l[i] == first.f[j] * second.f[k] - first.f[k] * second.f[j]);
+    }
+    CHECK(minors.sum == minors.l[0] + minors.l[1] + minors.l[2]);
+    CHECK(minors.sum_error >= 3 * minors.error);
+  });
+}
+
 TEST_CASE("construct: a corner on an edge is as near to the exact one as stated") {
   const ConstructCount count =
       construct_for_each_scene(2, [](const ConstructScene& s, ConstructCount& count) {
