@@ -12,7 +12,7 @@ using geom::EmptyCircle;
 namespace {
 
 constexpr std::size_t share = 16;  // one circle in so many is above a new bar
-constexpr std::size_t few = 64;   // circles need no bar
+constexpr std::size_t few = 64;    // circles need no bar
 
 }  // namespace
 

@@ -34,9 +34,9 @@ struct SurfacePriority {
 /// must not change until the circle does.
 ///
 /// Farthest point optimization only ever asks for the top, and most circles never are. So the heap holds
-/// those whose priority is not below a bar, some percent of them: all others are below its top. When these are
-/// used up (or have become too many) the bar is set anew by one pass over all circles. The answer is that of
-/// a heap of all; most changes never touch it, and none does until somebody asks.
+/// those whose priority is not below a bar, some percent of them: all others are below its top. When these
+/// are used up (or have become too many) the bar is set anew by one pass over all circles. The answer is that
+/// of a heap of all; most changes never touch it, and none does until somebody asks.
 class CircleHeap {
  public:
   /// Empty. Keeps references.

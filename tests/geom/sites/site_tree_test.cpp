@@ -102,7 +102,7 @@ TEST_CASE("site tree: rivals, heirs and nearest against brute force while sites 
   }
 }
 
-TEST_CASE("site tree: who moves is where it went, and has no reach until it is told") {
+TEST_CASE("site tree: who moves is where it went, nearby or not, with the reach that was said last") {
   Rng rng(7);
   SiteTree tree;
   std::map<SiteId, Site> present;
@@ -116,17 +116,18 @@ TEST_CASE("site tree: who moves is where it went, and has no reach until it is t
   for (int step = 0; step < 600; ++step) {
     const SiteId p(static_cast<std::size_t>(rng.below(300)));
     CHECK(tree.contains(p));
+    const Site before = present[p];
     present[p] = random_site(rng);
+    if (step % 4 == 1) present[p].point.position = before.point.position + Vec3(1e-3, 0, -1e-3);
     tree.move(p, present[p].point);
     CHECK(tree.contains(p));
     std::vector<SiteId> rivals;
     const SiteId other(p.value == 0 ? 1 : 0);
-    if (step % 50 == 0) {
-      tree.rivals(present[p].point, rivals);
-      CHECK(!found(rivals, p));  // it has nothing to lose
-    }
+    tree.rivals(present[p].point, rivals);
+    if (before.reach + present[p].point.weight > 1e-6) CHECK(found(rivals, p));
+    if (step % 25 == 1) tree.check();
     tree.set_reach(p, present[p].reach);
-    if (step % 50 != 0) continue;
+    if (step % 25 != 0) continue;
     tree.check();
     CHECK(tree.nearest(present[p].point.position, other).radius2 <=
           power(present[p].point.position, present[p].point));
