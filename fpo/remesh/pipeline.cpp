@@ -20,7 +20,9 @@
 #include "fpo/remesh/remesh_task.h"
 #include "fpo/remesh/stand_in.h"
 #include "fpo/remesh/stand_in_remesh.h"
+#include "fpo/remesh/start.h"
 #include "fpo/remesh/unit_box.h"
+#include "fpo/surface/near_sheets.h"
 #include "fpo/surface/sheet_levels.h"
 #include "geom/check.h"
 
@@ -53,10 +55,22 @@ AngleOptions angle_options(const RemeshOptions& options) {
   return angles;
 }
 
+/// Whether sheets that are left to us are near each other on so much of the surface that they are set apart at
+/// once: together, they would keep cells from being simple in most moves.
+bool is_mostly_near_itself(const RemeshTask& task, const SharedSizing& shared, const RemeshOptions& options) {
+  constexpr double most = 0.25;
+  if (options.sheets != Sheets::automatic || options.method != Method::fpo || task.start || !options.mend)
+    return false;
+  const auto samples = initial_samples(task.surface(), shared, options.num_samples, options.seed);
+  return share_on_near_sheets(task.surface(), shared.sizing, samples, SheetOptions().near) > most &&
+         !has_needles(task.surface(), options.num_samples, even_spacing(task.input, options));
+}
+
 /// The surface with its sheets apart, if it has some that are near each other and that is wanted.
 std::optional<SplitSurface> surface_apart(const RemeshTask& task, SharedSizing& shared,
                                           const RemeshOptions& options) {
-  if (options.sheets != Sheets::apart || facts_of(options.method).distribute) return {};
+  if (facts_of(options.method).distribute) return {};
+  if (options.sheets != Sheets::apart && !is_mostly_near_itself(task, shared, options)) return {};
   return sheets_apart(task.surface(), shared.sizing, shared.features.samples);
 }
 
@@ -98,8 +112,8 @@ void prove_edges(SurfaceDomain& domain, const Improvement& how, const RemeshOpti
 bool comes_closer_by_itself(const SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options,
                             const RemeshResult& result) {
   return options.closer == Closer::automatic && options.method == Method::fpo &&
-         domain.sizing().is_uniform() && how.shared.features.samples.empty() &&
-         options.sheets != Sheets::apart && result.thin_parts.faults_before == 0;
+         domain.sizing().is_uniform() && how.shared.features.samples.empty() && !domain.mesh().has_levels() &&
+         result.thin_parts.faults_before == 0;
 }
 
 void come_nearer(SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options,
@@ -243,7 +257,7 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   auto distributed = std::make_unique<SurfaceDomain>(
       coarse ? settled_samples(surface, shared, *coarse, options, result)
              : distributed_samples(surface, shared, task.start, options, result));
-  const bool may_part = options.sheets == Sheets::automatic && !task.start;
+  const bool may_part = options.sheets == Sheets::automatic && !task.start && !apart;
   std::unique_ptr<SurfaceDomain> samples =
       with_room(std::move(distributed), shared, type, options, result, may_part);
   if (may_part && result.thin_parts.faults_before > 0) {
@@ -307,8 +321,8 @@ bool has_only_samples(const RemeshResult& result) {
   return result.mesh.num_facets() == 0 && !result.samples.empty();
 }
 
-/// Sheets that are left to us are together unless that does harm and being apart helps. Samples of close
-/// curves face each other if edges of curves are lost else.
+/// Sheets that are left to us are together unless they are near each other nearly everywhere, or that does
+/// harm and being apart helps. Samples of close curves face each other if edges of curves are lost else.
 RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& choice,
                            const RemeshOptions& options) {
   RemeshResult best = remesh_with(surface, choice, options);
@@ -330,6 +344,12 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
   if (options.sheets != Sheets::automatic || options.method != Method::fpo || is_fine(best) ||
       best.stood_in || is_remnant(best.mesh))  // all of this was tried on what stood in
     return best;
+  const bool parted_at_once = best.has_levels && !parted;
+  if (parted_at_once && !has_wanted_angles(best) && !interrupted(options)) {
+    std::optional<RemeshResult> other =
+        unless_interrupted(options, [&] { return remesh_with(surface, choice, together); });
+    if (other && is_better(*other, best)) best = std::move(*other);
+  }
   if (is_hopeless(best) || !geom::topology(surface).manifold()) return best;
   const auto attempt = [&](const RemeshOptions& otherwise, bool only_apart, bool anew = false) {
     if (interrupted(options)) return;
@@ -338,7 +358,7 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
     if (!other || (only_apart && !other->has_levels)) return;
     if (is_better(*other, best)) best = std::move(*other);
   };
-  if (!parted && !is_in_ruins(best)) attempt(with_levels, true);
+  if (!parted && !parted_at_once && !is_in_ruins(best)) attempt(with_levels, true);
   if (best.broken_feature_edges > 0) {
     RemeshOptions facing = options;
     facing.facing_samples = true;
