@@ -7,6 +7,7 @@
 
 #include "fpo/features/corner_angles.h"
 #include "fpo/features/curve_slides.h"
+#include "fpo/features/weak_curves.h"
 #include "fpo/interruption.h"
 #include "fpo/remesh/attempts.h"
 #include "fpo/remesh/distribution.h"
@@ -345,7 +346,7 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
       best.stood_in || is_remnant(best.mesh))  // all of this was tried on what stood in
     return best;
   const bool parted_at_once = best.has_levels && !parted;
-  if (parted_at_once && !has_wanted_angles(best) && !interrupted(options)) {
+  if (parted_at_once && !is_useful(best) && !interrupted(options)) {
     std::optional<RemeshResult> other =
         unless_interrupted(options, [&] { return remesh_with(surface, choice, together); });
     if (other && is_better(*other, best)) best = std::move(*other);
@@ -378,24 +379,30 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
   return best;
 }
 
-/// Only the strongest creases, if that is of use where all of them are not; else none.
+/// Only the strongest creases, if that is of more use than all of them; if all are useless perhaps none.
+/// `with_strong`: what there is already.
 RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, RemeshResult result,
+                                       std::optional<RemeshResult> with_strong,
                                        const RemeshOptions& options) {
   const std::string harm =
       "with " + std::to_string(result.crease_curves) + " curves kept " +
       (result.type.ok() ? "angles would be useless" : "the remesh would be of another type");
-  const auto attempt = [&](const RemeshOptions& fewer, const FeatureChoice& choice) {
-    if (interrupted(options)) return false;
-    std::optional<RemeshResult> other =
-        unless_interrupted(options, [&] { return remesh_sheets(surface, choice, fewer); });
+  const auto take_if_better = [&](std::optional<RemeshResult> other) {
     if (!other || !other->type.ok() || !is_better(*other, result)) return false;
     result = std::move(*other);
     return true;
   };
+  const auto attempt = [&](const RemeshOptions& fewer, const FeatureChoice& choice) {
+    if (interrupted(options)) return false;
+    return take_if_better(unless_interrupted(options, [&] { return remesh_sheets(surface, choice, fewer); }));
+  };
   RemeshOptions fewer = options;
   fewer.strong_creases_only = true;
   const FeatureChoice strong = chosen_features(surface, fewer);
-  if (!strong.given_up.empty() && !strong.features.curves.empty()) attempt(fewer, strong);
+  if (with_strong)
+    take_if_better(std::move(with_strong));
+  else if (!strong.given_up.empty() && !strong.features.curves.empty())
+    attempt(fewer, strong);
   if (!is_useless(result)) return result;
   RemeshOptions without = options;
   without.features->crease_angle = without.features->weak_crease_angle = 180;
@@ -404,16 +411,40 @@ RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, RemeshResul
   return result;
 }
 
-/// Creases that nobody asked for are kept unless that alone does harm.
+/// Whether there are creases without room for triangles between, and smaller ones there are no help.
+bool has_creases_without_room(const geom::TriMesh& surface, const FeatureChoice& all,
+                              const RemeshOptions& options) {
+  if (!options.features || !options.features->yielding || options.method != Method::fpo ||
+      options.strong_creases_only || all.features.curves.empty())
+    return false;
+  const SeenCurves seen = seen_curves(surface, all.features, even_spacing(surface, options));
+  return !weakest_curves(seen, {.only_crowded = true}).empty() &&
+         !helpful_narrow_surface(surface, all.features, part_sizing(surface, all.features, options), options);
+}
+
+/// Creases that nobody asked for are kept unless that alone does harm. Where they have no room, those that
+/// have are tried first.
 RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const RemeshOptions& options) {
-  RemeshResult result = remesh_sheets(surface, chosen_features(surface, options), options);
+  const FeatureChoice all = chosen_features(surface, options);
+  std::optional<RemeshResult> with_strong;
+  if (has_creases_without_room(surface, all, options)) {
+    RemeshOptions fewer = options;
+    fewer.strong_creases_only = true;
+    const FeatureChoice strong = chosen_features(surface, fewer);
+    if (!strong.given_up.empty() && !strong.features.curves.empty()) {
+      with_strong = remesh_sheets(surface, strong, fewer);
+      if (has_wanted_angles(*with_strong) || interrupted(options)) return std::move(*with_strong);
+    }
+  }
+  RemeshResult result = remesh_sheets(surface, all, options);
   if (result.crease_curves == 0 || !options.features->yielding || options.method != Method::fpo ||
-      result.stood_in || interrupted(options) || !geom::topology(surface).manifold() || is_useful(result))
+      result.stood_in || interrupted(options) || !geom::topology(surface).manifold() ||
+      has_wanted_angles(result))
     return result;
   const bool has_few_on_curves = 2 * result.feature_samples < options.num_samples;
   const bool has_other_ways = may_be_smoothed(options) && is_folded(surface);
   if (is_hopeless(result) && (has_few_on_curves || has_other_ways)) return result;
-  return remesh_with_fewer_creases(surface, std::move(result), options);
+  return remesh_with_fewer_creases(surface, std::move(result), std::move(with_strong), options);
 }
 
 RemeshResult remesh_smoothed(const geom::TriMesh& surface, const RemeshOptions& options) {
