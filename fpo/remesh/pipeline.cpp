@@ -411,35 +411,40 @@ RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, RemeshResul
   return result;
 }
 
-/// Whether there are creases without room for triangles between, and smaller ones there are no help.
-bool has_creases_without_room(const geom::TriMesh& surface, const FeatureChoice& all,
-                              const RemeshOptions& options) {
+/// Whether there are creases without room for triangles between, if nobody asked for them.
+bool has_crowded_creases(const geom::TriMesh& surface, const Features& features,
+                         const RemeshOptions& options) {
   if (!options.features || !options.features->yielding || options.method != Method::fpo ||
-      options.strong_creases_only || all.features.curves.empty())
+      options.strong_creases_only || features.curves.empty())
     return false;
-  const SeenCurves seen = seen_curves(surface, all.features, even_spacing(surface, options));
-  return !weakest_curves(seen, {.only_crowded = true}).empty() &&
-         !helpful_narrow_surface(surface, all.features, part_sizing(surface, all.features, options), options);
+  const SeenCurves seen = seen_curves(surface, features, even_spacing(surface, options));
+  return !weakest_curves(seen, {.only_crowded = true}).empty();
+}
+
+/// With those creases alone that have room, if there are some, and smaller triangles between are no help.
+std::optional<RemeshResult> remesh_with_room(const geom::TriMesh& surface, const Features& all,
+                                             const RemeshOptions& options) {
+  if (helpful_narrow_surface(surface, all, part_sizing(surface, all, options), options)) return {};
+  RemeshOptions fewer = options;
+  fewer.strong_creases_only = true;
+  const FeatureChoice strong = chosen_features(surface, fewer);
+  if (strong.given_up.empty() || strong.features.curves.empty()) return {};
+  return remesh_sheets(surface, strong, fewer);
 }
 
 /// Creases that nobody asked for are kept unless that alone does harm. Where they have no room, those that
 /// have are tried first.
 RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const RemeshOptions& options) {
   const FeatureChoice all = chosen_features(surface, options);
+  const bool crowded = has_crowded_creases(surface, all.features, options);
   std::optional<RemeshResult> with_strong;
-  if (has_creases_without_room(surface, all, options)) {
-    RemeshOptions fewer = options;
-    fewer.strong_creases_only = true;
-    const FeatureChoice strong = chosen_features(surface, fewer);
-    if (!strong.given_up.empty() && !strong.features.curves.empty()) {
-      with_strong = remesh_sheets(surface, strong, fewer);
-      if (has_wanted_angles(*with_strong) || interrupted(options)) return std::move(*with_strong);
-    }
-  }
+  if (crowded) with_strong = remesh_with_room(surface, all.features, options);
+  if (with_strong && (has_wanted_angles(*with_strong) || interrupted(options)))
+    return std::move(*with_strong);
   RemeshResult result = remesh_sheets(surface, all, options);
   if (result.crease_curves == 0 || !options.features->yielding || options.method != Method::fpo ||
       result.stood_in || interrupted(options) || !geom::topology(surface).manifold() ||
-      has_wanted_angles(result))
+      has_wanted_angles(result) || (is_useful(result) && !crowded))
     return result;
   const bool has_few_on_curves = 2 * result.feature_samples < options.num_samples;
   const bool has_other_ways = may_be_smoothed(options) && is_folded(surface);
