@@ -33,6 +33,7 @@ namespace {
 constexpr std::size_t least_fidelity_moves = 2000;
 constexpr std::size_t moves_to_come_closer = 20;    // a sample, if it is asked for
 constexpr double most_far = 1.0 / 12;               // of the triangles, if it is not
+constexpr double smallest_beside_curves = 1.0 / 3;  // in spacings: wanted length
 constexpr std::size_t looks_a_move = 20;            // of the optimization, then: about a quarter of its time
 constexpr std::array<double, 2> softer = {0.3, 1};  // least lengths in even spacings, where n is too small
 
@@ -421,10 +422,13 @@ bool has_crowded_creases(const geom::TriMesh& surface, const Features& features,
   return !weakest_curves(seen, {.only_crowded = true}).empty();
 }
 
-/// With those creases alone that have room, if there are some, and smaller triangles between are no help.
+/// With those creases alone that have room, if there are some, and smaller triangles between are no help or
+/// would be smaller than a third of the spacing.
 std::optional<RemeshResult> remesh_with_room(const geom::TriMesh& surface, const Features& all,
                                              const RemeshOptions& options) {
-  if (helpful_narrow_surface(surface, all, part_sizing(surface, all, options), options)) return {};
+  const auto narrow = helpful_narrow_surface(surface, all, part_sizing(surface, all, options), options);
+  if (narrow && std::ranges::min(narrow->lengths) >= smallest_beside_curves * even_spacing(surface, options))
+    return {};
   RemeshOptions fewer = options;
   fewer.strong_creases_only = true;
   const FeatureChoice strong = chosen_features(surface, fewer);
