@@ -28,11 +28,14 @@ bool has_angles(const RemeshResult& r, double least) {
 
 }  // namespace
 
+bool has_wanted_angles(const RemeshResult& r) {
+  return r.broken_feature_edges == 0 && has_angles(r, small_angle);
+}
+
 bool is_fine(const RemeshResult& r) {
   const std::size_t few = r.feature_edges == 0 ? r.mesh.num_vertices() / samples_for_one_mended : 0;
   if (r.finish.recovered_edges > 0 || r.finish.last_angles.mended > few) return false;
-  return r.type.ok() && r.broken_feature_edges == 0 &&
-         r.measures.theta_min >= std::min(small_angle, by_chords * r.corner_angle);
+  return has_wanted_angles(r);
 }
 
 bool is_useful(const RemeshResult& r) { return has_angles(r, useless_angle); }

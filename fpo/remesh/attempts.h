@@ -7,8 +7,11 @@
 namespace fpo {
 
 /// Of the input's type, with all edges of curves, and no angle below 30 degrees or, if that is less, the
-/// smallest between features of the input, and nothing mended on the mesh for that (without features one
-/// flip or move in a thousand samples may be: no sheets are to blame for it): nothing else is tried.
+/// smallest between features of the input.
+bool has_wanted_angles(const RemeshResult& result);
+
+/// The same with nothing mended on the mesh for it (without features one flip or move in a thousand samples
+/// may be: no sheets are to blame for it): nothing else is tried.
 bool is_fine(const RemeshResult& result);
 
 /// Of the input's type, and no angle below 10 degrees or, if all edges of curves are there, the smallest

@@ -7,6 +7,7 @@
 
 #include "fpo/features/corner_angles.h"
 #include "fpo/features/curve_slides.h"
+#include "fpo/features/weak_curves.h"
 #include "fpo/interruption.h"
 #include "fpo/remesh/attempts.h"
 #include "fpo/remesh/distribution.h"
@@ -20,7 +21,9 @@
 #include "fpo/remesh/remesh_task.h"
 #include "fpo/remesh/stand_in.h"
 #include "fpo/remesh/stand_in_remesh.h"
+#include "fpo/remesh/start.h"
 #include "fpo/remesh/unit_box.h"
+#include "fpo/surface/near_sheets.h"
 #include "fpo/surface/sheet_levels.h"
 #include "geom/check.h"
 
@@ -30,6 +33,7 @@ namespace {
 constexpr std::size_t least_fidelity_moves = 2000;
 constexpr std::size_t moves_to_come_closer = 20;    // a sample, if it is asked for
 constexpr double most_far = 1.0 / 12;               // of the triangles, if it is not
+constexpr double smallest_beside_curves = 1.0 / 3;  // in spacings: wanted length
 constexpr std::size_t looks_a_move = 20;            // of the optimization, then: about a quarter of its time
 constexpr std::array<double, 2> softer = {0.3, 1};  // least lengths in even spacings, where n is too small
 
@@ -53,10 +57,22 @@ AngleOptions angle_options(const RemeshOptions& options) {
   return angles;
 }
 
+/// Whether sheets that are left to us are near each other on so much of the surface that they are set apart at
+/// once: together, they would keep cells from being simple in most moves.
+bool is_mostly_near_itself(const RemeshTask& task, const SharedSizing& shared, const RemeshOptions& options) {
+  constexpr double most = 0.25;
+  if (options.sheets != Sheets::automatic || options.method != Method::fpo || task.start || !options.mend)
+    return false;
+  const auto samples = initial_samples(task.surface(), shared, options.num_samples, options.seed);
+  return share_on_near_sheets(task.surface(), shared.sizing, samples, SheetOptions().near) > most &&
+         !has_needles(task.surface(), options.num_samples, even_spacing(task.input, options));
+}
+
 /// The surface with its sheets apart, if it has some that are near each other and that is wanted.
 std::optional<SplitSurface> surface_apart(const RemeshTask& task, SharedSizing& shared,
                                           const RemeshOptions& options) {
-  if (options.sheets != Sheets::apart || facts_of(options.method).distribute) return {};
+  if (facts_of(options.method).distribute) return {};
+  if (options.sheets != Sheets::apart && !is_mostly_near_itself(task, shared, options)) return {};
   return sheets_apart(task.surface(), shared.sizing, shared.features.samples);
 }
 
@@ -98,8 +114,8 @@ void prove_edges(SurfaceDomain& domain, const Improvement& how, const RemeshOpti
 bool comes_closer_by_itself(const SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options,
                             const RemeshResult& result) {
   return options.closer == Closer::automatic && options.method == Method::fpo &&
-         domain.sizing().is_uniform() && how.shared.features.samples.empty() &&
-         options.sheets != Sheets::apart && result.thin_parts.faults_before == 0;
+         domain.sizing().is_uniform() && how.shared.features.samples.empty() && !domain.mesh().has_levels() &&
+         result.thin_parts.faults_before == 0;
 }
 
 void come_nearer(SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options,
@@ -243,7 +259,7 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   auto distributed = std::make_unique<SurfaceDomain>(
       coarse ? settled_samples(surface, shared, *coarse, options, result)
              : distributed_samples(surface, shared, task.start, options, result));
-  const bool may_part = options.sheets == Sheets::automatic && !task.start;
+  const bool may_part = options.sheets == Sheets::automatic && !task.start && !apart;
   std::unique_ptr<SurfaceDomain> samples =
       with_room(std::move(distributed), shared, type, options, result, may_part);
   if (may_part && result.thin_parts.faults_before > 0) {
@@ -307,8 +323,8 @@ bool has_only_samples(const RemeshResult& result) {
   return result.mesh.num_facets() == 0 && !result.samples.empty();
 }
 
-/// Sheets that are left to us are together unless that does harm and being apart helps. Samples of close
-/// curves face each other if edges of curves are lost else.
+/// Sheets that are left to us are together unless they are near each other nearly everywhere, or that does
+/// harm and being apart helps. Samples of close curves face each other if edges of curves are lost else.
 RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& choice,
                            const RemeshOptions& options) {
   RemeshResult best = remesh_with(surface, choice, options);
@@ -330,6 +346,12 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
   if (options.sheets != Sheets::automatic || options.method != Method::fpo || is_fine(best) ||
       best.stood_in || is_remnant(best.mesh))  // all of this was tried on what stood in
     return best;
+  const bool parted_at_once = best.has_levels && !parted;
+  if (parted_at_once && !is_useful(best) && !interrupted(options)) {
+    std::optional<RemeshResult> other =
+        unless_interrupted(options, [&] { return remesh_with(surface, choice, together); });
+    if (other && is_better(*other, best)) best = std::move(*other);
+  }
   if (is_hopeless(best) || !geom::topology(surface).manifold()) return best;
   const auto attempt = [&](const RemeshOptions& otherwise, bool only_apart, bool anew = false) {
     if (interrupted(options)) return;
@@ -338,7 +360,7 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
     if (!other || (only_apart && !other->has_levels)) return;
     if (is_better(*other, best)) best = std::move(*other);
   };
-  if (!parted && !is_in_ruins(best)) attempt(with_levels, true);
+  if (!parted && !parted_at_once && !is_in_ruins(best)) attempt(with_levels, true);
   if (best.broken_feature_edges > 0) {
     RemeshOptions facing = options;
     facing.facing_samples = true;
@@ -358,24 +380,30 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
   return best;
 }
 
-/// Only the strongest creases, if that is of use where all of them are not; else none.
+/// Only the strongest creases, if that is of more use than all of them; if all are useless perhaps none.
+/// `with_strong`: what there is already.
 RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, RemeshResult result,
+                                       std::optional<RemeshResult> with_strong,
                                        const RemeshOptions& options) {
   const std::string harm =
       "with " + std::to_string(result.crease_curves) + " curves kept " +
       (result.type.ok() ? "angles would be useless" : "the remesh would be of another type");
-  const auto attempt = [&](const RemeshOptions& fewer, const FeatureChoice& choice) {
-    if (interrupted(options)) return false;
-    std::optional<RemeshResult> other =
-        unless_interrupted(options, [&] { return remesh_sheets(surface, choice, fewer); });
+  const auto take_if_better = [&](std::optional<RemeshResult> other) {
     if (!other || !other->type.ok() || !is_better(*other, result)) return false;
     result = std::move(*other);
     return true;
   };
+  const auto attempt = [&](const RemeshOptions& fewer, const FeatureChoice& choice) {
+    if (interrupted(options)) return false;
+    return take_if_better(unless_interrupted(options, [&] { return remesh_sheets(surface, choice, fewer); }));
+  };
   RemeshOptions fewer = options;
   fewer.strong_creases_only = true;
   const FeatureChoice strong = chosen_features(surface, fewer);
-  if (!strong.given_up.empty() && !strong.features.curves.empty()) attempt(fewer, strong);
+  if (with_strong)
+    take_if_better(std::move(with_strong));
+  else if (!strong.given_up.empty() && !strong.features.curves.empty())
+    attempt(fewer, strong);
   if (!is_useless(result)) return result;
   RemeshOptions without = options;
   without.features->crease_angle = without.features->weak_crease_angle = 180;
@@ -384,16 +412,48 @@ RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, RemeshResul
   return result;
 }
 
-/// Creases that nobody asked for are kept unless that alone does harm.
+/// Whether there are creases without room for triangles between, if nobody asked for them.
+bool has_crowded_creases(const geom::TriMesh& surface, const Features& features,
+                         const RemeshOptions& options) {
+  if (!options.features || !options.features->yielding || options.method != Method::fpo ||
+      options.strong_creases_only || features.curves.empty())
+    return false;
+  const SeenCurves seen = seen_curves(surface, features, even_spacing(surface, options));
+  return !weakest_curves(seen, {.only_crowded = true}).empty();
+}
+
+/// With those creases alone that have room, if there are some, and smaller triangles between are no help or
+/// would be smaller than a third of the spacing.
+std::optional<RemeshResult> remesh_with_room(const geom::TriMesh& surface, const Features& all,
+                                             const RemeshOptions& options) {
+  const auto narrow = helpful_narrow_surface(surface, all, part_sizing(surface, all, options), options);
+  if (narrow && std::ranges::min(narrow->lengths) >= smallest_beside_curves * even_spacing(surface, options))
+    return {};
+  RemeshOptions fewer = options;
+  fewer.strong_creases_only = true;
+  const FeatureChoice strong = chosen_features(surface, fewer);
+  if (strong.given_up.empty() || strong.features.curves.empty()) return {};
+  return remesh_sheets(surface, strong, fewer);
+}
+
+/// Creases that nobody asked for are kept unless that alone does harm. Where they have no room, those that
+/// have are tried first.
 RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const RemeshOptions& options) {
-  RemeshResult result = remesh_sheets(surface, chosen_features(surface, options), options);
+  const FeatureChoice all = chosen_features(surface, options);
+  const bool crowded = has_crowded_creases(surface, all.features, options);
+  std::optional<RemeshResult> with_strong;
+  if (crowded) with_strong = remesh_with_room(surface, all.features, options);
+  if (with_strong && (has_wanted_angles(*with_strong) || interrupted(options)))
+    return std::move(*with_strong);
+  RemeshResult result = remesh_sheets(surface, all, options);
   if (result.crease_curves == 0 || !options.features->yielding || options.method != Method::fpo ||
-      result.stood_in || interrupted(options) || !geom::topology(surface).manifold() || is_useful(result))
+      result.stood_in || interrupted(options) || !geom::topology(surface).manifold() ||
+      has_wanted_angles(result) || (is_useful(result) && !crowded))
     return result;
   const bool has_few_on_curves = 2 * result.feature_samples < options.num_samples;
   const bool has_other_ways = may_be_smoothed(options) && is_folded(surface);
   if (is_hopeless(result) && (has_few_on_curves || has_other_ways)) return result;
-  return remesh_with_fewer_creases(surface, std::move(result), options);
+  return remesh_with_fewer_creases(surface, std::move(result), std::move(with_strong), options);
 }
 
 RemeshResult remesh_smoothed(const geom::TriMesh& surface, const RemeshOptions& options) {

@@ -29,7 +29,8 @@
 namespace fpo {
 
 /// Sheets nearer to each other than samples: as the paper's diagram has them, apart (sheet_levels.h), or
-/// apart if without that the remesh is of another type or has angles below 30 degrees, and it helps.
+/// apart if they are most of the surface (near_sheets.h), or if without that the remesh is of another type or
+/// has angles below 30 degrees, and it helps.
 enum class Sheets { together, apart, automatic };
 
 /// Whether the remesh is brought closer to the surface than fidelity.h brings it (closeness.h), paid for with

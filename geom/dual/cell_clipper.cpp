@@ -17,19 +17,38 @@ double CellClipper::clip(SiteId p, CellPieces& out) {
   return clip(p, state_.reach[p], around_, out);
 }
 
-// What is left after some sites is more than the cell. So whoever takes anything of it is found by the bound
-// of the power on what is left; but when that is more than the cell is known to have, it pays to look less
-// far first.
 double CellClipper::clip(SiteId p, double power, std::span<const SiteId> around, CellPieces& out) {
   out.clear();
   const double radius = state_.distance_at(power, p);
   if (!(radius > 0)) return -infinity;
+  begin(p, around);
+  near_.clear();
+  state_.facets.near(state_.sites[p].position, radius, near_);
+  return clip_near(p, power, radius, out);
+}
+
+bool CellClipper::has_part_of(FacetId t, SiteId p) {
+  part_.clear();
+  const double power = state_.reach[p], radius = state_.distance_at(power, p);
+  if (!(radius > 0)) return false;
+  begin(p, {});
+  near_.assign(1, t);
+  return clip_near(p, power, radius, part_) > -infinity;
+}
+
+/// No sites are considered but these.
+void CellClipper::begin(SiteId p, std::span<const SiteId> around) {
   if (stamp_of_.size() < state_.sites.size()) stamp_of_.resize(state_.sites.size(), 0);
   stamp_of_[p] = ++stamp_;
   others_.clear();
   consider(p, around);
-  near_.clear();
-  state_.facets.near(state_.sites[p].position, radius, near_);
+}
+
+// What is left after some sites is more than the cell. So whoever takes anything of it is found by the bound
+// of the power on what is left; but when that is more than the cell is known to have, it pays to look less
+// far first.
+/// The cell on the facets near_.
+double CellClipper::clip_near(SiteId p, double power, double radius, CellPieces& out) {
   for (const FacetId t : near_)
     if (state_.clipper.comes_near(t, state_.sites[p].position, radius) &&
         state_.clipper.levels().gap(t, state_.sites[p].level) <= radius && cut(t, p, {}, 0))

@@ -48,6 +48,8 @@ class CellClipper {
   double clip(SiteId p, double power, std::span<const SiteId> around, CellPieces& out);
   /// The same, with what is known of a cell whose circles are right.
   double clip(SiteId p, CellPieces& out);
+  /// Whether the cell of p has a part of that facet.
+  bool has_part_of(FacetId t, SiteId p);
 
  private:
   struct Other {
@@ -55,6 +57,8 @@ class CellClipper {
     Bisector bisector;
   };
 
+  void begin(SiteId p, std::span<const SiteId> around);
+  double clip_near(SiteId p, double power, double radius, CellPieces& out);
   void consider(SiteId p, std::span<const SiteId> sites);
   double find_others(SiteId p, double power);
   bool cut(FacetId t, SiteId p, std::span<const PolygonCorner> corners, std::size_t first);
@@ -70,7 +74,7 @@ class CellClipper {
   std::uint32_t stamp_ = 0;
   FacetPolygon polygon_;
   LazyPolygon lazy_;
-  CellPieces spare_;
+  CellPieces spare_, part_;
   std::vector<FacetId> near_;
   std::vector<SiteId> candidates_, around_;
   std::vector<char> beaten_;

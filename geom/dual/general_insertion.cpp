@@ -73,11 +73,16 @@ void GeneralInsertion::find_circles(SiteId p) {
   std::ranges::sort(found_, circle_before);
 }
 
-/// Rivals that have no circle any more: p may have hidden them.
+/// Rivals that have no circle any more: p may have hidden them. Not those that have a part of a facet still:
+/// one is looked at, for cells that go round a horn have hundreds, and no circle for long.
 void GeneralInsertion::find_hidden() {
-  for (const SiteId j : rivals_)
-    if (state_.circles.of_site(j).empty() && state_.reach[j] > -infinity)
-      state_.reach.set(j, clipper_.clip(j, spare_));
+  part_of_.resize(state_.sites.size());
+  for (const SiteId j : rivals_) {
+    if (!state_.circles.of_site(j).empty() || !(state_.reach[j] > -infinity)) continue;
+    if (part_of_[j].valid() && clipper_.has_part_of(part_of_[j], j)) continue;
+    state_.reach.set(j, clipper_.clip(j, spare_));
+    part_of_[j] = spare_.pieces.empty() ? FacetId() : spare_.pieces[spare_.pieces.size() / 2].facet;
+  }
 }
 
 }  // namespace geom

@@ -37,6 +37,7 @@ class GeneralInsertion {
   std::vector<EmptyCircle> found_;
   std::vector<SiteId> rivals_, around_;
   std::vector<CircleId> beaten_;
+  Table<SiteId, FacetId> part_of_;  ///< where such a cell was last seen that has no circle
 };
 
 }  // namespace geom

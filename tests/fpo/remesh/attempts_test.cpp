@@ -61,6 +61,11 @@ TEST_CASE("attempts: fine is what has it all; corners or lost edges alone leave 
   CHECK(is_fine(noisy));
   noisy.finish.last_angles.mended = noisy.mesh.num_vertices();
   CHECK(!is_fine(noisy));
+  CHECK(has_wanted_angles(noisy));  // whatever was mended for it
+  noisy.measures.theta_min = 29.9;
+  CHECK(!has_wanted_angles(noisy));
+  CHECK(!has_wanted_angles(measured(true, 31, 1)));
+  CHECK(!has_wanted_angles(measured(false, 31, 0)));
   CHECK(is_useful(measured(true, 12, 50)));
   CHECK(!is_useful(measured(true, 2, 1)));
   CHECK(!is_useful(measured(false, 40, 0)));

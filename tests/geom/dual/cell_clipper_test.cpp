@@ -26,7 +26,9 @@ std::vector<EdgeLabel> labels_of(std::span<const PolygonCorner> corners) {
 
 }  // namespace
 
-TEST_CASE("cell clipper: a cell has the polygons of the divided facets, whoever is said to be around") {
+TEST_CASE(
+    "cell clipper: a cell has the polygons of the divided facets, whoever is said to be around, each by "
+    "itself") {
   std::vector<fixtures::NamedSurface> all = fixtures::hard_surfaces();
   for (fixtures::NamedSurface& s : fixtures::surfaces()) all.push_back(std::move(s));
   for (const auto& surface : all)
@@ -58,6 +60,13 @@ TEST_CASE("cell clipper: a cell has the polygons of the divided facets, whoever 
           if (s != SiteId(i) && std::ranges::find(around, s) == around.end()) around.push_back(s);
         }
         CHECK(clipper.clip(SiteId(i), reach + (i % 3 == 0 ? 1 : 0), around, cell) == reach);
+        state.reach.set(SiteId(i), reach);
+        for (int k = 0; k < 20; ++k) {
+          const FacetId t(static_cast<std::size_t>(rng.below(surface.mesh.num_facets())));
+          CHECK(clipper.has_part_of(t, SiteId(i)) ==
+                std::ranges::any_of(expected[i], [&](const FacetPolygon& f) { return f.facet == t; }));
+        }
+        for (const FacetPolygon& polygon : expected[i]) CHECK(clipper.has_part_of(polygon.facet, SiteId(i)));
         REQUIRE(cell.pieces.size() == expected[i].size());
         std::ranges::sort(cell.pieces, {}, &CellPieces::Piece::facet);
         for (std::size_t k = 0; k < cell.pieces.size(); ++k) {
