@@ -62,7 +62,7 @@ void CircleHeap::refill() {
   if (scratch_.size() >= few) {
     const auto nth = scratch_.begin() + static_cast<std::ptrdiff_t>(scratch_.size() / share);
     std::ranges::nth_element(scratch_, nth, std::greater<>(), &Heap::Entry::key);
-    bar_ = nth->key;
+    if (nth->key < none) bar_ = nth->key;
   }
   heap_ = Heap(Order{&dual_});
   for (const auto& [key, c] : scratch_)

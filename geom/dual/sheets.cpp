@@ -41,6 +41,18 @@ double distance2(const Vec3& x, const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
+Sheets::Sheets(const TriMesh& mesh, const FacetTree& facets, const FacetBalls& balls)
+    : mesh_(mesh), facets_(facets), balls_(balls), stamp_of_(mesh.num_facets(), 0) {
+  normal_of_.reserve(mesh.num_facets());
+  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
+    const Vec3 ab = mesh.corner(t, 1) - mesh.corner(t, 0), ac = mesh.corner(t, 2) - mesh.corner(t, 0),
+               n = ab.cross(ac);
+    const double length2 = n.squaredNorm();
+    const bool is_needle = !(length2 > 1e-16 * ab.squaredNorm() * ac.squaredNorm());
+    normal_of_.push_back(is_needle ? Vec3(0, 0, 0) : Vec3(n / std::sqrt(length2)));
+  }
+}
+
 const Sheet* Sheets::around(SiteId site, const Location3& at, double distance) {
   const Vec3& x = at.position;
   if (site.index() >= of_site_.size()) of_site_.resize(site.index() + 1);
@@ -93,23 +105,35 @@ Sheet Sheets::sheet_among_gathered(const Location3& center, double radius) {
   return place;
 }
 
+/// What the ball about the facet says; a little more may count as within.
+Sheets::Within Sheets::compare(FacetId t, const Vec3& center, double radius) const {
+  const double own = balls_.radius(t), beyond = (radius + own) * ample, short_of = radius - own;
+  const double distance2 = (balls_.middle(t) - center).squaredNorm();
+  if (distance2 > beyond * beyond) return Within::no;
+  return short_of > 0 && distance2 <= short_of * short_of ? Within::whole : Within::partly;
+}
+
 /// Sets near_ and normals_, of the facets that were gathered. False: no sheet.
 bool Sheets::keep_near(const Location3& center, double radius) {
   const double limit2 = radius * radius * ample;
+  const FacetLevels& levels = balls_.levels();
   near_.clear();
   normals_.clear();
   for (const FacetId t : gathered_) {
-    const Vec3 a = mesh_.corner(t, 0) - center.position, b = mesh_.corner(t, 1) - center.position,
-               c = mesh_.corner(t, 2) - center.position;
-    const Vec3 ab = b - a, ac = c - a, n = ab.cross(ac);
-    if (!comes_within(limit2, a, b, c, n) || levels_.gap(t, center.level) > radius * ample) continue;
-    if (!levels_.is_flat_at(t, center.level)) return false;
-    const double length2 = n.squaredNorm();
-    if (!(length2 > 1e-16 * ab.squaredNorm() * ac.squaredNorm()))
-      return false;  // a needle: its normal is off by more than 1e-7
-    normals_.push_back(n / std::sqrt(length2));
-    if (normals_.back().dot(normals_.front()) < 0)
-      return false;  // more than 45 degrees from any axis, one of them
+    const Within within = compare(t, center.position, radius);
+    if (within == Within::no) continue;
+    if (within == Within::partly) {
+      const Vec3 a = mesh_.corner(t, 0) - center.position, b = mesh_.corner(t, 1) - center.position,
+                 c = mesh_.corner(t, 2) - center.position;
+      if (!comes_within(limit2, a, b, c, (b - a).cross(c - a))) continue;
+    }
+    if (!levels.empty()) {
+      if (levels.gap(t, center.level) > radius * ample) continue;
+      if (!levels.is_flat_at(t, center.level)) return false;
+    }
+    const Vec3& n = normal_of_[t];
+    normals_.push_back(n);
+    if (!(n.dot(normals_.front()) > 0)) return false;  // a needle, or more than 45 degrees from any axis
     near_.push_back(t);
   }
   return !normals_.empty();
@@ -144,33 +168,36 @@ void Sheets::find_slopes(Sheet& sheet, double radius) {
   const Vec3 &m = sheet.axis, across = std::abs(m.x()) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
   Vec3 u = across.cross(m).normalized(), v = m.cross(u);
   double uu = 0, uv = 0, vv = 0;
+  gradients_.clear();
   for (const Vec3& n : normals_) {
-    const double x = n.dot(u), y = n.dot(v), z2 = 1 / (n.dot(m) * n.dot(m));
-    uu += x * x * z2;
-    uv += x * y * z2;
-    vv += y * y * z2;
+    const double z = 1 / n.dot(m), x = n.dot(u) * z, y = n.dot(v) * z;
+    gradients_.emplace_back(x, y);
+    uu += x * x;
+    uv += x * y;
+    vv += y * y;
   }
   const double angle = 0.5 * std::atan2(2 * uv, uu - vv);  // of the gradients, the most along u
-  sheet.u = std::cos(angle) * u + std::sin(angle) * v;
-  const Vec3 w = m.cross(sheet.u);
-  sheet.slope_u = sheet.slope_v = sheet.slope = sheet.height = 0;
-  for (std::size_t i = 0; i < normals_.size(); ++i) {
-    const Vec3& n = normals_[i];
-    const double z = 1 / n.dot(m), x = n.dot(sheet.u) * z, y = n.dot(w) * z, slope = std::sqrt(x * x + y * y);
-    sheet.slope_u = std::max(sheet.slope_u, std::abs(x));
-    sheet.slope_v = std::max(sheet.slope_v, std::abs(y));
-    sheet.slope = std::max(sheet.slope, slope);
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (int k = 0; k < 3; ++k) {
-      const double height = (mesh_.corner(near_[i], k) - sheet.center).dot(m);
-      low = std::min(low, height);
-      high = std::max(high, height);
-    }
-    const double middle =
-        (mesh_.corner(near_[i], 0) - sheet.center).dot(n) * z;  // of its plane, above the center
-    sheet.height = std::max(
-        {sheet.height, std::min(high, middle + slope * radius), -std::max(low, middle - slope * radius)});
+  const double cosine = std::cos(angle), sine = std::sin(angle);
+  sheet.u = cosine * u + sine * v;
+  double most_u = 0, most_v = 0, most2 = 0, most_height = 0;
+  for (std::size_t i = 0; i < near_.size(); ++i) {
+    const double x = gradients_[i].x(), y = gradients_[i].y(), slope2 = x * x + y * y;
+    most_u = std::max(most_u, std::abs(cosine * x + sine * y));
+    most_v = std::max(most_v, std::abs(cosine * y - sine * x));
+    most2 = std::max(most2, slope2);
+    // In its plane the facet is in a ball about the foot of its middle; the plane rises by `slope` at most.
+    const Vec3 &n = normals_[i], middle = balls_.middle(near_[i]) - sheet.center,
+               corner = mesh_.corner(near_[i], 0) - sheet.center;
+    const double slope = std::sqrt(slope2), rise = slope * balls_.radius(near_[i]), up = n.dot(m);
+    const double plane = corner.dot(n) / up;  // above the center
+    const double foot = middle.dot(m) - (middle - corner).dot(n) * up;
+    most_height = std::max({most_height, std::min(foot + rise, plane + slope * radius),
+                            -std::max(foot - rise, plane - slope * radius)});
   }
+  sheet.slope_u = most_u;
+  sheet.slope_v = most_v;
+  sheet.slope = std::sqrt(most2);
+  sheet.height = most_height;
   for (double* value : {&sheet.slope_u, &sheet.slope_v, &sheet.slope}) *value = ample * *value + 1e-9;
   sheet.height = ample * sheet.height + 1e-9 * radius;
   sheet.width = sheet.height < radius ? std::sqrt(radius * radius - sheet.height * sheet.height) / ample : -1;
@@ -195,10 +222,11 @@ bool Sheets::hangs_together(const Vec3& center, double radius) {
     const FacetId t = stack_.back();
     stack_.pop_back();
     ++count;
+    const bool is_whole = compare(t, center, radius) == Within::whole;
     for (int e = 0; e < 3; ++e) {
       const FacetId across = mesh_.across(t, e);
       const bool is_reached = across.valid() && stamp_of_[across] == 2 * stamp_ + 1;
-      if (is_reached || !meets_ball(t, e)) continue;
+      if (is_reached || !(is_whole || meets_ball(t, e))) continue;
       if (!across.valid()) return false;
       if (stamp_of_[across] == 2 * stamp_) reach(across);
     }

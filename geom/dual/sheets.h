@@ -43,8 +43,8 @@
 #include <vector>
 
 #include "geom/mesh/facet_tree.h"
-#include "geom/mesh/levels.h"
 #include "geom/mesh/trimesh.h"
+#include "geom/power/facet_balls.h"
 
 namespace geom {
 
@@ -73,8 +73,7 @@ struct Sheet {
 class Sheets {
  public:
   /// Keeps references.
-  Sheets(const TriMesh& mesh, const FacetTree& facets, const FacetLevels& levels)
-      : mesh_(mesh), facets_(facets), levels_(levels), stamp_of_(mesh.num_facets(), 0) {}
+  Sheets(const TriMesh& mesh, const FacetTree& facets, const FacetBalls& balls);
 
   /// A sheet that covers that distance about the place of the site, on the surface; null if there is none, or
   /// was none when the site was nearly there. Valid until the next call.
@@ -106,16 +105,20 @@ class Sheets {
   };
   Sheet sheet_among_gathered(const Location3& center, double radius);
   bool keep_near(const Location3& center, double radius);
+  enum class Within { no, partly, whole };
+  Within compare(FacetId t, const Vec3& center, double radius) const;
   bool find_axis(Sheet& sheet) const;
   void find_slopes(Sheet& sheet, double radius);
   bool hangs_together(const Vec3& center, double radius);
 
   const TriMesh& mesh_;
   const FacetTree& facets_;
-  const FacetLevels& levels_;
+  const FacetBalls& balls_;
+  Table<FacetId, Vec3> normal_of_;  ///< units; 0 of needles, whose normals are not known within 1e-7
   Table<SiteId, OfSite> of_site_;
   std::vector<FacetId> gathered_, near_, stack_;  // workspaces
   std::vector<Vec3> normals_;
+  std::vector<Vec2> gradients_;
   Table<FacetId, std::uint32_t> stamp_of_;
   std::uint32_t stamp_ = 0;
 };

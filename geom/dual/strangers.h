@@ -2,6 +2,7 @@
 // The sites around one that moves, its neighbours left out: who else may own what it leaves, or lose
 // something to it.
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -55,8 +56,8 @@ class Strangers {
   Vec3 around_{0, 0, 0};  ///< what was last asked for is that near to this
   double within_ = infinity;
   std::vector<Stranger> kept_;
-  Table<SiteId, std::uint32_t> mark_;  ///< of the rim and p: how often keep_near() was called
-  std::uint32_t calls_ = 0;
+  Table<SiteId, std::uint64_t> mark_;  ///< of the rim and p: how often keep_near() was called
+  std::uint64_t calls_ = 0;
 };
 
 }  // namespace geom

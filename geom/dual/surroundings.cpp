@@ -7,7 +7,7 @@ namespace geom {
 Surroundings::Surroundings(DualState& whole)
     : state(whole),
       vertices(whole.mesh, frame),
-      sheets(whole.mesh, whole.facets, whole.clipper.levels()),
+      sheets(whole.mesh, whole.facets, whole.clipper.facets()),
       strangers(whole),
       flood(whole.mesh, vertices) {}
 
@@ -56,12 +56,14 @@ bool Surroundings::is_flood_level() const {
   return true;
 }
 
+/// Circles may be off: each end by as much, and their distance by twice that.
 double Surroundings::power_along(const WeightedPoint3& own, const Vec3& from, const Vec3& to,
                                  double steepest) const {
+  const double off = 2 * state.clipper.most_tolerance();
   const double far =
-      std::sqrt(std::max((from - own.position).squaredNorm(), (to - own.position).squaredNorm()));
-  const double most = farthest_on_edge(far, (to - from).norm(), steepest);
-  return most <= margin::stretch * far ? with_tolerance(most * most) - own.weight : infinity;
+      std::sqrt(std::max((from - own.position).squaredNorm(), (to - own.position).squaredNorm())) + off;
+  const double most = farthest_on_edge(far, (to - from).norm() + 2 * off, steepest);
+  return most <= margin::stretch * far ? most * most * (1 + 1e-6) - own.weight : infinity;
 }
 
 /// Across one edge of the surface tracing is cheaper than the chart's bound.
