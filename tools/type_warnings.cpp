@@ -16,13 +16,19 @@ std::size_t rounded_up(std::size_t count) {
 }
 
 constexpr std::size_t most_for_kept_edges = 2;  // times as many as there are
+constexpr std::size_t most_for_type = 3;        // times as many as keep all edges, if most are missing
 
 }  // namespace
 
 std::size_t enough_samples(const fpo::RemeshResult& result) {
   const std::size_t n = result.samples.size(), kept_from = result.feature_bound.samples;
   std::size_t enough = kept_from > n ? kept_from : 0;
-  if (!result.advice.places.empty()) enough = std::max(enough, rounded_up(result.advice.samples));
+  if (!result.advice.places.empty()) {
+    std::size_t for_type = result.advice.samples;
+    if (kept_from > n && 2 * result.broken_feature_edges > result.feature_edges)
+      for_type = std::min(for_type, most_for_type * kept_from);
+    enough = std::max(enough, rounded_up(for_type));
+  }
   if (result.broken_feature_edges == 0 || kept_from > n) return enough;
   std::size_t for_edges = result.edge_advice.samples;
   if (kept_from > 0) for_edges = std::min(for_edges, most_for_kept_edges * n);

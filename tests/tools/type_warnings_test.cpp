@@ -37,6 +37,10 @@ TEST_CASE("type warnings: all lines tell the same number of samples") {
 
 TEST_CASE("type warnings: the edges that are missing count where it is not known what keeps them") {
   fpo::RemeshResult result = spoilt_remesh();
+  result.advice.samples = 18000;  // most edges are missing, and 1145 keep all
+  CHECK(tools::enough_samples(result) == 3500);
+  result.broken_feature_edges = 300;
+  CHECK(tools::enough_samples(result) == 18000);
   result.advice.samples = 900;
   CHECK(tools::enough_samples(result) == 1145);
   result.feature_bound.samples = 400;  // and yet some are missing
