@@ -1,5 +1,6 @@
 #include "tools/type_warnings.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "tools/feature_words.h"
@@ -14,13 +15,35 @@ std::size_t rounded_up(std::size_t count) {
   return static_cast<std::size_t>(std::ceil(static_cast<double>(count) / unit) * unit);
 }
 
+constexpr std::size_t most_for_kept_edges = 2;  // times as many as there are
+constexpr std::size_t most_for_type = 3;        // times as many as keep all edges, if most are missing
+
+}  // namespace
+
+std::size_t enough_samples(const fpo::RemeshResult& result) {
+  const std::size_t n = result.samples.size(), kept_from = result.feature_bound.samples;
+  std::size_t enough = kept_from > n ? kept_from : 0;
+  if (!result.advice.places.empty()) {
+    std::size_t for_type = result.advice.samples;
+    if (kept_from > n && 2 * result.broken_feature_edges > result.feature_edges)
+      for_type = std::min(for_type, most_for_type * kept_from);
+    enough = std::max(enough, rounded_up(for_type));
+  }
+  if (result.broken_feature_edges == 0 || kept_from > n) return enough;
+  std::size_t for_edges = result.edge_advice.samples;
+  if (kept_from > 0) for_edges = std::min(for_edges, most_for_kept_edges * n);
+  return std::max(enough, rounded_up(for_edges));
+}
+
+namespace {
+
 std::string what_to_do(const fpo::RemeshResult& result, const fpo::RemeshOptions& options) {
   const fpo::TypeAdvice& advice = result.advice;
   if (advice.places.empty()) return {};
   const geom::Vec3& first = advice.places.front();
   std::string text = worded("%zu place%s at fault, the first at (%.6g, %.6g, %.6g); try -n %zu or --at-least",
                             advice.places.size(), advice.places.size() == 1 ? "" : "s", first.x(), first.y(),
-                            first.z(), rounded_up(advice.samples));
+                            first.z(), enough_samples(result));
   if (options.sizing == fpo::SizingKind::uniform) text += ", or --sizing lfs";
   return text;
 }
@@ -44,7 +67,7 @@ void add_small_angles(const fpo::RemeshResult& result, std::vector<std::string>&
     line += worded("; between creases of the input the smallest is %.1f", result.corner_angle);
   if (result.feature_bound.samples > result.samples.size())
     line += worded("; %s, from about -n %zu on that does not matter", feature_need(result.feature_bound.need),
-                   result.feature_bound.samples);
+                   enough_samples(result));
   lines.push_back(line);
 }
 
@@ -80,7 +103,7 @@ std::vector<std::string> shape_warnings(const fpo::RemeshResult& result) {
         "%zu of %zu feature edges are no edges of the remesh, the first at (%.6g, %.6g, %.6g): curves are "
         "closer there than samples; about -n %zu would do",
         result.broken_feature_edges, result.feature_edges, result.edge_advice.first.x(),
-        result.edge_advice.first.y(), result.edge_advice.first.z(), rounded_up(result.edge_advice.samples)));
+        result.edge_advice.first.y(), result.edge_advice.first.z(), enough_samples(result)));
   return lines;
 }
 

@@ -361,11 +361,16 @@ std::vector<double> staggered_places(const Layout& layout, const Staggered& pair
   return places;
 }
 
-/// Where on each stretch its samples are.
-std::vector<std::vector<double>> places_along(const Layout& layout, std::span<const std::size_t> edges,
-                                              std::uint64_t seed) {
+/// Where on each stretch its samples are, and how many stretches are staggered.
+struct PlacesAlong {
+  std::vector<std::vector<double>> of;
+  std::size_t staggered = 0;
+};
+
+PlacesAlong places_along(const Layout& layout, std::span<const std::size_t> edges, std::uint64_t seed) {
   const Shells shells(layout, edges);
-  std::vector<std::vector<double>> places;
+  PlacesAlong result;
+  std::vector<std::vector<double>>& places = result.of;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const Stretch& s = layout.stretches()[i];
     places.push_back(spread(s.length, !s.from.valid(), edges[i] - (s.from.valid() ? 1 : 0), seed + i));
@@ -374,9 +379,11 @@ std::vector<std::vector<double>> places_along(const Layout& layout, std::span<co
   for (const Staggered& pair : layout.staggered()) {
     if (!layout.is_staggered(pair, edges)) continue;
     std::vector<double> opposite = staggered_places(layout, pair, places[pair.leading]);
-    if (!opposite.empty()) places[pair.staggered] = std::move(opposite);
+    if (opposite.empty()) continue;
+    places[pair.staggered] = std::move(opposite);
+    ++result.staggered;
   }
-  return places;
+  return result;
 }
 
 /// The least stretching, in steps, with which the features take no more than `most` samples.
@@ -420,8 +427,9 @@ FeatureSamples sample_features(const TriMesh& mesh, const Features& features,
   if (layout.num_samples(layout.edges(std::numeric_limits<double>::infinity())) > options.most)
     layout.stagger({});  // it takes a sample more a curve
   const std::vector<std::size_t> edges = affordable_edges(layout, options.most);
-  const std::vector<std::vector<double>> places = places_along(layout, edges, options.seed);
-  FeatureSamples result{layout.samples(), {}, layout.missing_shares(), layout.samples().size()};
+  const PlacesAlong places = places_along(layout, edges, options.seed);
+  FeatureSamples result{
+      layout.samples(), {}, layout.missing_shares(), layout.samples().size(), places.staggered};
   result.chains.resize(features.curves.size());
   ChainPlaces chain_places(features.curves.size());
   for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -430,7 +438,7 @@ FeatureSamples sample_features(const TriMesh& mesh, const Features& features,
     std::vector<SiteId>& chain = result.chains[s.curve];
     std::vector<double>& on_chain = chain_places[s.curve];
     if (s.from.valid() && chain.empty()) chain.push_back(s.from), on_chain.push_back(s.start);
-    for (const double t : places[i]) {
+    for (const double t : places.of[i]) {
       chain.emplace_back(result.samples.size()), on_chain.push_back(s.start + t);
       result.samples.push_back(
           metric.at(s.start + t < metric.length() ? s.start + t : s.start + t - metric.length()));
@@ -449,7 +457,7 @@ SharedSizing share_sizing(const TriMesh& mesh, const Features& features, std::sp
   constexpr int rounds = 4;
   const std::size_t n = sampling.most;
   std::vector<FacingPair> pairs;
-  if (!features.curves.empty() && !sampling.facing)
+  if (!features.curves.empty() && sampling.staggered && !sampling.facing)
     pairs = facing_pairs(mesh, features, narrow_places(mesh, features, hexagonal_spacing(mesh.area(), n)));
   sampling.pairs = pairs;
   std::size_t wanted = n;

@@ -26,7 +26,8 @@ struct FeatureSamples {
   /// By how much the samples' shares of the surface fall short of those of as many inner samples: half a
   /// share for each on a border, nothing for one on a crease.
   double missing_shares = 0;
-  std::size_t num_given = 0;  ///< the user's points and corners: the first ones, which never move
+  std::size_t num_given = 0;         ///< the user's points and corners: the first ones, which never move
+  std::size_t staggered_curves = 0;  ///< whose samples are opposite to the middles of another's edges
 };
 
 /// Points on a surface as samples, their positions kept exactly. Throws InputError, naming the point, if one
@@ -38,6 +39,7 @@ struct CurveSampling {
   std::uint64_t seed = 1;
   std::span<const FacingPair> pairs = {};  ///< of the features, to be staggered (facing_curves.h)
   bool facing = false;                     ///< samples of close curves face each other (facing_samples.h)
+  bool staggered = true;                   ///< share_sizing() finds pairs, unless samples face each other
 };
 
 /// Samples all features, with about the spacing that the sizing wants, but not more than `most` samples in
@@ -65,7 +67,7 @@ struct SharedSizing {
 
 /// Finds it for exactly n samples. `sizing_for` gives the sizing that calls for so many inner samples; it is
 /// asked for n and the shares that feature samples leave to the others, again until that is steady: two or
-/// three times. `sampling`: n is the most; pairs are found here, unless samples face each other.
+/// three times. `sampling`: n is the most; pairs are found here, if they are to be.
 SharedSizing share_sizing(const geom::TriMesh& mesh, const Features& features,
                           std::span<const SurfaceSample> fixed,
                           const std::function<Sizing(std::size_t)>& sizing_for, CurveSampling sampling);

@@ -54,6 +54,10 @@ bool is_in_ruins(const RemeshResult& r) {
   return !r.type.ok() && r.thin_parts.faults_after * samples_for_one_fault > r.samples.size();
 }
 
+bool is_undone_by_staggering(const RemeshResult& r) {
+  return r.staggered_curves > 0 && (!r.type.ok() || 2 * r.broken_feature_edges > r.feature_edges);
+}
+
 bool is_better(const RemeshResult& a, const RemeshResult& b) { return rank(a) > rank(b); }
 
 }  // namespace fpo

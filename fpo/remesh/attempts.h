@@ -1,6 +1,6 @@
 #pragma once
 // Which of several remeshes of one surface is kept, where there are ways to choose from: sheets together or
-// apart, samples of close curves facing each other or not, creases kept or not.
+// apart, samples of close curves facing each other or staggered or not, creases kept or not.
 
 #include "fpo/remesh/pipeline.h"
 
@@ -30,6 +30,10 @@ bool is_hopeless(const RemeshResult& result);
 /// Of another type with more than a tenth of the samples at fault, even after room was made for them: no
 /// other sheets or lengths are tried with the same curves. Samples that face each other may help still.
 bool is_in_ruins(const RemeshResult& result);
+
+/// Of another type, or without most edges of curves, where samples of some are opposite to the middles of
+/// another's edges (facing_curves.h): perhaps better without that, which takes fewer samples.
+bool is_undone_by_staggering(const RemeshResult& result);
 
 /// First by the type. Then by the smallest angle, up to 30 degrees, in units of that, less ten times the
 /// share of edges of curves that are lost: a tenth of the edges weighs as much as all angles. Then by the

@@ -198,6 +198,7 @@ void take(Dual dual, RemeshResult& result) {
 
 void tell_of_features(const RemeshTask& task, const SharedSizing& shared, RemeshResult& result) {
   result.feature_samples = shared.features.samples.size();
+  result.staggered_curves = shared.features.staggered_curves;
   result.feature_edges = num_edges(shared.features);
   result.corner_angle = smallest_corner_angle(task.surface(), task.features);
   for (std::size_t c = 0; c < task.features.curves.size(); ++c)
@@ -325,8 +326,8 @@ bool has_only_samples(const RemeshResult& result) {
 
 /// Sheets that are left to us are together unless they are near each other nearly everywhere, or that does
 /// harm and being apart helps. Samples of close curves face each other if edges of curves are lost else.
-RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& choice,
-                           const RemeshOptions& options) {
+RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoice& choice,
+                                const RemeshOptions& options) {
   RemeshResult best = remesh_with(surface, choice, options);
   RemeshOptions together = options, with_levels = options;
   together.sheets = Sheets::together;
@@ -377,6 +378,21 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
     attempt(even, false, true);
     if (best.type.ok()) best.least_length = least;
   }
+  return best;
+}
+
+/// The same, and once more without staggered samples where these may have spoilt it; the better one.
+RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& choice,
+                           const RemeshOptions& options) {
+  RemeshResult best = remesh_with_sheets(surface, choice, options);
+  if (!is_undone_by_staggering(best) || options.sheets != Sheets::automatic || best.stood_in ||
+      interrupted(options))
+    return best;
+  RemeshOptions side_by_side = options;
+  side_by_side.staggered_samples = false;
+  std::optional<RemeshResult> other =
+      unless_interrupted(options, [&] { return remesh_with_sheets(surface, choice, side_by_side); });
+  if (other && is_better(*other, best)) best = std::move(*other);
   return best;
 }
 

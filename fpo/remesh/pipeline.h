@@ -60,7 +60,9 @@ struct RemeshOptions {
   std::size_t tile_samples = 0;  ///< in a tile (tiled_optimize.h), if there are more; 0: no tiles
   int threads = 1;               ///< no matter to the result
   Sheets sheets = Sheets::automatic;
-  bool facing_samples = false;   ///< of close curves (facing_samples.h); tried if `sheets` is automatic
+  bool facing_samples = false;  ///< of close curves (facing_samples.h); tried if `sheets` is automatic
+  /// Where curves face each other all along (facing_curves.h); tried without if `sheets` is automatic.
+  bool staggered_samples = true;
   bool mend = true;              ///< bring samples to where the remesh is no surface, or of another type
   bool optimize_angles = true;   ///< afterwards (section 5)
   AngleOptions angles;           ///< wanted then; its interruption is overruled
@@ -79,8 +81,9 @@ struct RemeshResult {
   SizingFit fit;                       ///< of the mesh's edges to them
   double least_length = 0;  ///< in even spacings, if n is too small for the lengths asked for; 0: they hold
   bool has_levels = false;  ///< sheets were near, and are set apart
-  std::size_t feature_samples = 0;  ///< fixed points, corners and samples on curves
-  std::size_t feature_edges = 0;    ///< between neighbours on curves
+  std::size_t feature_samples = 0;   ///< fixed points, corners and samples on curves
+  std::size_t staggered_curves = 0;  ///< opposite to the middles of another's edges
+  std::size_t feature_edges = 0;     ///< between neighbours on curves
   /// Of these, those that are in the diagram because a ball is empty (proven_edges.h). Not counted (0) where
   /// sheets are apart.
   std::size_t proven_edges = 0;

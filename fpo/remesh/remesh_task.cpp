@@ -58,9 +58,9 @@ SharedSizing sizing_and_features(const RemeshTask& task, const RemeshOptions& op
     if (!task.narrow) return task.plain(n);
     return fit_sizing_to_curves(task.input, task.plain(n), *task.narrow, n).sizing;
   };
-  SharedSizing shared =
-      share_sizing(task.surface(), task.features, points_on_surface(task.surface(), options.fixed),
-                   sizing_for, {options.num_samples, options.seed, {}, options.facing_samples});
+  SharedSizing shared = share_sizing(
+      task.surface(), task.features, points_on_surface(task.surface(), options.fixed), sizing_for,
+      {options.num_samples, options.seed, {}, options.facing_samples, options.staggered_samples});
   const ThinPartOptions thin;
   // Of lengths that were given none is changed.
   if (options.mend && options.method == Method::fpo && options.sizing != SizingKind::given) {

@@ -99,3 +99,16 @@ TEST_CASE("facing curves: where edges are as short as the strip is wide nothing 
   for (std::size_t i = 0; i < plain.samples.size(); ++i)
     CHECK(plain.samples[i].position == samples.samples[i].position);
 }
+
+TEST_CASE(
+    "facing curves: samples are staggered unless that is not wanted, and it is said of how many curves") {
+  const TriMesh slab = fixtures::box(Vec3(1, 1, 0.05), 8);
+  const Features features = find_features(slab);
+  const auto sizing = [](std::size_t) { return Sizing::uniform(0.15); };
+  CurveSampling sampling{66};
+  CHECK(share_sizing(slab, features, {}, sizing, sampling).features.staggered_curves == 4);
+  sampling.staggered = false;
+  CHECK(share_sizing(slab, features, {}, sizing, sampling).features.staggered_curves == 0);
+  sampling.staggered = sampling.facing = true;
+  CHECK(share_sizing(slab, features, {}, sizing, sampling).features.staggered_curves == 0);
+}

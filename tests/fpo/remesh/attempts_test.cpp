@@ -101,3 +101,27 @@ TEST_CASE("attempts: in ruins is what is at fault at more than every tenth sampl
   result.type.bare_samples = 0;
   CHECK(!is_in_ruins(result));
 }
+
+TEST_CASE("attempts: without staggered samples it is tried if the type is wrong or most edges are lost") {
+  RemeshResult result = measured(false, 30, 0);
+  CHECK(!is_undone_by_staggering(result));
+  result.staggered_curves = 1;
+  CHECK(is_undone_by_staggering(result));
+  result = measured(true, 30, 101);
+  CHECK(!is_undone_by_staggering(result));
+  result.staggered_curves = 1;
+  CHECK(is_undone_by_staggering(result));
+  result.broken_feature_edges = 100;
+  CHECK(!is_undone_by_staggering(result));
+}
+
+TEST_CASE("attempts: a comb is of its type where staggered samples spoil it") {
+  RemeshOptions options = default_options(1100, SizingKind::uniform);
+  options.improve_fidelity = false;
+  const RemeshResult result = remesh(geom::make_shape("comb"), options);
+  CHECK(result.type.ok());
+  CHECK(result.staggered_curves == 0);
+  CHECK(result.crease_curves == 144);
+  CHECK(result.broken_feature_edges == 0);
+  CHECK(result.mesh.num_vertices() == 1100);
+}

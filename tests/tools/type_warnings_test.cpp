@@ -1,0 +1,54 @@
+#include "tools/type_warnings.h"
+
+#include "doctest.h"
+
+namespace {
+
+fpo::RemeshResult spoilt_remesh() {
+  fpo::RemeshResult result;
+  result.samples.resize(500);
+  result.type.bare_samples = 24;
+  result.advice.places.resize(63);
+  result.advice.samples = 2600;
+  result.measures.angles_below_30 = 744;
+  result.feature_bound = {1145, fpo::FeatureNeed::close_curves};
+  result.feature_edges = 600;
+  result.broken_feature_edges = 444;
+  result.edge_advice.samples = 16800;
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("type warnings: all lines tell the same number of samples") {
+  const fpo::RemeshResult result = spoilt_remesh();
+  std::vector<std::string> lines = tools::type_warnings({}, result, {});
+  for (const std::string& line : tools::shape_warnings(result)) lines.push_back(line);
+  std::size_t told = 0;
+  for (const std::string& line : lines) {
+    CAPTURE(line);
+    const std::size_t at = line.find("-n ");
+    if (at == std::string::npos) continue;
+    ++told;
+    CHECK(line.compare(at, 8, "-n 2600 ") == 0);
+  }
+  CHECK(told == 3);
+}
+
+TEST_CASE("type warnings: the edges that are missing count where it is not known what keeps them") {
+  fpo::RemeshResult result = spoilt_remesh();
+  result.advice.samples = 18000;  // most edges are missing, and 1145 keep all
+  CHECK(tools::enough_samples(result) == 3500);
+  result.broken_feature_edges = 300;
+  CHECK(tools::enough_samples(result) == 18000);
+  result.advice.samples = 900;
+  CHECK(tools::enough_samples(result) == 1145);
+  result.feature_bound.samples = 400;  // and yet some are missing
+  CHECK(tools::enough_samples(result) == 1000);
+  result.feature_bound.samples = 0;
+  CHECK(tools::enough_samples(result) == 17000);
+  result.broken_feature_edges = 0;
+  CHECK(tools::enough_samples(result) == 900);
+  result.advice = {};
+  CHECK(tools::enough_samples(result) == 0);
+}
