@@ -57,8 +57,8 @@ AngleOptions angle_options(const RemeshOptions& options) {
   return angles;
 }
 
-/// Whether sheets that are left to us are near each other on so much of the surface that they are set apart at
-/// once: together, they would keep cells from being simple in most moves.
+/// Whether sheets that are left to us are near each other on so much of the surface that they are set apart
+/// at once: together, they would keep cells from being simple in most moves.
 bool is_mostly_near_itself(const RemeshTask& task, const SharedSizing& shared, const RemeshOptions& options) {
   constexpr double most = 0.25;
   if (options.sheets != Sheets::automatic || options.method != Method::fpo || task.start || !options.mend)

@@ -36,8 +36,8 @@ class CornerCircles {
   EmptyCircle circle_of(const std::array<SiteId, 3>& sites, FacetId facet, const RoundedPoint& place) const;
   /// A circle as a corner of the cell of its first site. `tolerance`: of its center.
   CellCorner corner_of(const EmptyCircle& circle, double tolerance) const;
-  /// Center and radius2 of a circle in the facet that touches the site. The corner is rounded; a site may come
-  /// to the center: not outside of the facet's box, hence the mesh's.
+  /// Center and radius2 of a circle in the facet that touches the site. The corner is rounded; a site may
+  /// come to the center: not outside of the facet's box, hence the mesh's.
   struct Place {
     Vec3 center;
     double radius2;

@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t most_facets = 32;
 
-/// A vertex of the surface from the left site, and by how much that is nearer than the right one: c - 2 d.y, with
-/// the error of frame.h.
+/// A vertex of the surface from the left site, and by how much that is nearer than the right one: c - 2 d.y,
+/// with the error of frame.h.
 struct Seen {
   VertexId id;
   Vec3 y;
@@ -51,8 +51,8 @@ Vec3 between(const Seen& u, const Seen& v) {
           u.y[2] + share * (v.y[2] - u.y[2])};
 }
 
-/// The edge by which the first facet is left: along its border the left site becomes the nearer one there, from
-/// u to v. Mostly it leads to the last facet. None: not certain.
+/// The edge by which the first facet is left: along its border the left site becomes the nearer one there,
+/// from u to v. Mostly it leads to the last facet. None: not certain.
 int first_way_out(const TriMesh& mesh, const View& view, const TracedEdge& edge, Seen& u, Seen& v) {
   const TriMesh::Facet& corners = mesh.facet(edge.from);
   const auto at = [&](int i) { return view.at(corners[static_cast<std::size_t>(i < 3 ? i : i - 3)]); };
@@ -71,8 +71,8 @@ int first_way_out(const TriMesh& mesh, const View& view, const TracedEdge& edge,
 
 }  // namespace
 
-// It leaves a facet where the left site becomes the nearer one, from u to v. Across, the edge runs from v to u,
-// and the third corner w tells which of the two others is next.
+// It leaves a facet where the left site becomes the nearer one, from u to v. Across, the edge runs from v to
+// u, and the third corner w tells which of the two others is next.
 TracedEdge::Extent extent_of_edge(const TriMesh& mesh, const WeightedPoint3& left,
                                   const WeightedPoint3& right, const TracedEdge& edge) {
   const TracedEdge::Extent unknown{std::numeric_limits<double>::infinity(), Vec3(0, 0, 0)};

@@ -43,8 +43,8 @@ struct Surroundings {
   const WeightedPoint3& site() const { return state.sites[p]; }
   /// That of the rim.
   const WeightedPoint3& site(int j) const { return state.sites[rim[j]]; }
-  /// A bound of the power, to that site, along an edge of its cell between these circles with slopes of at most
-  /// `steepest` (chart.h). Infinite if a closer look is worth while.
+  /// A bound of the power, to that site, along an edge of its cell between these circles with slopes of at
+  /// most `steepest` (chart.h). Infinite if a closer look is worth while.
   double power_along(const WeightedPoint3& own, const Vec3& from, const Vec3& to, double steepest) const;
   /// A bound of the squared distance where circles may be off.
   double with_tolerance(double distance2) const {
@@ -60,9 +60,9 @@ struct Surroundings {
   /// A bound, squared, of how far an edge of the diagram comes from one of its sites: by the chart, if that
   /// is enough, else from facet to facet.
   double farthest2(const Edge& edge, double enough) const;
-  /// Have the strangers nothing beside edges of the chart at whose ends they are farther (chart.h), nor of what
-  /// these surround: the cells of the first so many of the chart's sites from that one on? All that is spoken
-  /// of is that near to the frame's origin.
+  /// Have the strangers nothing beside edges of the chart at whose ends they are farther (chart.h), nor of
+  /// what these surround: the cells of the first so many of the chart's sites from that one on? All that is
+  /// spoken of is that near to the frame's origin.
   struct Division {
     std::span<const Chart::Edge> edges;
     int first, count;

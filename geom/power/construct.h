@@ -60,8 +60,8 @@ struct LinearForm {
   double error;
 };
 
-/// The bisectors of p0 with two others, side by side in the lanes of one register, where all three have the same
-/// level: the bits are those of bisector().
+/// The bisectors of p0 with two others, side by side in the lanes of one register, where all three have the
+/// same level: the bits are those of bisector().
 struct BisectorPair {
   using Two = Eigen::Array2d;
   Two x, y, z, offset, error;

@@ -81,7 +81,7 @@ TEST_CASE("losses: each part that is said to hang together with a beaten circle 
       for (const SiteId s : scene.present)
         if (!before.is_simple(s)) scene.state.set_shape(s, geom::CellShape::irregular);
       const FacetTree facets(mesh, facets_along_curve(mesh));
-      Sheets sheets(mesh, facets, scene.state.clipper.levels());
+      Sheets sheets(mesh, facets, scene.state.clipper.facets());
       Losses losses(scene.state, sheets);
       for (const Placed& x : std::span(samples).subspan(n)) {
         scene.state.admit(p, x.point);
@@ -118,7 +118,7 @@ void check_island(const TriMesh& mesh, std::vector<Placed> samples, const Weight
   REQUIRE(before.is_simple(s));
   REQUIRE(LossesParts(scene, before, s, comer).have_circles() == std::vector<bool>{false});
   const FacetTree facets(mesh, facets_along_curve(mesh));
-  Sheets sheets(mesh, facets, scene.state.clipper.levels());
+  Sheets sheets(mesh, facets, scene.state.clipper.facets());
   REQUIRE(sheets.around(s, scene.state.sites[s].position, scene.state.distance_at(scene.state.reach[s], s)));
   CHECK(!Losses(scene.state, sheets).hang_together(s, {comer, p, p}, {}));
 }
