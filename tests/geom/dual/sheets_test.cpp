@@ -46,14 +46,14 @@ int sheets_crossings(const TriMesh& mesh, const Vec3& x, const Sheet& sheet, dou
     }
     if (sum == 0) continue;
     double least = 1;
-    Vec3 hit(0, 0, 0);
+    Vec3 hit(0, 0, 0);  // from the center: far off, places themselves are too coarse
     for (int i = 0; i < 3; ++i) {
       least = std::min(least, weight[i] / sum);
-      hit += weight[i] / sum * mesh.corner(t, i);
+      hit += weight[i] / sum * (mesh.corner(t, i) - center);
     }
-    if (least < -1e-9 || (hit - center).norm() > radius * (1 + 1e-9)) continue;
+    if (least < -1e-9 || hit.norm() > radius * (1 + 1e-9)) continue;
     if (least < 1e-9) return -1;
-    CHECK(std::abs((hit - center).dot(axis)) <= sheet.height);
+    CHECK(std::abs(hit.dot(axis)) <= sheet.height);
     ++count;
   }
   return count;
