@@ -28,8 +28,10 @@ struct Toll {
 /// Uniformly distributed: a random unit quaternion.
 Frame random_frame(geom::Rng& rng) {
   for (;;) {
-    const Eigen::Quaterniond q(rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1),
-                               rng.uniform(-1, 1));
+    // Drawn one after the other: the order of arguments is the compiler's choice.
+    const double z = rng.uniform(-1, 1), y = rng.uniform(-1, 1), x = rng.uniform(-1, 1),
+                 w = rng.uniform(-1, 1);
+    const Eigen::Quaterniond q(w, x, y, z);
     if (q.squaredNorm() > 0.01 && q.squaredNorm() < 1) return q.normalized().toRotationMatrix();
   }
 }
