@@ -155,6 +155,7 @@ void print_way(const geom::DualWays& before, const geom::DualWays& after) {
     if (times > 0) std::printf(" %s", name);
   };
   print("in place", after.in_place - before.in_place);
+  print("with-leeway", after.with_leeway - before.with_leeway);
   print("fast-removal", after.fast_removals - before.fast_removals);
   print("general-removal", after.general_removals - before.general_removals);
   print("fast-insertion", after.fast_insertions - before.fast_insertions);

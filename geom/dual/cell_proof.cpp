@@ -22,6 +22,11 @@ bool CellProof::prove_new(const Place& place) {
 
 bool CellProof::prove_inserted(const Place& place) {
   if (may_beat_unreached()) return false;
+  if (around_.leeway) {
+    if (prove_with_leeway(place.old)) return true;
+    around_.leeway = nullptr;
+    if (beats_outer_circle()) return false;
+  }
   DualState& state = around_.state;
   const Vec3& position = around_.site().position;
   reach_ = power_bound_at_corners();
@@ -45,6 +50,42 @@ bool CellProof::prove_inserted(const Place& place) {
   if (is_all_near) find_far_rivals(own);
   const double near = std::max({own, place.least_distance, state.distance_at(reach_, around_.p)});
   return single_.is_all(reach_, distance_to_search(near, place.old));
+}
+
+/// The hole was proven with this leeway.
+bool CellProof::prove_with_leeway(const WeightedPoint3& old) {
+  DualState& state = around_.state;
+  const Rim& rim = around_.rim;
+  const WeightedPoint3& site = around_.site();
+  const double room = around_.room_around(site.position);
+  if (!around_.leeway->allows(site.position)) return false;
+  double own2 = 0;
+  arcs_.clear();
+  const double corner2 = power_bound_at_corners() + site.weight;
+  const double stretch = farthest_on_edge(1, infinity, around_.leeway->steepest);
+  if (stretch <= margin::stretch) {
+    own2 = corner2 * stretch * stretch;
+    arcs_.assign(static_cast<std::size_t>(rim.size()), own2 - site.weight);
+  }
+  for (int j = 0; stretch > margin::stretch && j < rim.size(); ++j) {
+    const Corner &from = corners_[static_cast<std::size_t>(rim.previous(j))],
+                 &to = corners_[static_cast<std::size_t>(j)];
+    const double far2 = around_.farthest2_with_leeway(
+        j, {from.facet, to.facet, from.point.position, to.point.position}, room / margin::more);
+    arcs_.push_back(far2 - site.weight);
+    own2 = std::max(own2, far2);
+  }
+  reach_ = own2 - site.weight;
+  const double own = state.distance_at(reach_, around_.p);
+  const auto is_proven = [&](const Corner& corner) { return around_.are_kept_beyond(corner.point, site); };
+  if (!(own <= room) || !around_.has_one_component(own) || !std::ranges::all_of(corners_, is_proven))
+    return false;
+  const double near = around_.leeway->near;
+  if (state.distance_at(std::max(reach_, state.reach.largest()), around_.p) > near) {
+    find_far_rivals(own);
+    if (distance_to_search(near, old) > near) return false;
+  }
+  return around_.on_sheet = true;
 }
 
 bool CellProof::prove_present() {
@@ -71,6 +112,7 @@ bool CellProof::find_corners() {
   const int p = around_.self;
   if (p == Frame::none) around_.see_rim();
   corners_.clear();
+  const int most_near = p == Frame::none ? 2 : 3;  // p is counted if it is in the frame
   Frame::Values values;
   for (int j = 0; j < rim.size(); ++j) {
     const AxisPlace place =
@@ -78,10 +120,17 @@ bool CellProof::find_corners() {
     if (!place.facet.valid()) return false;
     const RoundedPoint& point = place.point;
     around_.frame.evaluate(point.position - around_.frame.origin().position, point.tolerance, values);
-    if (values.num_not_farther(p, rim.size()) > 2) return false;
+    if (values.num_not_farther(p) > most_near) return false;
     corners_.push_back({place.facet, point});
   }
   return true;
+}
+
+/// Does p beat a circle around the rim, perhaps?
+bool CellProof::beats_outer_circle() const {
+  return !std::ranges::all_of(around_.rim.outer_circles(), [&](CircleId c) {
+    return around_.state.lead_at(around_.state.circles[c], around_.site()).positive();
+  });
 }
 
 /// May p beat circles that are not reached? They would be of an irregular site.

@@ -31,6 +31,7 @@ class CellProof {
   };
   /// The cell that p gets there; the rim is known. If true, p is in the paper's oracle.
   bool prove_new(const Place& place);
+  bool beats_outer_circle() const;
   /// The cell that p has, from its star.
   bool prove_present();
 
@@ -42,6 +43,7 @@ class CellProof {
  private:
   bool find_corners();
   bool prove_inserted(const Place& place);
+  bool prove_with_leeway(const WeightedPoint3& old);
   bool may_beat_unreached();
   double power_bound_at_corners();
   void find_far_rivals(double distance);

@@ -121,6 +121,7 @@ const DualChange& DualUpdates::move(SiteId p, const WeightedPoint3& point, Facet
   } else {
     if (!target.circle.valid() && fast_.move_in_place(target.planned, point, change_)) {
       ++ways_.in_place;
+      ways_.with_leeway += fast_.had_leeway();
       return change_;
     }
     ++ways_.fast_removals;

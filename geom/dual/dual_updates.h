@@ -14,8 +14,8 @@ namespace geom {
 
 /// How often which way was taken.
 struct DualWays {
-  std::size_t in_place = 0, fast_removals = 0, fast_insertions = 0, general_removals = 0,
-              general_insertions = 0;
+  std::size_t in_place = 0, with_leeway = 0;  ///< the latter of the former
+  std::size_t fast_removals = 0, fast_insertions = 0, general_removals = 0, general_insertions = 0;
 };
 
 /// One object serves all updates of a state.

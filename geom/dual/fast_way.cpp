@@ -24,7 +24,7 @@ void FastWay::remove(DualChange& change) {
   erase_inside(change);
   fill_hole(change);
   hole_.raise_reaches();
-  state_.search.leave(around_.p);
+  state_.leave(around_.p);
   state_.reach.forget(around_.p);
   name_rim(change);
 }
@@ -96,8 +96,7 @@ bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, Dua
 
 /// p is at its new place, but not in the search.
 bool FastWay::prove_in_place(FacetId home, const WeightedPoint3& old) {
-  for (const CircleId c : around_.rim.outer_circles())
-    if (!state_.lead_at(state_.circles[c], around_.site()).positive()) return false;
+  if (!around_.leeway && cell_.beats_outer_circle()) return false;
   hole_corners_.clear();
   for (const Flood::Corner& corner : around_.flood.corners())
     hole_corners_.push_back(
@@ -122,16 +121,13 @@ void FastWay::raise_reaches(const WeightedPoint3& old) {
     const CellProof::Corner& is = cell_.corners()[static_cast<std::size_t>(j)];
     const Vec3 &start = was.center, &end = is.point.position;
     const WeightedPoint3 &of_left = state_.sites[left], &of_right = state_.sites[right];
-    const double to_left = around_.power_along(of_left, start, end, hole_.steepest()),
-                 to_right = around_.power_along(of_right, start, end, hole_.steepest());
-    if (std::max(to_left, to_right) < infinity) {
-      state_.reach.raise(left, std::min(to_left, max_radius2()));
-      state_.reach.raise(right, std::min(to_right, max_radius2()));
-      continue;
+    double power = around_.power_along(of_left, start, end, hole_.steepest());  // to both
+    if (!(power < infinity)) {
+      const double far2 =
+          extent_of_edge(state_.mesh, of_left, of_right, {was.facet, is.facet, start, end}).far2;
+      power = around_.with_tolerance(far2) - of_left.weight;
     }
-    const double far2 =
-        extent_of_edge(state_.mesh, of_left, of_right, {was.facet, is.facet, start, end}).far2;
-    const double power = std::min(around_.with_tolerance(far2) - of_left.weight, max_radius2());
+    power = std::min(power, max_radius2());
     state_.reach.raise(left, power);
     state_.reach.raise(right, power);
   }
@@ -162,7 +158,7 @@ bool FastWay::insert(SiteId p, const WeightedPoint3& point, FacetId home, Circle
   if (!cell_.prove_new({home, point, std::sqrt(around_.with_tolerance(far2))})) return false;
   erase_inside(change);
   make_star(change);
-  state_.search.enter(p);
+  state_.enter(p);
   state_.home[p] = home;
   state_.reach.set(p, cell_.reach());
   state_.set_shape(p, CellShape::regular);

@@ -68,6 +68,9 @@ class FastWay {
   /// p, as planned, to the center of that circle, if its link stays what it is.
   bool move_in_place(std::size_t circle, const WeightedPoint3& point, DualChange& change);
 
+  /// Was that proven with leeway?
+  bool had_leeway() const { return around_.leeway; }
+
   /// p, which is out, to the center of an empty circle.
   bool insert(SiteId p, const WeightedPoint3& point, FacetId home, CircleId first, DualChange& change);
 

@@ -68,8 +68,9 @@ double Frame::error_at(const Vec3& twice_y) const {
 void Frame::evaluate(const Vec3& y, double off, Values& out) const {
   out.y = y;
   out.error = error_at(2 * y) + 2 * largest_ * off;
-  if (size_ <= 8)
-    fill<8>(of_, 2 * y, out.g);
+  out.size = size_;
+  if (size_ <= few)
+    fill<few>(of_, 2 * y, out.g);
   else
     fill<most>(of_, 2 * y, out.g);
   out.g[most] = 0;
@@ -85,8 +86,8 @@ bool Frame::is_behind(const Vec3& d, double c, const Vec3& center, double radius
     const double lead = base - (constant(first) - 2 * o.dot(center));
     if (lead * std::abs(lead) > limit2 * (d - o).squaredNorm()) return true;
   }
-  return size_ <= 8 ? is_behind_one_of<8>(of_, d, base, 2 * center, limit2)
-                    : is_behind_one_of<most>(of_, d, base, 2 * center, limit2);
+  return size_ <= few ? is_behind_one_of<few>(of_, d, base, 2 * center, limit2)
+                      : is_behind_one_of<most>(of_, d, base, 2 * center, limit2);
 }
 
 // The nearer of two is at most at the mean of their powers, which is affine, too: as that of a site whose d

@@ -40,6 +40,7 @@ namespace geom {
 class Frame {
  public:
   static constexpr int most = 16;  ///< sites, the origin left out
+  static constexpr int few = 8;    ///< they are mostly
 
   /// Starts anew, with no other site.
   void begin(const WeightedPoint3& origin);
@@ -55,15 +56,17 @@ class Frame {
   struct Values {
     Vec3 y;
     double error;
-    double g[most + 1];  ///< the last one is that of the origin: 0
+    int size;            ///< of the frame
+    double g[most + 1];  ///< of no site: very much; the last one is that of the origin: 0
     bool nearer(int i, int j) const {
       return g[at(j)] - g[at(i)] > 4 * error;
     }  ///< certainly, i is nearer than j
-    /// How many of the first so many sites are not certainly farther than site i.
-    int num_not_farther(int i, int count) const {
+    /// How many sites, it being one, are not certainly farther than site i, the origin left out.
+    int num_not_farther(int i) const {
       const double least = g[at(i)] + 4 * error;
       int number = 0;
-      for (int k = 0; k < count; ++k) number += !(g[at(k)] > least);
+      for (int k = 0; k < few; ++k) number += !(g[at(k)] > least);
+      for (int k = few; k < size; ++k) number += !(g[at(k)] > least);
       return number;
     }
     Sure difference(int i, int j) const { return {g[at(i)] - g[at(j)], 4 * error}; }

@@ -25,7 +25,7 @@ void GeneralInsertion::enter(SiteId p, const WeightedPoint3& point) {
                           : SiteId();
   state_.admit(p, point);
   if (state_.paper) state_.paper->insert(p, point, hint);
-  state_.search.enter(p);
+  state_.enter(p);
 }
 
 /// Whoever loses something to p is among the rivals. So no location of the new cell has more power than the

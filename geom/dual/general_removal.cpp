@@ -42,7 +42,7 @@ void GeneralRemoval::find_circles() {
 
 void GeneralRemoval::commit(DualChange& change) {
   if (state_.paper) state_.paper->remove(p_);
-  state_.search.leave(p_);
+  state_.leave(p_);
   for (const CircleId c : star_) {
     state_.circles.erase(c);
     change.circles_erased.push_back(c);

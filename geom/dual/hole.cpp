@@ -15,9 +15,10 @@ constexpr double tight = 1.2;  // a bound of the power in the cell, to that at i
 
 bool Hole::plan() {
   around_.see_rim();
-  around_.on_sheet = chart_star();
-  if (!triangles_.fill() || !prove()) return false;
-  is_on_sheet_ = around_.on_sheet;
+  around_.leeway = leeways_.find();
+  around_.on_sheet = !around_.leeway && chart_star();
+  if (!triangles_.fill() || !(prove_with_leeway() || prove())) return false;
+  is_on_sheet_ = around_.on_sheet || around_.leeway;
   circles_.clear();
   for (const Triangle& triangle : triangles()) {
     const auto& [a, b, c] = triangle.corners;
@@ -72,6 +73,36 @@ bool Hole::is_chart_simple() const {
   const DualState& state = around_.state;
   const double known = state.distance_at(state.reach[around_.p], around_.p);
   return around_.chart.is_simple(around_.rim.size(), edges_, known);
+}
+
+/// The same as prove(). Without success the leeway is forgotten.
+bool Hole::prove_with_leeway() {
+  if (!around_.leeway) return false;
+  const DualState& state = around_.state;
+  const WeightedPoint3& site = around_.site();
+  const Rim& rim = around_.rim;
+  steepest_ = around_.leeway->steepest;
+  reach_ = state.reach[around_.p];
+  const double room = around_.room_around(site.position) / margin::more;
+  if (state.distance_at(reach_, around_.p) > room) {
+    double own2 = 0;
+    for (int j = 0; j < rim.size(); ++j) {
+      const EmptyCircle &from = state.circles[rim.inner(rim.previous(j))], &to = state.circles[rim.inner(j)];
+      const TracedEdge arc{from.facet, to.facet, from.center, to.center};
+      own2 = std::max(own2, around_.farthest2_with_leeway(j, arc, room));
+    }
+    reach_ = std::min(reach_, own2 - site.weight);
+  }
+  const double own = state.distance_at(reach_, around_.p);
+  max_radius2_ = std::max(reach_, around_.leeway->power);
+  const auto is_proven = [&](const Triangle& t) {
+    return t.values.y.squaredNorm() <= own * own &&
+           around_.are_kept_beyond(t.point, around_.site(t.corners[0]));
+  };
+  if (own <= room && std::ranges::all_of(triangles(), is_proven)) return true;
+  around_.leeway = nullptr;
+  around_.on_sheet = chart_star();
+  return false;
 }
 
 /// Sets reach_ and max_radius2_ but for the circles.
@@ -207,15 +238,10 @@ void Hole::raise_reaches() const {
         edge.end = corner.center;
       }
       const WeightedPoint3 &left = state.sites[b], &right = state.sites[a];
-      const double to_left = around_.power_along(left, edge.start, edge.end, steepest_),
-                   to_right = around_.power_along(right, edge.start, edge.end, steepest_);
-      if (std::max(to_left, to_right) < infinity) {
-        state.reach.raise(a, std::min(to_right, max_radius2_));
-        state.reach.raise(b, std::min(to_left, max_radius2_));
-        continue;
-      }
-      const double far2 = extent_of_edge(state.mesh, left, right, edge).far2;
-      const double power = std::min(around_.with_tolerance(far2) - left.weight, max_radius2_);
+      double power = around_.power_along(left, edge.start, edge.end, steepest_);  // to both
+      if (!(power < infinity))
+        power = around_.with_tolerance(extent_of_edge(state.mesh, left, right, edge).far2) - left.weight;
+      power = std::min(power, max_radius2_);
       state.reach.raise(a, power);
       state.reach.raise(b, power);
     }

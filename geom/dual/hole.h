@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geom/dual/hole_triangles.h"
+#include "geom/dual/leeway_proof.h"
 #include "geom/dual/surroundings.h"
 
 namespace geom {
@@ -14,7 +15,7 @@ class Hole {
   using Triangle = HoleTriangles::Triangle;
 
   /// Keeps a reference.
-  explicit Hole(Surroundings& around) : around_(around), triangles_(around) {}
+  explicit Hole(Surroundings& around) : around_(around), triangles_(around), leeways_(around) {}
 
   /// Fills and proves the hole of around.p, whose rim is known; p goes out of the paper's oracle. False: not
   /// certain, and p is in again.
@@ -39,6 +40,7 @@ class Hole {
 
  private:
   bool chart_star();
+  bool prove_with_leeway();
   bool prove();
   void find_edges();
   bool is_chart_simple() const;
@@ -48,6 +50,7 @@ class Hole {
 
   Surroundings& around_;
   HoleTriangles triangles_;
+  LeewayProof leeways_;
   std::vector<EmptyCircle> circles_;
   double reach_ = 0, max_radius2_ = 0;
   double range_ = 0;  ///< who owns something of the hole is that near to p

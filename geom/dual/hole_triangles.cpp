@@ -10,21 +10,55 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
+/// Not far from all circles: where p is, if that is known.
+FacetId HoleTriangles::start() const {
+  const FacetId home = around_.state.home[around_.p];
+  return home.valid() ? home : around_.state.circles[around_.rim.inner(0)].facet;
+}
+
 bool HoleTriangles::fill() {
-  if (!guess()) return false;
+  if (!recall() && !guess()) return false;
+  FacetId near = start();
   for (Triangle& triangle : triangles_) {
-    const int parent = triangle.beyond[1];
-    const CircleId corner = around_.rim.inner(triangle.corners[1]);
-    if (!find_circle(triangle, parent >= 0 ? numbered(parent).facet : around_.state.circles[corner].facet))
-      return false;
+    if (!find_circle(triangle, near)) return false;
+    near = triangle.facet;
   }
-  return flip_until_empty();
+  if (!flip_until_empty()) return false;
+  if (around_.leeway && (are_flipped_ || around_.leeway->num_guesses == 0)) remember();
+  return true;
+}
+
+/// Those of the last time, if p has had leeway since.
+bool HoleTriangles::recall() {
+  if (!around_.leeway || around_.leeway->num_guesses == 0) return false;
+  triangles_.clear();
+  for (const auto& [corners, beyond] : around_.leeway->last_triangles()) {
+    Triangle& triangle = triangles_.emplace_back();
+    for (std::size_t e = 0; e < 3; ++e) triangle.corners[e] = corners[e], triangle.beyond[e] = beyond[e];
+  }
+  return true;
+}
+
+void HoleTriangles::remember() const {
+  std::array<Leeway::Guess, Rim::most> guesses;
+  for (std::size_t i = 0; i < triangles_.size(); ++i)
+    for (std::size_t e = 0; e < 3; ++e) {
+      guesses[i].corners[e] = static_cast<std::int8_t>(triangles_[i].corners[e]);
+      guesses[i].beyond[e] = static_cast<std::int8_t>(triangles_[i].beyond[e]);
+    }
+  around_.state.leeways.set_guesses(around_.p, {guesses.data(), triangles_.size()});
 }
 
 /// The rim in a plane: that of the chart, or else one along most of it.
 bool HoleTriangles::flatten_rim() {
   x_.resize(index(around_.rim.size()));
   y_.resize(index(around_.rim.size()));
+  if (around_.leeway) {
+    const Vec3 &u = around_.leeway->u, v = around_.leeway->axis.cross(u);
+    for (int j = 0; j < around_.rim.size(); ++j)
+      x_[index(j)] = around_.frame.offset(j).dot(u), y_[index(j)] = around_.frame.offset(j).dot(v);
+    return true;
+  }
   if (around_.on_sheet) {
     for (int j = 0; j < around_.rim.size(); ++j)
       x_[index(j)] = around_.chart.x(j), y_[index(j)] = around_.chart.y(j);
@@ -108,6 +142,7 @@ bool HoleTriangles::flip_until_empty() {
     return lead.value < 0;
   };
   bool certain = true;
+  are_flipped_ = false;
   const auto find_flip = [&] {
     for (int i = 0; i < static_cast<int>(triangles_.size()); ++i)
       for (int e = 0; e < 3; ++e) {
@@ -118,6 +153,7 @@ bool HoleTriangles::flip_until_empty() {
         if (!holds(numbered(i), numbered(j).corners[index(f)], certain) &&
             !holds(numbered(j), numbered(i).corners[index(e)], certain))
           continue;
+        are_flipped_ = true;
         const FacetId start = numbered(i).facet;
         flip(i, e, j, f);
         certain &= find_circle(numbered(i), start) && find_circle(numbered(j), start);
@@ -128,7 +164,7 @@ bool HoleTriangles::flip_until_empty() {
   for (int flips = 0; find_flip(); ++flips)
     if (!certain || flips > 4 * around_.rim.size()) return false;
   for (const Triangle& triangle : triangles_) {
-    if (triangle.values.num_not_farther(triangle.corners[0], around_.rim.size()) > 3) return false;
+    if (triangle.values.num_not_farther(triangle.corners[0]) > 3) return false;
     if (!holds(triangle, Frame::none, certain)) return false;  // in the cell of p
   }
   return certain;

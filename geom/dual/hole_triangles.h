@@ -30,7 +30,10 @@ class HoleTriangles {
   std::span<const Triangle> all() const { return triangles_; }
 
  private:
+  FacetId start() const;
   bool flatten_rim();
+  bool recall();
+  void remember() const;
   bool guess();
   int apex(int first, int last) const;
   bool find_circle(Triangle& triangle, FacetId start);
@@ -41,6 +44,7 @@ class HoleTriangles {
   Surroundings& around_;
   std::vector<double> x_, y_;  ///< the rim in its plane, from p
   std::vector<Triangle> triangles_;
+  bool are_flipped_ = false;  ///< since they were guessed
 };
 
 }  // namespace geom

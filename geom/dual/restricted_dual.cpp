@@ -9,6 +9,7 @@ RestrictedDual::RestrictedDual(const TriMesh& mesh, CornerTypes types, Neighbour
 
 void RestrictedDual::expect(SiteId p, int calls) const {
   if (calls >= 4) return state_.circles.prefetch_list(p), prefetch(&state_.sites[p]);
+  if (calls == 3) state_.leeways.expect(p);
   if (calls == 3) return state_.circles.prefetch_members(p);
   for (const CircleId c : circles_of(p)) {
     if (calls == 2) state_.circles.prefetch(c);

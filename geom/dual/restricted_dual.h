@@ -74,7 +74,7 @@ class RestrictedDual {
   std::vector<FacetPolygon> cell(SiteId p);
   /// The site nearest to x in power, as NeighbourOracle::nearest().
   NeighbourOracle::Nearest nearest(const Location3& x, SiteId without) const {
-    return state_.search.nearest(x, without);
+    return state_.nearest(x, without);
   }
   /// Of a location of the facet; what a site there has, too.
   double level_at(FacetId t, const Vec3& x) const { return state_.clipper.levels().at(t, x); }

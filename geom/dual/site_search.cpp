@@ -35,7 +35,7 @@ double SiteSearch::choose(double area, double extent) {
   grid_ = SiteGrid(cell_of_grid * spacing, size_);
   for (SiteId p(0); p.index() < sites_.size(); p = SiteId(p.value + 1))
     if (tree_.contains(p)) grid_.insert(p, sites_[p].position);
-  return cell_of_grid * spacing;
+  return spacing;
 }
 
 void SiteSearch::near(const Vacancy& vacancy, std::vector<SiteId>& out) const {

@@ -22,8 +22,8 @@ class SiteSearch {
   void enter(SiteId p);
   void leave(SiteId p);
   void follow(SiteId p, const Vec3& from);
-  /// All sites are in, on a surface of that area: looks for a grid. Returns the length of its cells, or 0 if
-  /// there is none. `extent` bounds all coordinates.
+  /// All sites are in, on a surface of that area: looks for a grid. Returns the root of the area of a
+  /// cell, or 0 if there is none. `extent` bounds all coordinates.
   double choose(double area, double extent);
 
   /// Appends all sites that may own a location of the vacancy, and some more (NeighbourOracle::heirs()).

@@ -12,7 +12,8 @@
 namespace geom {
 namespace {
 
-constexpr std::size_t few = 40;  // sites are looked at one by one
+constexpr std::size_t few = 40;      // sites are looked at one by one
+constexpr double shapes_cell = 4.8;  // of the grid of irregular sites, in spacings
 
 }  // namespace
 
@@ -29,6 +30,7 @@ DualState::DualState(const TriMesh& surface, CornerTypes types, NeighbourOracle*
       extent(extent_of(surface)),
       paper(source),
       search(sites, circles),
+      leeways(sites, search),
       reach(search),
       clipper(surface, sites, extent),
       corners(clipper, mesh, sites, types),
@@ -47,16 +49,45 @@ void DualState::admit(SiteId p, const WeightedPoint3& point) {
   }
   sites[p] = point;
   search.allow(point.weight);
+  leeways.allow(point.weight);
 }
 
 void DualState::follow(SiteId p, const Vec3& from) {
   search.follow(p, from);
+  leeways.arrive(p, (sites[p].position - from).norm());
   shapes.follow(p, from, sites[p].position);
 }
 
 void DualState::choose_search() {
-  const double cell = search.choose(mesh.area(), extent);
-  if (cell > 0) shapes.use_grid(2 * cell, sites);
+  const double spacing = search.choose(mesh.area(), extent);
+  if (!(spacing > 0)) return;
+  shapes.use_grid(shapes_cell * spacing, sites);
+  if (!has_levels && !paper && corners.types() == CornerTypes::c_only) leeways.begin(spacing);
+}
+
+/// With leeway nobody is nearer to a site than the nearest of its rim and of the strangers kept.
+NeighbourOracle::Nearest DualState::nearest(const Location3& x, SiteId without) const {
+  const Leeway* const leeway =
+      without.valid() && sites[without].position == x.position ? leeways.of(without) : nullptr;
+  if (!leeway) return search.nearest(x, without);
+  NeighbourOracle::Nearest best{SiteId(), infinity};
+  for (const Leeway::Watched& watched : leeway->all().first(leeway->num_rim + leeway->num_kept)) {
+    const SiteId s = watched.site;
+    if (!search.tree().contains(s)) return search.nearest(x, without);
+    const double radius2 = power(x, sites[s]);
+    if (radius2 < best.radius2 || (radius2 == best.radius2 && s < best.site)) best = {s, radius2};
+  }
+  return best;
+}
+
+void DualState::enter(SiteId p) {
+  search.enter(p);
+  leeways.arrive(p, infinity);
+}
+
+void DualState::leave(SiteId p) {
+  search.leave(p);
+  leeways.leave(p);
 }
 
 void DualState::irregular_rivals(SiteId p, std::vector<SiteId>& out) {

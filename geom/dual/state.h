@@ -9,6 +9,7 @@
 #include "geom/dual/corner_circles.h"
 #include "geom/dual/empty_circles.h"
 #include "geom/dual/lead.h"
+#include "geom/dual/leeway.h"
 #include "geom/dual/reaches.h"
 #include "geom/dual/site_search.h"
 #include "geom/dual/site_shapes.h"
@@ -40,8 +41,13 @@ struct DualState {
 
   /// Sets the point of a site that is not in.
   void admit(SiteId p, const WeightedPoint3& point);
+  /// A site comes in, at its point, or goes out.
+  void enter(SiteId p);
+  void leave(SiteId p);
   /// A site that is in was elsewhere.
   void follow(SiteId p, const Vec3& from);
+  /// NeighbourOracle::nearest().
+  NeighbourOracle::Nearest nearest(const Location3& x, SiteId without) const;
   /// All sites are in, of about even density or not: chooses how they are searched from now on.
   void choose_search();
   /// The power of a circle's center to the point less that to its sites.
@@ -67,6 +73,7 @@ struct DualState {
   Clipper::Sites sites;
   EmptyCircles circles;
   SiteSearch search;  ///< of sites that are in
+  Leeways leeways;    ///< where they are of even density and weight
   Reaches reach;
   Clipper clipper;
   CornerCircles corners;

@@ -13,6 +13,7 @@ Surroundings::Surroundings(DualState& whole)
 
 void Surroundings::forget() {
   on_sheet = false;
+  leeway = nullptr;
   strangers.forget();
   flood.clear();
 }
@@ -64,6 +65,35 @@ double Surroundings::power_along(const WeightedPoint3& own, const Vec3& from, co
       std::sqrt(std::max((from - own.position).squaredNorm(), (to - own.position).squaredNorm())) + off;
   const double most = farthest_on_edge(far, (to - from).norm() + 2 * off, steepest);
   return most <= margin::stretch * far ? most * most * (1 + 1e-6) - own.weight : infinity;
+}
+
+double Surroundings::farthest2_with_leeway(int other, const TracedEdge& edge, double enough) const {
+  const double off = 2 * state.clipper.most_tolerance();
+  const Vec3& own = site().position;
+  const double far =
+      std::sqrt(std::max((edge.start - own).squaredNorm(), (edge.end - own).squaredNorm())) + off;
+  if (edge.from == edge.to) return far * far * (1 + 1e-6);
+  const double most = farthest_on_edge(far, (edge.end - edge.start).norm() + 2 * off, leeway->steepest);
+  const double bound = most * most * (1 + 1e-6);
+  if (most <= enough) return bound;
+  return std::min(bound, with_tolerance(extent_of_edge(state.mesh, site(), site(other), edge).far2));
+}
+
+/// As Sheets::has_one_component().
+bool Surroundings::has_one_component(double distance) const {
+  const double factor = 4 * (1 + 1e-6) * leeway->slope * distance;
+  const Vec3& place = site().position;
+  for (const SiteId r : rim.sites()) {
+    const Vec3 d = state.sites[r].position - place;
+    if (!(d.squaredNorm() * (1 - 2e-9) > factor * std::abs(d.dot(leeway->axis)))) return false;
+  }
+  return true;
+}
+
+bool Surroundings::are_kept_beyond(const RoundedPoint& point, const WeightedPoint3& owner) const {
+  return std::ranges::all_of(leeway->kept(), [&](const Leeway::Watched& stranger) {
+    return lead_of(owner, state.sites[stranger.site], point.position, point.tolerance).positive();
+  });
 }
 
 /// Across one edge of the surface tracing is cheaper than the chart's bound.

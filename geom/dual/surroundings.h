@@ -27,7 +27,7 @@ struct Surroundings {
   explicit Surroundings(DualState& whole);
   Surroundings(const Surroundings&) = delete;
 
-  /// Nothing is known of the sheet, the strangers and the facets.
+  /// Nothing is known of the sheet, the strangers and the facets, and there is no leeway.
   void forget();
   /// Sees the rim from where p is; p itself has no number.
   void see_rim();
@@ -68,6 +68,18 @@ struct Surroundings {
     int first, count;
   };
   bool leaves_strangers_out(const Division& division, double radius);
+  // With leeway (leeway.h):
+  /// A bound, squared, of how far an edge of p's cell, beside that one of the rim, comes from p: a closer one
+  /// only if it is not near enough.
+  double farthest2_with_leeway(int other, const TracedEdge& edge, double enough) const;
+  /// Are the strangers that are kept farther from the point than its owner?
+  bool are_kept_beyond(const RoundedPoint& point, const WeightedPoint3& owner) const;
+  /// Has the cell of p one component, if it is that near to p? (sheets.h)
+  bool has_one_component(double distance) const;
+  /// So near to a place is all that is spoken of.
+  double room_around(const Vec3& place) const {
+    return leeway->radius - (place - leeway->origin).norm() * margin::more;
+  }
   /// Where the axis of three sites meets the surface, in facets of the level of the frame's origin.
   AxisPlace meeting(const std::array<SiteId, 3>& sites, FacetId start) const;
 
@@ -80,6 +92,7 @@ struct Surroundings {
   Sheets sheets;
   Sheet sheet;  ///< of the chart
   Chart chart;
+  const Leeway* leeway = nullptr;   ///< if there is one, no chart is needed
   bool on_sheet = false;            ///< the chart is simple, and what is proven is proven there
   std::vector<Chart::Edge> spokes;  ///< in the chart: p and each of the rim
   Strangers strangers;
