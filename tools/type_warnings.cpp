@@ -27,7 +27,8 @@ std::size_t enough_samples(const fpo::RemeshResult& result) {
     std::size_t for_type = result.advice.samples;
     if (kept_from > n && 2 * result.broken_feature_edges > result.feature_edges)
       for_type = std::min(for_type, most_for_type * kept_from);
-    enough = std::max(enough, rounded_up(for_type));
+    const bool is_of_bars = kept_from > n && 2 * result.feature_samples > n;  // what keeps curves keeps all
+    if (!is_of_bars) enough = std::max(enough, rounded_up(for_type));
   }
   if (result.broken_feature_edges == 0 || kept_from > n) return enough;
   std::size_t for_edges = result.edge_advice.samples;

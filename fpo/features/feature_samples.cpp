@@ -46,13 +46,6 @@ struct Stretch {
   std::array<double, 2> stretch_at_end{0, 0};  ///< 0: no such corner, as all others
 };
 
-/// So many edges that their length is nearest to 1, and not so long that an inner sample could come between
-/// their ends: those keep a distance of .9 or more from both.
-std::size_t wanted_edges(double length) {
-  const double edges = std::max(1.0, std::round(length));
-  return static_cast<std::size_t>(length > longest_edge * edges ? edges + 1 : edges);
-}
-
 /// Two curves leave a corner at an angle a; both have samples at distance 1 and 1 + e from it. The triangle
 /// of the nearer samples and a farther one has, there, the angle b with tan b = sin a / (e + 1 - cos a). The
 /// distance, in units of e, at which b is the least of a and 30 degrees; never below 1.
@@ -411,6 +404,11 @@ std::vector<SurfaceSample> points_on_surface(const TriMesh& mesh, std::span<cons
     samples.push_back({points[i], closest.facet});
   }
   return samples;
+}
+
+std::size_t wanted_edges(double length) {
+  const double edges = std::max(1.0, std::round(length));
+  return static_cast<std::size_t>(length > longest_edge * edges ? edges + 1 : edges);
 }
 
 std::size_t least_number_of_samples(const TriMesh& mesh, const Features& features,

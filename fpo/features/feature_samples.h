@@ -55,6 +55,10 @@ FeatureSamples sample_features(const geom::TriMesh& mesh, const Features& featur
                                std::span<const SurfaceSample> fixed, const Sizing& sizing,
                                const CurveSampling& options);
 
+/// Edges of a curve of a length in wanted lengths: so many that their length is nearest to 1, and not so
+/// long that an inner sample could come between their ends: those keep a distance of .9 or more from both.
+std::size_t wanted_edges(double length);
+
 /// What sample_features() needs at least.
 std::size_t least_number_of_samples(const geom::TriMesh& mesh, const Features& features,
                                     std::span<const SurfaceSample> fixed);

@@ -25,6 +25,10 @@
 //    angles at both ends, so that first samples are on one sphere at all; between 60 and 90 lengths of
 //    1.25 cos a, or .63, for edges of .63 to 1.25.
 //
+// All of that holds if curves have as many edges as they call for. On bodies of bars, whose samples are
+// nearly all on curves, that may be more than n, though n is what the area calls for: so many samples are
+// asked for that they suffice.
+//
 // No curve collapses (feature_choice.h) if the spacing is at most twice its length, but for ends of strips;
 // none is given up if features need no more than half of the samples; a quarter is asked for, so that faces
 // have some, too. All conditions become weaker with n.

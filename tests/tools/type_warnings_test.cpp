@@ -41,6 +41,9 @@ TEST_CASE("type warnings: the edges that are missing count where it is not known
   CHECK(tools::enough_samples(result) == 3500);
   result.broken_feature_edges = 300;
   CHECK(tools::enough_samples(result) == 18000);
+  result.feature_samples = 300;  // most of all
+  CHECK(tools::enough_samples(result) == 1145);
+  result.feature_samples = 100;
   result.advice.samples = 900;
   CHECK(tools::enough_samples(result) == 1145);
   result.feature_bound.samples = 400;  // and yet some are missing
