@@ -11,6 +11,7 @@
 #include "fpo/features/curve_spacing.h"
 #include "fpo/features/feature_choice.h"
 #include "fpo/features/feature_samples.h"
+#include "fpo/features/inner_share.h"
 
 namespace fpo {
 namespace {
@@ -26,6 +27,7 @@ constexpr double two_edges = 1.26, three_edges = 2.51, similar_edges = 0.63;
 constexpr double share_of_samples = 4;
 constexpr double rounding = 1e-9;
 constexpr double step = 1.005;
+constexpr double most_on_curves = 0.5;  // of all samples: else there are enough of them
 constexpr double most_samples = 1e8;
 constexpr std::size_t most_places = 100000;  // where curves are close: more would call for more samples
 constexpr int bisections = 40;
@@ -98,16 +100,22 @@ class Bound {
                     need::rounding_share / (1 - std::cos(corner.angle)));
   }
 
-  /// Where curves have the edges that are wanted, and these are not more than there are samples for. Edges
-  /// come one by one, so that somewhat longer curves may call for too many again; then a few are longer.
+  double edges_on_curves(double shorter) const {
+    double sum = least_;
+    for (const double length : lengths_) sum += static_cast<double>(wanted_edges(length * shorter)) - 1;
+    return sum;
+  }
+
+  /// Where curves have the edges that are wanted, and the surface between its samples, and these are not more
+  /// than there are. Edges come one by one, so that somewhat longer curves may call for too many again; then
+  /// a few are longer.
   double for_wanted_edges() const {
+    if (need::most_on_curves * samples() >= edges_on_curves(shorter_)) return 0;
+    const InnerShare inner(task_.mesh, task_.features, task_.sizing, 1 / shorter_);
     double shorter = shorter_;
-    const auto are_too_many = [&] {
-      double sum = least_;
-      for (const double length : lengths_) sum += static_cast<double>(wanted_edges(length * shorter)) - 1;
-      return sum > static_cast<double>(task_.n) * shorter * shorter;
-    };
-    while (are_too_many()) shorter *= need::step;
+    while (edges_on_curves(shorter) + inner.num_samples(need::growth * shorter_ / shorter) >
+           static_cast<double>(task_.n) * shorter * shorter)
+      shorter *= need::step;
     return shorter;
   }
 
