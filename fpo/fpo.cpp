@@ -206,7 +206,7 @@ Remesh remesh(const Points& V, const Triangles& F, const Options& options) {
   };
   const RemeshResult result =
       options.at_least ? remesh_at_least(input, completed).remesh : remesh(input, completed);
-  refuse_remnant(result.mesh);
+  refuse_remnant(result.mesh, result.feature_bound.samples);
   Remesh remesh;
   remesh.V.resize(static_cast<Eigen::Index>(result.mesh.num_vertices()), 3);
   Eigen::Index row = 0;

@@ -83,7 +83,7 @@ fpo::AtLeastResult remesh_named(const tools::SurfaceInput& input, const tools::R
     result = fpo::remesh_at_least(input.mesh, a.remesh);
   else
     result.remesh = fpo::remesh(input.mesh, a.remesh);
-  fpo::refuse_remnant(result.remesh.mesh);
+  fpo::refuse_remnant(result.remesh.mesh, result.remesh.feature_bound.samples);
   return result;
 } catch (const geom::InputError& error) {
   throw geom::InputError(io::display_name(a.input) + ": " + error.what() +

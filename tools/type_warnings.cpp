@@ -17,17 +17,25 @@ std::size_t rounded_up(std::size_t count) {
 
 constexpr std::size_t most_for_kept_edges = 2;  // times as many as there are
 constexpr std::size_t most_for_type = 3;        // times as many as keep all edges, if most are missing
+constexpr std::size_t most_told = 100;          // times as many as there are: more are of no use to anybody
+
+/// The number from which on all edges of features are kept; 0: none that is worth being told.
+std::size_t told_for_features(const fpo::RemeshResult& result) {
+  const std::size_t needed = result.feature_bound.samples;
+  return needed <= most_told * result.samples.size() ? needed : 0;
+}
 
 }  // namespace
 
 std::size_t enough_samples(const fpo::RemeshResult& result) {
-  const std::size_t n = result.samples.size(), kept_from = result.feature_bound.samples;
+  const std::size_t n = result.samples.size(), kept_from = told_for_features(result);
   std::size_t enough = kept_from > n ? kept_from : 0;
   if (!result.advice.places.empty()) {
     std::size_t for_type = result.advice.samples;
     if (kept_from > n && 2 * result.broken_feature_edges > result.feature_edges)
       for_type = std::min(for_type, most_for_type * kept_from);
-    enough = std::max(enough, rounded_up(for_type));
+    const bool is_of_bars = kept_from > n && 2 * result.feature_samples > n;  // what keeps curves keeps all
+    if (!is_of_bars) enough = std::max(enough, rounded_up(for_type));
   }
   if (result.broken_feature_edges == 0 || kept_from > n) return enough;
   std::size_t for_edges = result.edge_advice.samples;
@@ -65,7 +73,7 @@ void add_small_angles(const fpo::RemeshResult& result, std::vector<std::string>&
                             result.measures.angles_below_30, result.measures.theta_min);
   if (result.corner_angle < 30)
     line += worded("; between creases of the input the smallest is %.1f", result.corner_angle);
-  if (result.feature_bound.samples > result.samples.size())
+  if (told_for_features(result) > result.samples.size())
     line += worded("; %s, from about -n %zu on that does not matter", feature_need(result.feature_bound.need),
                    enough_samples(result));
   lines.push_back(line);

@@ -11,9 +11,11 @@ namespace tools {
 
 /// About how many samples would do, the same in all lines: the most of those for the type and for the edges
 /// of features. For the type it is the estimate (TypeAdvice); if most edges are missing, which spoils it,
-/// at most three times what keeps all. For edges it is the number from which on all are kept
-/// (samples_for_features.h) or, from there on and where there is none, an estimate by those that are missing
-/// (edge_advice.h): from there on at most twice as many as there are. 0: nothing calls for more.
+/// at most three times what keeps all; if most samples are on features, no more than that. For edges it is
+/// the number from which on all are kept (samples_for_features.h) or, from there on and where there is none,
+/// an estimate by those that are missing (edge_advice.h): from there on at most twice as many as there are. A
+/// number from which on all are kept that is more than 100 times as large is not told. 0: nothing calls for
+/// more.
 std::size_t enough_samples(const fpo::RemeshResult& result);
 
 /// One line each, without end; none if the remesh is a 2-manifold of the input's type: what differs, in how

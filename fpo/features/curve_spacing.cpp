@@ -6,6 +6,7 @@
 
 #include "fpo/features/curve_pieces.h"
 #include "fpo/features/point_grid.h"
+#include "geom/disjoint_sets.h"
 #include "geom/mesh/aabb_tree.h"
 
 namespace fpo {
@@ -39,8 +40,13 @@ class FacingCurves {
         reach_(narrow_width * spacing),
         tree_(mesh),
         grid_((narrow_width + piece_length) * spacing) {
-    for (std::size_t c = 0; c < features.curves.size(); ++c)
+    geom::DisjointSets joined(mesh.num_vertices());
+    for (const TriMesh::Facet& f : mesh.facets())
+      for (const VertexId v : {f[1], f[2]}) joined.merge(f[0].index(), v.index());
+    for (std::size_t c = 0; c < features.curves.size(); ++c) {
       lengths_.push_back(cut_curve(mesh, features, c, piece_length * spacing, pieces_));
+      bodies_.push_back(joined.find(features.curves[c].vertices.front().index()));
+    }
     for (std::size_t i = 0; i < pieces_.size(); ++i) grid_.add(pieces_[i].middle(), i);
   }
 
@@ -64,7 +70,7 @@ class FacingCurves {
     std::vector<std::pair<double, std::size_t>> near;
     grid_.around(x, [&](std::size_t i) {
       const CurvePiece& q = pieces_[i];
-      if (&q == &p) return;
+      if (&q == &p || bodies_[q.curve] != bodies_[p.curve]) return;
       const double d = (geom::closest_point(x, {q.from, q.to, q.to}).point - x).norm();
       if (d < reach_ && d > 0 && !are_beside(p, q, d)) near.emplace_back(d, i);
     });
@@ -109,6 +115,7 @@ class FacingCurves {
   geom::AabbTree tree_;
   std::vector<CurvePiece> pieces_;
   std::vector<double> lengths_;
+  std::vector<std::size_t> bodies_;  // of the curves: no strip is between those of two that touch
   PointGrid grid_;
 };
 

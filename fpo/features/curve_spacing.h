@@ -26,10 +26,10 @@ struct NarrowPlace {
 
 /// Those with a width below narrow_width times the spacing, some five a spacing or, if less, a width; one
 /// for each curve that a place faces, of the twelve nearest. Two places face each other if the middle between
-/// them is near the surface, and if they are not beside each other on one curve or at a corner where both
-/// curves begin. Ascending along the curves. None if curves are longer than sixty spacings a sample: most
-/// strips are too narrow for any help.
-/// O(places), by a grid.
+/// them is near the surface, if they are on one body (another one's curves may cross where both touch), and
+/// if they are not beside each other on one curve or at a corner where both curves begin. Ascending along the
+/// curves. None if curves are longer than sixty spacings a sample: most strips are too narrow for any help.
+/// O(F + places), by a grid.
 std::vector<NarrowPlace> narrow_places(const geom::TriMesh& mesh, const Features& features, double spacing);
 
 /// A surface with narrow places, and the same one with facets that are small beside the lengths wanted there.

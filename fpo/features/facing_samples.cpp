@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <set>
 #include <utility>
@@ -22,6 +23,7 @@ constexpr double least_piece = 0.02;  // of an edge that is divided, or of the d
 constexpr double widest_gap = 1.5;    // of the mean gap around, that a slide may leave
 constexpr double longest = 1.25;      // in wanted lengths
 constexpr int bisections = 40;
+constexpr std::size_t most_fillings = 200;  // edges
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 /// Samples by one coordinate.
@@ -116,8 +118,48 @@ class FacingSamples {
       if (!changed) changed = divide_long_edges(most);
     }
   }
+  const ChainPlaces& places() const { return places_; }
+
+  /// Of no edge that is crowded.
+  void fill(std::size_t wanted) {
+    struct Edge {
+      double length;
+      std::size_t curve;
+      SiteId from;
+    };
+    std::vector<Edge> edges;
+    for (std::size_t c = 0; c < samples_.chains.size(); ++c)
+      for (std::size_t i = 0; i + 1 < samples_.chains[c].size(); ++i)
+        edges.push_back({places_[c][i + 1] - places_[c][i], c, samples_.chains[c][i]});
+    std::ranges::stable_sort(edges, std::greater<>(), &Edge::length);
+    edges.resize(std::min(edges.size(), most_fillings));
+    for (const Edge& edge : edges) {
+      const std::size_t before = samples_.samples.size();
+      if (before >= wanted) return;
+      const std::vector<SiteId>& chain = samples_.chains[edge.curve];
+      const std::vector<double>& t = places_[edge.curve];
+      const auto i = static_cast<std::size_t>(std::ranges::find(chain, edge.from) - chain.begin());
+      if (t[i + 1] - t[i] < edge.length) continue;  // it is divided already
+      insert(edge.curve, i, look_.middle(edge.curve, i));
+      if (!clear_by_insertion(wanted)) remove_from(before);
+    }
+  }
 
  private:
+  /// False if that takes more than `most` samples.
+  bool clear_by_insertion(std::size_t most) {
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (std::size_t c = 0; c < samples_.chains.size(); ++c)
+        for (std::size_t i = 0; i + 1 < samples_.chains[c].size(); ++i) {
+          if (!look_.intruder(slab_, c, i)) continue;
+          if (!clear(c, i, false, most)) return false;
+          changed = true;
+        }
+    }
+    return true;
+  }
+
   /// Those that slides have left: inner samples would come between their ends.
   bool divide_long_edges(std::size_t most) {
     const std::size_t before = samples_.samples.size();
@@ -207,6 +249,22 @@ class FacingSamples {
     return foot != t && slide(c, i, foot);
   }
 
+  /// The samples that were inserted since there were so many.
+  void remove_from(std::size_t first) {
+    for (std::size_t c = 0; c < samples_.chains.size(); ++c) {
+      std::vector<SiteId>& chain = samples_.chains[c];
+      for (std::size_t i = chain.size(); i-- > 0;) {
+        if (chain[i].index() < first) continue;
+        chain.erase(chain.begin() + static_cast<std::ptrdiff_t>(i));
+        places_[c].erase(places_[c].begin() + static_cast<std::ptrdiff_t>(i));
+        samples_.missing_shares -= 1 - static_cast<double>(features_.curves[c].sheets) / 2;
+      }
+    }
+    for (std::size_t i = first; i < samples_.samples.size(); ++i)
+      slab_.remove(position(SiteId(i)), SiteId(i));
+    samples_.samples.resize(first), faces_.resize(first), curve_of_.resize(first);
+  }
+
   void insert(std::size_t c, std::size_t i, double foot) {
     const SiteId x(samples_.samples.size());
     samples_.samples.push_back(at(c, foot));
@@ -252,10 +310,14 @@ std::vector<CrowdedEdge> crowded_edges(std::span<const CurveMetric> metrics, con
   return result;
 }
 
-void face_each_other(const Features& features, std::span<const CurveMetric> metrics, ChainPlaces places,
-                     std::size_t most, FeatureSamples& samples) {
-  if (!crowded_edges(metrics, places, samples).empty())
-    FacingSamples(features, metrics, std::move(places), samples).run(most);
+std::size_t face_each_other(const Features& features, std::span<const CurveMetric> metrics,
+                            ChainPlaces places, const FacingLimits& limits, FeatureSamples& samples) {
+  if (crowded_edges(metrics, places, samples).empty()) return 0;
+  FacingSamples facing(features, metrics, std::move(places), samples);
+  facing.run(limits.most);
+  const std::size_t crowded = crowded_edges(metrics, facing.places(), samples).size();
+  if (crowded == 0) facing.fill(limits.wanted);
+  return crowded;
 }
 
 }  // namespace fpo

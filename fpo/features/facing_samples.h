@@ -33,15 +33,22 @@ using ChainPlaces = std::vector<std::vector<double>>;
 std::vector<CrowdedEdge> crowded_edges(std::span<const CurveMetric> metrics, const ChainPlaces& places,
                                        const FeatureSamples& samples);
 
+struct FacingLimits {
+  std::size_t most;        ///< samples
+  std::size_t wanted = 0;  ///< on curves, for there is no room for them elsewhere
+};
+
 /// Makes the ball of each chain edge empty of other samples of the features, as long as there are no more
 /// than `most` of these. The neighbour that is nearest to the intruder's foot on the curve goes there; if
 /// none is near a sample is added there, or in the middle where there is one already, on arcs. Edges that
 /// are left longer than 1.25 are divided. A sample above its foot is in the ball of neither edge that
 /// begins there, so one sample a sample is enough for straight curves side by side, whatever their
 /// distance. Corners and points of the user stay. An edge whose intruder is nearer than .02 of it to the
-/// curve is left as it is. Changes nothing if no edge is crowded. Deterministic. At most twenty rounds of
-/// the cost of crowded_edges().
-void face_each_other(const Features& features, std::span<const CurveMetric> metrics, ChainPlaces places,
-                     std::size_t most, FeatureSamples& samples);
+/// curve is left as it is. If all balls are empty, and fewer than `wanted` are there, the longest edges, 200
+/// at most, are divided where those that face the new ones keep that so. Changes nothing if no edge is
+/// crowded at first. How many are in the end. Deterministic. At most twenty rounds of the cost of
+/// crowded_edges(), and as many as edges that are divided for `wanted`.
+std::size_t face_each_other(const Features& features, std::span<const CurveMetric> metrics,
+                            ChainPlaces places, const FacingLimits& limits, FeatureSamples& samples);
 
 }  // namespace fpo

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -10,14 +11,13 @@
 #include <utility>
 
 #include "fpo/features/curve_domain.h"
+#include "fpo/features/even_places.h"
 #include "fpo/features/facing_curves.h"
 #include "fpo/features/facing_samples.h"
-#include "fpo/optimize.h"
+#include "fpo/features/inner_share.h"
 #include "geom/check.h"
-#include "geom/mesh/aabb_tree.h"
 #include "geom/mesh/angles.h"
 #include "geom/mesh/edges.h"
-#include "geom/rng.h"
 
 namespace fpo {
 
@@ -29,12 +29,10 @@ using geom::VertexId;
 
 namespace {
 
-constexpr double on_surface = 1e-6;  // of the diagonal
 constexpr double longest_edge = 1.25;
-constexpr double fully_spaced = 0.98;  // a curve's samples are evenly spaced then
-constexpr int curve_iterations = 200;
 constexpr double too_narrow = 0.29;   // width over edge length: below it even these have angles under 30
 constexpr double wide_enough = 0.62;  // width over edge length: right triangles have 32 degrees
+constexpr double least_share = 0.3, share_step = 0.025;  // of samples that are placed before others face them
 
 /// The part of a curve between two samples that stay, or a loop without any.
 struct Stretch {
@@ -45,13 +43,6 @@ struct Stretch {
   /// At each end: how much longer than the others its gap shall be, at a corner with a small angle.
   std::array<double, 2> stretch_at_end{0, 0};  ///< 0: no such corner, as all others
 };
-
-/// So many edges that their length is nearest to 1, and not so long that an inner sample could come between
-/// their ends: those keep a distance of .9 or more from both.
-std::size_t wanted_edges(double length) {
-  const double edges = std::max(1.0, std::round(length));
-  return static_cast<std::size_t>(length > longest_edge * edges ? edges + 1 : edges);
-}
 
 /// Two curves leave a corner at an angle a; both have samples at distance 1 and 1 + e from it. The triangle
 /// of the nearer samples and a farther one has, there, the angle b with tan b = sin a / (e + 1 - cos a). The
@@ -118,6 +109,8 @@ class Layout {
     const double width = pair.width_share * static_cast<double>(edges[pair.leading]);
     return width >= too_narrow && width < wide_enough;
   }
+  /// The least number of samples.
+  std::size_t least() const { return num_samples(edges(std::numeric_limits<double>::infinity())); }
   std::size_t num_samples(const std::vector<std::size_t>& edges) const {
     std::size_t sum = samples_.size();
     for (std::size_t i = 0; i < edges.size(); ++i) sum += edges[i] - (stretches_[i].from.valid() ? 1 : 0);
@@ -161,7 +154,7 @@ class Layout {
     std::vector<std::pair<double, SiteId>> stops;
     if (!curve.loop)
       stops = {{0, corner_.at(curve.vertices.front())}, {length, corner_.at(curve.vertices.back())}};
-    const double near = on_surface * mesh_.diagonal();
+    const double near = point_tolerance * mesh_.diagonal();
     for (std::size_t i = 0; i < num_fixed_; ++i) {
       const CurveMetric::Nearest nearest = metrics_[c].nearest(samples_[i].position);
       if (nearest.distance2 > near * near || is_stop(stops, SiteId(i))) continue;
@@ -242,29 +235,6 @@ class Layout {
   std::vector<Staggered> staggered_;
   double missing_shares_ = 0;
 };
-
-/// Positions in (0, length), or [0, length) of a loop, ascending.
-std::vector<double> spread(double length, bool loop, std::size_t count, std::uint64_t seed) {
-  std::vector<double> positions;
-  geom::Rng rng(seed);
-  for (std::size_t i = 0; i < count; ++i) positions.push_back(length * rng.uniform());
-  if (count == 0 || !(length > 0)) return positions;
-  CurveDomain domain(length, loop, positions);
-  OptimizeOptions options;
-  options.max_iterations = curve_iterations;
-  options.target_delta = fully_spaced;
-  options.seed = seed;
-  optimize(domain, options);
-  for (std::size_t i = 0; i < count; ++i) positions[i] = domain.position(SiteId(i));
-  // Even spacing, where this ends: in closed form, so that stretches side by side have samples side by side.
-  const double gap = length / static_cast<double>(count + (loop ? 0 : 1));
-  const double first = loop ? *std::ranges::min_element(positions) : gap;
-  for (std::size_t i = 0; i < count; ++i) positions[i] = first + gap * static_cast<double>(i);
-  for (double& t : positions)
-    if (t >= length) t -= length;
-  std::ranges::sort(positions);
-  return positions;
-}
 
 /// The first samples beside corners with small angles: on all curves that make one as far from it in space as
 /// on the densest of them.
@@ -373,7 +343,7 @@ PlacesAlong places_along(const Layout& layout, std::span<const std::size_t> edge
   std::vector<std::vector<double>>& places = result.of;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const Stretch& s = layout.stretches()[i];
-    places.push_back(spread(s.length, !s.from.valid(), edges[i] - (s.from.valid() ? 1 : 0), seed + i));
+    places.push_back(even_places(s.length, !s.from.valid(), edges[i] - (s.from.valid() ? 1 : 0), seed + i));
     shells.keep(s, places[i]);
   }
   for (const Staggered& pair : layout.staggered()) {
@@ -386,52 +356,45 @@ PlacesAlong places_along(const Layout& layout, std::span<const std::size_t> edge
   return result;
 }
 
+/// Edges of each stretch, if lengths are so many times those that are wanted.
+struct StretchedEdges {
+  std::vector<std::size_t> edges;
+  double stretching;
+};
+
 /// The least stretching, in steps, with which the features take no more than `most` samples.
-std::vector<std::size_t> affordable_edges(const Layout& layout, std::size_t most) {
-  const std::size_t least = layout.num_samples(layout.edges(std::numeric_limits<double>::infinity()));
-  geom::require(least <= most, std::to_string(most) + " samples are too few: the features need at least " +
-                                   std::to_string(least));
+StretchedEdges affordable_edges(const Layout& layout, std::size_t most) {
+  geom::require(layout.least() <= most, std::to_string(most) +
+                                            " samples are too few: the features need at least " +
+                                            std::to_string(layout.least()));
   for (double stretching = 1;; stretching *= 1.02) {
     std::vector<std::size_t> edges = layout.edges(stretching);
-    if (layout.num_samples(edges) <= most) return edges;
+    if (layout.num_samples(edges) <= most) return {std::move(edges), stretching};
   }
 }
 
 }  // namespace
 
-std::vector<SurfaceSample> points_on_surface(const TriMesh& mesh, std::span<const Vec3> points) {
-  std::vector<SurfaceSample> samples;
-  if (points.empty()) return samples;
-  const geom::AabbTree tree(mesh);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    geom::require(points[i].allFinite(), "point " + std::to_string(i + 1) + " is not finite");
-    const geom::AabbTree::Closest closest = tree.closest(points[i]);
-    geom::require(closest.distance2 <= std::pow(on_surface * mesh.diagonal(), 2),
-                  "point " + std::to_string(i + 1) + " does not lie on the surface");
-    samples.push_back({points[i], closest.facet});
-  }
-  return samples;
+std::size_t wanted_edges(double length) {
+  const double edges = std::max(1.0, std::round(length));
+  return static_cast<std::size_t>(length > longest_edge * edges ? edges + 1 : edges);
 }
 
 std::size_t least_number_of_samples(const TriMesh& mesh, const Features& features,
                                     std::span<const SurfaceSample> fixed) {
-  const Layout layout(mesh, features, fixed, Sizing::uniform(1));
-  return layout.num_samples(layout.edges(std::numeric_limits<double>::infinity()));
+  return Layout(mesh, features, fixed, Sizing::uniform(1)).least();
 }
 
-FeatureSamples sample_features(const TriMesh& mesh, const Features& features,
-                               std::span<const SurfaceSample> fixed, const Sizing& sizing,
-                               const CurveSampling& options) {
-  Layout layout(mesh, features, fixed, sizing);
-  layout.stagger(options.pairs);
-  if (layout.num_samples(layout.edges(std::numeric_limits<double>::infinity())) > options.most)
-    layout.stagger({});  // it takes a sample more a curve
-  const std::vector<std::size_t> edges = affordable_edges(layout, options.most);
-  const PlacesAlong places = places_along(layout, edges, options.seed);
+namespace {
+
+/// With so many edges on each stretch.
+FeatureSamples placed(const Layout& layout, const Features& features, std::span<const std::size_t> edges,
+                      std::uint64_t seed, ChainPlaces& chain_places) {
+  const PlacesAlong places = places_along(layout, edges, seed);
   FeatureSamples result{
       layout.samples(), {}, layout.missing_shares(), layout.samples().size(), places.staggered};
   result.chains.resize(features.curves.size());
-  ChainPlaces chain_places(features.curves.size());
+  chain_places.assign(features.curves.size(), {});
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const Stretch& s = layout.stretches()[i];
     const CurveMetric& metric = layout.metric(s.curve);
@@ -447,9 +410,44 @@ FeatureSamples sample_features(const TriMesh& mesh, const Features& features,
     chain.push_back(s.from.valid() ? s.to : chain.front());
     on_chain.push_back(s.from.valid() ? s.start + s.length : on_chain.front() + s.length);
   }
-  if (options.facing)
-    face_each_other(features, layout.metrics(), std::move(chain_places), options.most, result);
   return result;
+}
+
+/// Samples that are added to face others need room. Where most samples are on curves those that are left over
+/// would have none between: fewer are placed at first, until all find it.
+FeatureSamples facing_samples(const Layout& layout, const TriMesh& mesh, const Features& features,
+                              const Sizing& sizing, const CurveSampling& options) {
+  std::optional<FeatureSamples> best;
+  std::size_t fewest = 0;
+  FacingLimits limits{options.most, 0};
+  for (double share = 1; share > least_share; share -= share_step) {
+    const auto budget = static_cast<std::size_t>(share * static_cast<double>(options.most));
+    const auto [edges, stretching] = affordable_edges(layout, std::max(budget, layout.least()));
+    if (share == 1 && 2 * layout.num_samples(layout.edges(1)) > options.most) {
+      const double between = InnerShare(mesh, features, sizing, stretching).num_samples();
+      limits.wanted = static_cast<std::size_t>(std::max(0.0, static_cast<double>(options.most) - between));
+    }
+    ChainPlaces places;
+    FeatureSamples samples = placed(layout, features, edges, options.seed, places);
+    const std::size_t crowded =
+        face_each_other(features, layout.metrics(), std::move(places), limits, samples);
+    if (!best || crowded < fewest) best = std::move(samples), fewest = crowded;
+    if (crowded == 0 || limits.wanted == 0) break;
+  }
+  return std::move(*best);
+}
+
+}  // namespace
+
+FeatureSamples sample_features(const TriMesh& mesh, const Features& features,
+                               std::span<const SurfaceSample> fixed, const Sizing& sizing,
+                               const CurveSampling& options) {
+  Layout layout(mesh, features, fixed, sizing);
+  if (options.facing) return facing_samples(layout, mesh, features, sizing, options);
+  layout.stagger(options.pairs);
+  if (layout.least() > options.most) layout.stagger({});  // it takes a sample more a curve
+  ChainPlaces places;
+  return placed(layout, features, affordable_edges(layout, options.most).edges, options.seed, places);
 }
 
 SharedSizing share_sizing(const TriMesh& mesh, const Features& features, std::span<const SurfaceSample> fixed,

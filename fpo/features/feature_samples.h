@@ -11,6 +11,7 @@
 
 #include "fpo/features/facing_curves.h"
 #include "fpo/features/features.h"
+#include "fpo/features/given_points.h"
 #include "fpo/surface/sizing.h"
 #include "fpo/surface/surface_sample.h"
 #include "geom/ids.h"
@@ -29,10 +30,6 @@ struct FeatureSamples {
   std::size_t num_given = 0;         ///< the user's points and corners: the first ones, which never move
   std::size_t staggered_curves = 0;  ///< whose samples are opposite to the middles of another's edges
 };
-
-/// Points on a surface as samples, their positions kept exactly. Throws InputError, naming the point, if one
-/// is farther from the surface than 1e-6 of its diagonal. O(F log F + points log F).
-std::vector<SurfaceSample> points_on_surface(const geom::TriMesh& mesh, std::span<const geom::Vec3> points);
 
 struct CurveSampling {
   std::size_t most = 0;  ///< samples
@@ -54,6 +51,10 @@ struct CurveSampling {
 FeatureSamples sample_features(const geom::TriMesh& mesh, const Features& features,
                                std::span<const SurfaceSample> fixed, const Sizing& sizing,
                                const CurveSampling& options);
+
+/// Edges of a curve of a length in wanted lengths: so many that their length is nearest to 1, and not so
+/// long that an inner sample could come between their ends: those keep a distance of .9 or more from both.
+std::size_t wanted_edges(double length);
 
 /// What sample_features() needs at least.
 std::size_t least_number_of_samples(const geom::TriMesh& mesh, const Features& features,

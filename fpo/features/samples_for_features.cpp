@@ -11,6 +11,7 @@
 #include "fpo/features/curve_spacing.h"
 #include "fpo/features/feature_choice.h"
 #include "fpo/features/feature_samples.h"
+#include "fpo/features/inner_share.h"
 
 namespace fpo {
 namespace {
@@ -25,6 +26,8 @@ constexpr double rounding_share = 0.375;
 constexpr double two_edges = 1.26, three_edges = 2.51, similar_edges = 0.63;
 constexpr double share_of_samples = 4;
 constexpr double rounding = 1e-9;
+constexpr double step = 1.005;
+constexpr double most_on_curves = 0.5;  // of all samples: else there are enough of them
 constexpr double most_samples = 1e8;
 constexpr std::size_t most_places = 100000;  // where curves are close: more would call for more samples
 constexpr int bisections = 40;
@@ -37,13 +40,15 @@ class Bound {
       : task_(task), spacing_(hexagonal_spacing(task.mesh.area(), task.n)) {}
 
   FeatureBound find() {
-    const double least =
-        static_cast<double>(least_number_of_samples(task_.mesh, task_.features, task_.fixed));
-    take(std::sqrt(least * (task_.yielding ? need::share_of_samples : 1) / static_cast<double>(task_.n)),
+    for (const FeatureCurve& curve : task_.features.curves)
+      lengths_.push_back(CurveMetric(task_.mesh, curve, task_.sizing).length());
+    least_ = static_cast<double>(least_number_of_samples(task_.mesh, task_.features, task_.fixed));
+    take(std::sqrt(least_ * (task_.yielding ? need::share_of_samples : 1) / static_cast<double>(task_.n)),
          FeatureNeed::number);
     take(for_short_curves(), FeatureNeed::short_curves);
     take(for_small_angles(), FeatureNeed::small_angles);
     if (samples() <= need::most_samples) take(for_close_curves(), FeatureNeed::close_curves);
+    if (samples() <= need::most_samples) take(for_wanted_edges(), FeatureNeed::number);
     if (!(samples() <= need::most_samples)) return {0, need_};
     return {static_cast<std::size_t>(std::ceil((1 - need::rounding) * samples())), need_};
   }
@@ -71,11 +76,7 @@ class Bound {
   }
 
   double for_small_angles() const {
-    std::vector<double> lengths, edges;
-    for (const FeatureCurve& curve : task_.features.curves) {
-      lengths.push_back(CurveMetric(task_.mesh, curve, task_.sizing).length());
-      edges.push_back(1);
-    }
+    std::vector<double> edges(lengths_.size(), 1);
     const std::vector<CurveCorner> corners = curve_corners(task_.mesh, task_.features);
     for (const CurveCorner& corner : corners)
       if (is_acute(corner))
@@ -84,7 +85,7 @@ class Bound {
     for (const CurveCorner& corner : corners) {
       if (corner.angle >= std::numbers::pi / 2) continue;
       for (const std::size_t c : {corner.curve, corner.other})
-        most = std::max(most, length_for(corner, edges[c]) / lengths[c]);
+        most = std::max(most, length_for(corner, edges[c]) / lengths_[c]);
     }
     return most;
   }
@@ -97,6 +98,25 @@ class Bound {
     if (!is_acute(corner)) return std::min(need::similar_edges, need::longest_edge * std::cos(corner.angle));
     return std::max(edges > 2 ? need::three_edges : need::two_edges,
                     need::rounding_share / (1 - std::cos(corner.angle)));
+  }
+
+  double edges_on_curves(double shorter) const {
+    double sum = least_;
+    for (const double length : lengths_) sum += static_cast<double>(wanted_edges(length * shorter)) - 1;
+    return sum;
+  }
+
+  /// Where curves have the edges that are wanted, and the surface between its samples, and these are not more
+  /// than there are. Edges come one by one, so that somewhat longer curves may call for too many again; then
+  /// a few are longer.
+  double for_wanted_edges() const {
+    if (need::most_on_curves * samples() >= edges_on_curves(shorter_)) return 0;
+    const InnerShare inner(task_.mesh, task_.features, task_.sizing, 1 / shorter_);
+    double shorter = shorter_;
+    while (edges_on_curves(shorter) + inner.num_samples(need::growth * shorter_ / shorter) >
+           static_cast<double>(task_.n) * shorter * shorter)
+      shorter *= need::step;
+    return shorter;
   }
 
   double for_close_curves() {
@@ -148,6 +168,8 @@ class Bound {
   const FeatureBoundTask& task_;
   double spacing_;
   double shorter_ = 0;
+  double least_ = 0;             // samples
+  std::vector<double> lengths_;  // of the curves, in wanted lengths of n samples
   FeatureNeed need_ = FeatureNeed::number;
   std::vector<CurveClearance> places_;
   std::vector<double> wanted_;  // at each place, for n samples

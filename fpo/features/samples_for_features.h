@@ -25,6 +25,10 @@
 //    angles at both ends, so that first samples are on one sphere at all; between 60 and 90 lengths of
 //    1.25 cos a, or .63, for edges of .63 to 1.25.
 //
+// All of that holds if curves have as many edges as they call for. On bodies of bars, whose samples are
+// nearly all on curves, that and what is between (inner_share.h), with lengths up to 1.35, may be more than
+// n, though n is what the area calls for: so many samples are asked for that they suffice.
+//
 // No curve collapses (feature_choice.h) if the spacing is at most twice its length, but for ends of strips;
 // none is given up if features need no more than half of the samples; a quarter is asked for, so that faces
 // have some, too. All conditions become weaker with n.
@@ -58,7 +62,8 @@ struct FeatureBoundTask {
 
 /// The number of samples from which on all curves are kept and the ball of each of their edges is empty of
 /// other samples of the features. Not more than
-/// some 1e8. It does not depend on n if the sizing is uniform. O(places of curve_clearances).
+/// some 1e8. It does not depend on n if the sizing is uniform. O(places of curve_clearances and, where most
+/// samples are on curves, of InnerShare).
 FeatureBound samples_for_features(const FeatureBoundTask& task);
 
 }  // namespace fpo

@@ -50,6 +50,10 @@ bool is_hopeless(const RemeshResult& r) {
   return (!has_mesh || !r.type.ok()) && places * samples_for_one_place > r.samples.size();
 }
 
+bool may_be_faced(const RemeshResult& r) {
+  return r.broken_feature_edges > 0 && 2 * r.feature_samples > r.samples.size();
+}
+
 bool is_in_ruins(const RemeshResult& r) {
   return !r.type.ok() && r.thin_parts.faults_after * samples_for_one_fault > r.samples.size();
 }

@@ -27,6 +27,10 @@ bool is_useless(const RemeshResult& result);
 /// single places is not tried.
 bool is_hopeless(const RemeshResult& result);
 
+/// Without some edges of curves where most samples are on curves: on bars, say. Samples that face each other
+/// may help, wherever faults are.
+bool may_be_faced(const RemeshResult& result);
+
 /// Of another type with more than a tenth of the samples at fault, even after room was made for them: no
 /// other sheets or lengths are tried with the same curves. Samples that face each other may help still.
 bool is_in_ruins(const RemeshResult& result);

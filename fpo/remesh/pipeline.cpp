@@ -345,7 +345,8 @@ RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoic
     }
   }
   if (options.sheets != Sheets::automatic || options.method != Method::fpo || is_fine(best) ||
-      best.stood_in || is_remnant(best.mesh))  // all of this was tried on what stood in
+      best.stood_in ||  // all of this was tried on what stood in
+      (is_remnant(best.mesh) && !may_be_faced(best)))
     return best;
   const bool parted_at_once = best.has_levels && !parted;
   if (parted_at_once && !is_useful(best) && !interrupted(options)) {
@@ -353,7 +354,7 @@ RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoic
         unless_interrupted(options, [&] { return remesh_with(surface, choice, together); });
     if (other && is_better(*other, best)) best = std::move(*other);
   }
-  if (is_hopeless(best) || !geom::topology(surface).manifold()) return best;
+  if ((is_hopeless(best) && !may_be_faced(best)) || !geom::topology(surface).manifold()) return best;
   const auto attempt = [&](const RemeshOptions& otherwise, bool only_apart, bool anew = false) {
     if (interrupted(options)) return;
     std::optional<RemeshResult> other = unless_interrupted(

@@ -24,11 +24,13 @@ bool is_remnant(const geom::TriMesh& remesh) {
   return 4 * geom::topology(remesh).unreferenced_vertices > remesh.num_vertices();
 }
 
-void refuse_remnant(const geom::TriMesh& remesh) {
+void refuse_remnant(const geom::TriMesh& remesh, std::size_t enough) {
   if (!is_remnant(remesh)) return;
-  geom::require(false, "the surface is thinner than the spacing of " + std::to_string(remesh.num_vertices()) +
-                           " samples: only " + std::to_string(geom::topology(remesh).vertices) +
-                           " of them have a triangle");
+  geom::require(
+      false, "the surface is thinner than the spacing of " + std::to_string(remesh.num_vertices()) +
+                 " samples: only " + std::to_string(geom::topology(remesh).vertices) +
+                 " of them have a triangle" +
+                 (enough > remesh.num_vertices() ? "; about " + std::to_string(enough) + " would do" : ""));
 }
 
 }  // namespace fpo

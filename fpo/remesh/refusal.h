@@ -15,7 +15,7 @@ void refuse_soup(const geom::TriMesh& surface, std::size_t parts, std::size_t nu
 /// More than a quarter of the vertices have no triangle: much of the surface is missing. O(F log F).
 bool is_remnant(const geom::TriMesh& remesh);
 
-/// Refuses such a remesh. Throws geom::InputError.
-void refuse_remnant(const geom::TriMesh& remesh);
+/// Refuses such a remesh. `enough`: a number of samples that is known to do, or 0. Throws geom::InputError.
+void refuse_remnant(const geom::TriMesh& remesh, std::size_t enough = 0);
 
 }  // namespace fpo

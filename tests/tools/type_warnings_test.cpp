@@ -41,6 +41,9 @@ TEST_CASE("type warnings: the edges that are missing count where it is not known
   CHECK(tools::enough_samples(result) == 3500);
   result.broken_feature_edges = 300;
   CHECK(tools::enough_samples(result) == 18000);
+  result.feature_samples = 300;  // most of all
+  CHECK(tools::enough_samples(result) == 1145);
+  result.feature_samples = 100;
   result.advice.samples = 900;
   CHECK(tools::enough_samples(result) == 1145);
   result.feature_bound.samples = 400;  // and yet some are missing
@@ -51,4 +54,19 @@ TEST_CASE("type warnings: the edges that are missing count where it is not known
   CHECK(tools::enough_samples(result) == 900);
   result.advice = {};
   CHECK(tools::enough_samples(result) == 0);
+}
+
+TEST_CASE("type warnings: nobody is told a number that is of no use") {
+  fpo::RemeshResult result;
+  result.samples.resize(500);
+  result.measures.angles_below_30 = 3;
+  result.measures.theta_min = 24;
+  for (const std::size_t needed : {501u, 50000u, 50001u, 27482660u}) {
+    CAPTURE(needed);
+    result.feature_bound = {needed, fpo::FeatureNeed::small_angles};
+    const std::vector<std::string> lines = tools::shape_warnings(result);
+    REQUIRE(lines.size() == 1);
+    CHECK((lines[0].find("-n ") != std::string::npos) == (needed <= 50000));
+    CHECK(tools::enough_samples(result) == (needed <= 50000 ? needed : 0));
+  }
 }

@@ -31,6 +31,21 @@ TEST_CASE("curve spacing: a thin side is a narrow place, a corner and a thin bod
   CHECK(narrow_places(both, find_features(both), 0.2).empty());
 }
 
+TEST_CASE(
+    "curve spacing: where two bodies touch, and curves of one cross those of the other, no strip is "
+    "between") {
+  const TriMesh lower = block(1, 1, 0.7);
+  for (const double turn : {0.0, 0.02, 0.5}) {
+    CAPTURE(turn);
+    const TriMesh upper = geom::mapped(block(1, 1, 0.7), [&](const Vec3& p) -> Vec3 {
+      return {0.3 + p.x() * std::cos(turn) - p.y() * std::sin(turn),
+              0.3 + p.x() * std::sin(turn) + p.y() * std::cos(turn), 0.7 + p.z()};
+    });
+    const TriMesh both = geom::joined(lower, upper);
+    CHECK(narrow_places(both, find_features(both), 0.2).empty());
+  }
+}
+
 TEST_CASE("curve spacing: a place is compared with the nearest curves only") {
   // Fins side by side: each place is within a spacing of the edges of all others.
   TriMesh fins = block(1, 0.001, 1);

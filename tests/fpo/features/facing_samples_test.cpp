@@ -2,6 +2,7 @@
 
 #include "doctest.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/cage.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
@@ -105,4 +106,19 @@ TEST_CASE("facing samples: nothing is added beyond the number that is allowed") 
   for (std::size_t most = least; most < least + 40; most += 7)
     CHECK(sample_features(bar, features, {}, Sizing::uniform(0.11), {most, 1, {}, true}).samples.size() <=
           most);
+}
+
+TEST_CASE("facing samples: on bars all samples that there are find a place where no ball is") {
+  const TriMesh bars = fixtures::cage(3, 0.05);
+  const Features features = find_features(bars);
+  for (const std::size_t most : {700u, 900u, 1000u}) {
+    CAPTURE(most);
+    const Sizing sizing = Sizing::uniform(hexagonal_spacing(bars.area(), most));
+    const FeatureSamples samples = sample_features(bars, features, {}, sizing, {most, 1, {}, true});
+    const Placed there = placed(bars, features, sizing, samples);
+    CHECK(crowded_edges(there.metrics, there.places, samples).empty());
+    CHECK(crowded_by_brute_force(there, samples) == 0);
+    CHECK(samples.samples.size() <= most);
+    CHECK(samples.samples.size() > most - most / 50);
+  }
 }

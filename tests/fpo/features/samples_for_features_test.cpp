@@ -10,6 +10,7 @@
 #include "geom/shapes/mesh_parts.h"
 #include "geom/shapes/shapes.h"
 #include "tests/fixtures/block.h"
+#include "tests/fixtures/cage.h"
 
 using namespace fpo;
 using fixtures::block;
@@ -144,6 +145,26 @@ TEST_CASE("samples for features: remeshes with so many samples have all edges of
       CHECK(result.feature_edges > 0);
       CHECK(result.proven_edges == result.feature_edges);
       CHECK(result.broken_feature_edges == 0);
+    }
+  }
+}
+
+TEST_CASE(
+    "samples for features: bars, which have hardly any other samples, are of the right type from there on") {
+  for (const double width : {0.1, 0.05}) {
+    CAPTURE(width);
+    const TriMesh bars = fixtures::cage(3, width);
+    const std::size_t least = feature_bound(bars, options_for(500)).samples;
+    CHECK(feature_bound(bars, options_for(3000)).samples == least);
+    for (const std::size_t n : {least, least + least / 4}) {
+      CAPTURE(n);
+      RemeshOptions options = options_for(n);
+      options.optimize.max_iterations = 10;
+      const RemeshResult result = remesh(bars, options);
+      CHECK(2 * result.feature_samples > n);
+      CHECK(result.type.ok());
+      CHECK(result.broken_feature_edges == 0);
+      CHECK(result.measures.theta_min > 30);
     }
   }
 }

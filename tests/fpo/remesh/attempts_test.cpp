@@ -5,6 +5,7 @@
 #include "doctest.h"
 #include "fpo/remesh/remesh_defaults.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/cage.h"
 
 using namespace fpo;
 
@@ -124,4 +125,26 @@ TEST_CASE("attempts: a comb is of its type where staggered samples spoil it") {
   CHECK(result.crease_curves == 144);
   CHECK(result.broken_feature_edges == 0);
   CHECK(result.mesh.num_vertices() == 1100);
+}
+
+TEST_CASE("attempts: on bars samples face each other where edges are lost, wherever faults are") {
+  RemeshResult result = measured(false, 40, 1);
+  result.samples.resize(500);
+  result.feature_samples = 251;
+  CHECK(may_be_faced(result));
+  result.feature_samples = 250;
+  CHECK(!may_be_faced(result));
+  result = measured(false, 40, 0);
+  CHECK(!may_be_faced(result));
+  const geom::TriMesh bars = fixtures::cage(3, 0.05);
+  for (const std::size_t n : {500u, 900u}) {
+    CAPTURE(n);
+    RemeshOptions options = default_options(n, SizingKind::uniform);
+    options.features = automatic_features();
+    options.optimize.max_iterations = 10;
+    const RemeshResult remeshed = remesh(bars, options);
+    CHECK(remeshed.type.ok());
+    CHECK(remeshed.broken_feature_edges == 0);
+    CHECK(remeshed.samples.size() == n);
+  }
 }

@@ -6,7 +6,6 @@
 #include "doctest.h"
 #include "fpo/optimize.h"
 #include "fpo/remesh/dual.h"
-#include "fpo/remesh/fidelity.h"
 #include "fpo/surface/initial_samples.h"
 #include "geom/rng.h"
 #include "geom/shapes/shapes.h"
@@ -111,24 +110,4 @@ TEST_CASE("flaws: what is tried in vain leaves samples as they were, and fixed o
     CHECK(flaws.penalty() == doctest::Approx(penalty));
     domain.check();
   }
-}
-
-TEST_CASE("fidelity: triangles come no farther from the surface, and the moves are as many as allowed") {
-  const geom::TriMesh mesh = fixtures::blob(16);
-  constexpr std::size_t n = 150;
-  std::vector<std::size_t> tried;
-  for (const std::size_t most_moves : {std::size_t{0}, std::size_t{3000}}) {
-    SurfaceDomain domain = flaws_domain_of(mesh, n);
-    for (std::size_t i = 0; i < 10 * n; ++i) domain.move(SiteId(i % n), Scope::global);
-    FidelityOptions options;
-    options.most_moves = most_moves;
-    const FidelityResult result = improve_fidelity(domain, AngleOptions(), options);
-    CHECK(result.largest_before > 0);
-    CHECK(result.largest_after <= result.largest_before);
-    CHECK(domain.num_samples() == n);
-    domain.check();
-    tried.push_back(result.tried);
-  }
-  CHECK(tried[0] <= 1);
-  CHECK(tried[1] > tried[0]);
 }
