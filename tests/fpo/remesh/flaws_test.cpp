@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include "doctest.h"
 #include "fpo/optimize.h"
@@ -131,4 +132,24 @@ TEST_CASE("fidelity: triangles come no farther from the surface, and the moves a
   }
   CHECK(tried[0] <= 1);
   CHECK(tried[1] > tried[0]);
+}
+
+TEST_CASE("fidelity: with lengths that differ no sample comes closer than is allowed, if that is asked for") {
+  const geom::TriMesh mesh = fixtures::blob(16);
+  constexpr std::size_t n = 150;
+  constexpr double slope = 0.3;  // a neighbour's length may be greater by so much a distance
+  std::size_t mended = 0;
+  for (const std::uint64_t seed : {4, 5, 6}) {
+    const Sizing sizing = fixtures::graded(mesh, 0.08, slope);
+    SurfaceDomain domain(mesh, sizing, random_samples(mesh, sizing, n, seed));
+    for (std::size_t i = 0; i < 10 * n; ++i) domain.move(SiteId(i % n), Scope::two_ring);
+    const double before = measure(domain).delta;
+    FidelityOptions options;
+    options.keep_spacing = true;
+    mended += improve_fidelity(domain, AngleOptions(), options).mended;
+    const double least = std::min(before, options.enough_delta);
+    CHECK(measure(domain).delta >= 1 / (1 / least + slope));
+    domain.check();
+  }
+  CHECK(mended > 0);
 }
