@@ -221,7 +221,8 @@ Remesh remesh(const Points& V, const Triangles& F, const Options& options) {
   remesh.wanted = vector_of(result.wanted);
   remesh.sizing = vector_of(result.sizing);
   remesh.measures = measures_of(input, result);
-  remesh.measures.converged = stopped_gaining(iterations);
+  remesh.measures.converged =
+      result.optimization.reason == StopReason::nothing_gained || stopped_gaining(iterations);
   return remesh;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,14 @@
 
 namespace fpo {
 namespace {
+
+constexpr std::size_t iterations_to_gain = 5;
+
+/// `means`: mean delta before the first iteration and after each.
+bool has_gained(std::span<const double> means, double least) {
+  if (means.size() <= iterations_to_gain) return true;
+  return means.back() - means.last(iterations_to_gain + 1).front() >= least;
+}
 
 std::vector<SiteId> movable_samples(const Domain& domain) {
   std::vector<SiteId> samples;
@@ -45,12 +54,14 @@ OptimizeResult optimize(Domain& domain, const OptimizeOptions& options) {
   geom::Rng rng(options.seed);
   std::vector<SiteId> samples = movable_samples(domain);
   OptimizeResult result;
+  std::vector<double> means;
 
   const auto report = [&](int iteration, std::size_t moved) {
     result.last = measure(domain);
     result.last.iteration = iteration;
     result.last.moved = moved;
     result.last.seconds = watch.seconds();
+    means.push_back(result.last.mean_delta);
     if (options.on_iteration) options.on_iteration(result.last);
   };
 
@@ -79,6 +90,8 @@ OptimizeResult optimize(Domain& domain, const OptimizeOptions& options) {
     report(iteration, moved);
     if (moved == 0) return result.reason = StopReason::nothing_moved, result;
     if (result.last.delta > options.target_delta) return result.reason = StopReason::target_reached, result;
+    if (options.least_gain && !has_gained(means, *options.least_gain))
+      return result.reason = StopReason::nothing_gained, result;
   }
   result.reason = StopReason::iteration_cap;
   return result;

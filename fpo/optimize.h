@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "fpo/rest.h"
 
@@ -24,11 +25,13 @@ struct IterationReport {
 /// iteration.
 enum class VisitOrder { in_turn, shuffled_once, shuffled };
 
-enum class StopReason { target_reached, nothing_moved, iteration_cap, interrupted };
+enum class StopReason { target_reached, nothing_moved, nothing_gained, iteration_cap, interrupted };
 
 struct OptimizeOptions {
   int max_iterations = 100;
-  double target_delta = 0.926;    ///< stop as soon as delta exceeds it (section 3.2)
+  double target_delta = 0.926;  ///< stop as soon as delta exceeds it (section 3.2)
+  /// Stop as soon as five iterations have raised mean delta by less than this; none: never.
+  std::optional<double> least_gain{};
   double rest_spacing = no_rest;  ///< at each iteration's start it is seen who rests (rest.h)
   Scope scope = Scope::global;
   VisitOrder order = VisitOrder::shuffled;

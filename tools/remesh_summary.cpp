@@ -21,6 +21,8 @@ const char* name_of(fpo::StopReason reason, const RemeshRun& run) {
       return "target_reached";
     case fpo::StopReason::nothing_moved:
       return "nothing_moved";
+    case fpo::StopReason::nothing_gained:
+      return "converged";
     case fpo::StopReason::iteration_cap:
       return fpo::stopped_gaining(run.iterations) ? "converged" : "iteration_cap";
     case fpo::StopReason::interrupted:

@@ -33,9 +33,10 @@ bool has_wanted_angles(const RemeshResult& r) {
 }
 
 bool is_fine(const RemeshResult& r) {
+  if (!has_wanted_angles(r)) return false;
+  if (r.measures.theta_min < small_angle) return true;
   const std::size_t few = r.feature_edges == 0 ? r.mesh.num_vertices() / samples_for_one_mended : 0;
-  if (r.finish.recovered_edges > 0 || r.finish.last_angles.mended > few) return false;
-  return has_wanted_angles(r);
+  return r.finish.recovered_edges == 0 && r.finish.last_angles.mended <= few;
 }
 
 bool is_useful(const RemeshResult& r) { return has_angles(r, useless_angle); }

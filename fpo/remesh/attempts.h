@@ -10,8 +10,9 @@ namespace fpo {
 /// smallest between features of the input.
 bool has_wanted_angles(const RemeshResult& result);
 
-/// The same with nothing mended on the mesh for it (without features one flip or move in a thousand samples
-/// may be: no sheets are to blame for it): nothing else is tried.
+/// The same, and either a corner of the input is the smallest angle, which nothing can better, or nothing was
+/// mended on the mesh for it (without features one flip or move in a thousand samples may be: no sheets are
+/// to blame for it): nothing else is tried.
 bool is_fine(const RemeshResult& result);
 
 /// Of the input's type, and no angle below 10 degrees or, if all edges of curves are there, the smallest

@@ -18,7 +18,8 @@ SurfaceOptions surface_options(const SharedSizing& shared, const RemeshOptions& 
 
 namespace {
 
-constexpr int start_saves = 3;  // times as many iterations, for samples that are spread already
+constexpr double gain_apart = 3e-4;  // of mean delta, in five iterations: a move costs several times as much
+constexpr int start_saves = 3;       // times as many iterations, for samples that are spread already
 
 void remove_short_edges(SurfaceDomain& domain, const RemeshOptions& options, RemeshResult& result) {
   if (!options.shortest_edge_removal) return;
@@ -40,6 +41,8 @@ SurfaceDomain optimized_samples(const geom::TriMesh& surface, const SharedSizing
     take_inner(brought_to(surface, start->samples), start->feature_samples, diagram.num_fixed, samples);
     optimization.max_iterations =
         std::min(optimization.max_iterations, std::max(optimization.max_iterations / start_saves, 1));
+  } else if (surface.has_levels()) {
+    optimization.least_gain = gain_apart;
   }
   if (options.tile_samples == 0 || samples.size() <= options.tile_samples || surface.has_levels()) {
     SurfaceDomain domain(surface, shared.sizing, samples, diagram);

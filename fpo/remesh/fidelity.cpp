@@ -59,6 +59,7 @@ FidelityResult improve_fidelity(SurfaceDomain& domain, const AngleOptions& angle
   Flaws bad(domain, bad_angles(domain, angles));
   LocalResampling resampling(domain, {&far, &bad}, options.enough_delta);
   resampling.let_slide(angles.slides);  // none does here, but edges of curves are kept
+  if (options.keep_spacing) resampling.keep_spacing();
   const std::size_t most_moves =
       std::min(options.most_moves, least_moves + iterations * domain.num_samples());
   const auto enough = [&] { return resampling.moves() > most_moves || interrupted(options.interrupted); };

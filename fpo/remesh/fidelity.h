@@ -16,6 +16,7 @@ struct FidelityOptions {
   /// surface is folded or narrow in comparison with the spacing.
   double share_of_largest = 0.7;
   double enough_delta = 0.915;  ///< with uniform sizing delta is not made smaller than this
+  bool keep_spacing = false;    ///< the same with lengths that differ, each distance in its own
   /// At most so many moves, give or take one triangle's, and never more than about ten iterations' worth.
   std::size_t most_moves = std::numeric_limits<std::size_t>::max();
   const std::atomic<bool>* interrupted = nullptr;  ///< looked at before each triangle

@@ -111,6 +111,7 @@ LocalResampling::LocalResampling(SurfaceDomain& domain, std::vector<Flaws*> flaw
     : domain_(domain),
       flaws_(std::move(flaws)),
       before_(flaws_.size(), 0.0),
+      keeps_spacing_(domain.sizing().is_even()),
       delta_(std::min(measure(domain).delta, enough)) {}
 
 void LocalResampling::move(const Backup& x) {
@@ -143,7 +144,7 @@ bool LocalResampling::others_no_worse() {
 }
 
 bool LocalResampling::wide_enough(SiteId x) {
-  return !domain_.sizing().is_even() || domain_.normalized_spacing(x) >= delta_;
+  return !keeps_spacing_ || domain_.normalized_spacing(x) >= delta_;
 }
 
 std::vector<LocalResampling::Backup> LocalResampling::backups_of(std::span<const SiteId> samples) const {

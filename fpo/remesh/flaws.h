@@ -84,6 +84,9 @@ class LocalResampling {
   /// Things are better if the first penalty is smaller by more than this: 0 at first.
   void require_gain(double gain) { gain_ = gain; }
 
+  /// With any sizing no sample may come too close to another.
+  void keep_spacing() { keeps_spacing_ = true; }
+
   /// Fixed samples on curves may be put elsewhere on these, by attempts to slide and nudges. Null: none.
   void let_slide(const CurveSlides* slides) { slides_ = slides; }
 
@@ -145,6 +148,7 @@ class LocalResampling {
   std::optional<geom::AabbTree> tree_;  ///< made when first needed
   const CurveSlides* slides_ = nullptr;
   SampleJournal* journal_ = nullptr;
+  bool keeps_spacing_;
   double delta_;  ///< no normalized spacing becomes smaller
 };
 

@@ -126,6 +126,10 @@ void come_nearer(SurfaceDomain& domain, const Improvement& how, const RemeshOpti
   const bool has_features = !how.shared.features.samples.empty();
   if (options.method == Method::fpo)  // who wants it fast wants this fast, too
     fidelity.most_moves = least_fidelity_moves + result.optimization.moves / (has_features ? 4 : 12);
+  if (result.thin_parts.faults_before > 0) {  // moves there cost the most and bring samples together
+    fidelity.most_moves /= 4;
+    fidelity.keep_spacing = true;
+  }
   if (has_features) {  // fixed samples keep delta from more, and shape matters more
     fidelity.share_of_largest = 0.5;
     fidelity.enough_delta = std::min(0.9, fidelity.enough_delta);

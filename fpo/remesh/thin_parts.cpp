@@ -149,7 +149,7 @@ class RoomMaker {
   }
 
   /// The same samples under the lowered sizing, optimized so many times.
-  std::unique_ptr<SurfaceDomain> optimized(const SurfaceDomain& domain, int iterations, Scope scope,
+  std::unique_ptr<SurfaceDomain> optimized(const SurfaceDomain& domain, const OptimizeOptions& how,
                                            bool without_strays = false) const {
     std::vector<SurfaceSample> samples;
     for (std::size_t i = 0; i < domain.num_samples(); ++i) samples.push_back(domain.sample(SiteId(i)));
@@ -158,9 +158,7 @@ class RoomMaker {
     if (without_strays)
       for (int pass = 0; pass < passes && call_back_strays(*result, options_.interrupted) > 0; ++pass) {
       }
-    OptimizeOptions optimization;
-    optimization.max_iterations = iterations;
-    optimization.scope = scope;
+    OptimizeOptions optimization = how;
     optimization.order = VisitOrder::in_turn;
     optimization.interrupted = options_.interrupted;
     optimize(*result, optimization);
@@ -210,14 +208,20 @@ std::unique_ptr<SurfaceDomain> make_room_for_thin_parts(std::unique_ptr<SurfaceD
     result = {room.num_spots(), room.scale(), result.faults_before, dual.num_faults(), dual.type.ok()};
     best = std::move(next);
   };
+  OptimizeOptions once_more;
+  once_more.max_iterations = options.iterations;
   for (int round = 0; round < options.rounds && !enough(); ++round) {
     if (!room.lower(*last, dual)) break;
-    look_at(room.optimized(*last, options.iterations, Scope::global));
+    look_at(room.optimized(*last, once_more));
   }
   for (int round = 0; round < stray_rounds && !enough(); ++round)
-    look_at(room.optimized(*last, options.iterations, Scope::global, true));
+    look_at(room.optimized(*last, once_more, true));
   if (!dual.type.ok() || fpo::interrupted(options.interrupted)) return best;
-  auto polished = room.optimized(*best, options.polishing, options.scope);
+  OptimizeOptions polishing;
+  polishing.max_iterations = options.polishing;
+  polishing.least_gain = options.polishing_gain;
+  polishing.scope = options.scope;
+  auto polished = room.optimized(*best, polishing);
   if (dual_of(*polished, type, false, options.interrupted).type.ok()) return polished;
   return best;
 }

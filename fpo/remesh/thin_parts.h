@@ -14,13 +14,14 @@
 namespace fpo {
 
 struct ThinPartOptions {
-  double gradation = 0.3;       ///< of the wanted length about a thin place
-  double most_scale = 2;        ///< nothing is lowered that would stretch the edges elsewhere by more
-  int rounds = 6;               ///< at most; 0: only looks
-  int iterations = 10;          ///< of farthest point optimization in each round
-  int polishing = 40;           ///< at the end
-  SurfaceOptions diagram;       ///< of the domains
-  Scope scope = Scope::global;  ///< of the polishing: samples are brought by global moves in any case
+  double gradation = 0.3;        ///< of the wanted length about a thin place
+  double most_scale = 2;         ///< nothing is lowered that would stretch the edges elsewhere by more
+  int rounds = 6;                ///< at most; 0: only looks
+  int iterations = 10;           ///< of farthest point optimization in each round
+  int polishing = 40;            ///< at the end, at most
+  double polishing_gain = 1e-3;  ///< of mean delta in five of these, or they end
+  SurfaceOptions diagram;        ///< of the domains
+  Scope scope = Scope::global;   ///< of the polishing: samples are brought by global moves in any case
   const std::atomic<bool>* interrupted = nullptr;  ///< looked at before each move
 };
 

@@ -126,6 +126,26 @@ TEST_CASE("optimize: stops where delta exceeds the target, where nothing moves, 
   CHECK(result.last.delta == 0.1);
 }
 
+TEST_CASE("optimize: stops where five iterations have gained less than is wanted, if that is asked for") {
+  const auto run = [](std::optional<double> least_gain) {
+    FakeDomain domain({1, 1});
+    domain.radius2 = 1.125;
+    OptimizeOptions options = in_turn(20);
+    options.least_gain = least_gain;
+    options.on_iteration = [&](const IterationReport& r) {
+      if (r.iteration > 0) domain.radius2 += r.iteration < 3 ? 0.125 : 0x1p-10;
+    };
+    return optimize(domain, options);
+  };
+  const OptimizeResult result = run(0.125);  // from the third iteration to the eighth it is less
+  CHECK(result.reason == StopReason::nothing_gained);
+  CHECK(result.last.iteration == 8);
+  CHECK(result.moves == 16);
+  CHECK(run(5 * 0x1p-10).last.iteration == 20);  // exactly so much is enough
+  CHECK(run({}).last.iteration == 20);
+  CHECK(run({}).reason == StopReason::iteration_cap);
+}
+
 TEST_CASE("optimize: an interruption is looked at before each move and leaves all samples in") {
   FakeDomain domain({1, 1, 1, 1});
   domain.radius2 = 2;

@@ -41,6 +41,13 @@ TEST_CASE("attempts: fine is what has it all; corners or lost edges alone leave 
   RemeshResult wedge = measured(true, 15, 0);
   wedge.corner_angle = 15;  // a part has what corners it has
   CHECK(is_fine(wedge));
+  wedge.finish.last_angles.mended = 20;  // nothing else would have larger angles
+  CHECK(is_fine(wedge));
+  wedge.corner_angle = 31;
+  wedge.measures.theta_min = 30;
+  CHECK(!is_fine(wedge));
+  wedge.corner_angle = 15;
+  wedge.finish.last_angles.mended = 0;
   wedge.measures.theta_min = 14;
   CHECK(!is_fine(wedge));
   CHECK(!is_useful(measured(true, 8, 0)));

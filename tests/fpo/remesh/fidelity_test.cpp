@@ -7,6 +7,7 @@
 #include "fpo/remesh/dual.h"
 #include "fpo/surface/initial_samples.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/sizings.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
@@ -66,4 +67,24 @@ TEST_CASE(
     CHECK(improve_fidelity(domain, angles, options).mended > 0);
     CHECK(num_joined() >= before);
   }
+}
+
+TEST_CASE("fidelity: with lengths that differ no sample comes closer than is allowed, if that is asked for") {
+  const geom::TriMesh mesh = fixtures::blob(16);
+  constexpr std::size_t n = 150;
+  constexpr double slope = 0.3;  // a neighbour's length may be greater by so much a distance
+  std::size_t mended = 0;
+  for (const std::uint64_t seed : {4, 5, 6}) {
+    const Sizing sizing = fixtures::graded(mesh, 0.08, slope);
+    SurfaceDomain domain(mesh, sizing, random_samples(mesh, sizing, n, seed));
+    for (std::size_t i = 0; i < 10 * n; ++i) domain.move(SiteId(i % n), Scope::two_ring);
+    const double before = measure(domain).delta;
+    FidelityOptions options;
+    options.keep_spacing = true;
+    mended += improve_fidelity(domain, AngleOptions(), options).mended;
+    const double least = std::min(before, options.enough_delta);
+    CHECK(measure(domain).delta >= 1 / (1 / least + slope));
+    domain.check();
+  }
+  CHECK(mended > 0);
 }

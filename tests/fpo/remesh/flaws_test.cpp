@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include "doctest.h"
 #include "fpo/optimize.h"
@@ -9,7 +10,6 @@
 #include "fpo/surface/initial_samples.h"
 #include "geom/rng.h"
 #include "geom/shapes/shapes.h"
-#include "tests/fixtures/sizings.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;

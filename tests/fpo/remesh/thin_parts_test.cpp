@@ -18,7 +18,7 @@ struct Outcome {
   TypeCheck type;
 };
 
-Outcome with_room(const TriMesh& mesh, std::size_t n) {
+Outcome with_room(const TriMesh& mesh, std::size_t n, int polishing = 5, double polishing_gain = 0) {
   Outcome outcome;
   const auto optimized = [&] {
     auto domain = std::make_unique<SurfaceDomain>(mesh, random_samples(mesh, n, 1));
@@ -29,7 +29,8 @@ Outcome with_room(const TriMesh& mesh, std::size_t n) {
     return domain;
   };
   ThinPartOptions options;
-  options.polishing = 5;
+  options.polishing = polishing;
+  options.polishing_gain = polishing_gain;
   const geom::SurfaceType type = geom::surface_type(mesh);
   outcome.before = optimized();
   outcome.after = make_room_for_thin_parts(optimized(), {}, type, options, outcome.found);
@@ -68,6 +69,18 @@ TEST_CASE("thin parts: a bar, a handle and a hole much thinner than the spacing 
     CHECK(outcome.after->num_samples() == n);
     outcome.after->check();
   }
+}
+
+TEST_CASE("thin parts: polishing ends after five iterations that gain less than is wanted") {
+  const TriMesh mesh = geom::make_shape("thin-handle", 16);
+  const Outcome five = with_room(mesh, 300, 5), stopped = with_room(mesh, 300, 40, 1);
+  const Outcome all = with_room(mesh, 300, 40, -1);
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < 300; ++i) {
+    CHECK(stopped.after->sample(SiteId(i)).position == five.after->sample(SiteId(i)).position);
+    others += all.after->sample(SiteId(i)).position != five.after->sample(SiteId(i)).position;
+  }
+  CHECK(others > 0);
 }
 
 TEST_CASE("thin parts: what there are too few samples for starves nothing else") {

@@ -112,3 +112,15 @@ TEST_CASE("sheets apart: facets of a thread are not split without end") {
   });
   CHECK(!apart(thread, 100));
 }
+
+TEST_CASE("sheets apart: the optimization ends where it gains no more; nowhere else") {
+  const TriMesh plate = fixtures::box(Vec3(1, 1, 0.01), 1);
+  RemeshOptions options = default_options(200, SizingKind::uniform);
+  options.improve_fidelity = false;
+  options.sheets = Sheets::apart;
+  const OptimizeResult apart = remesh(plate, options).optimization;
+  CHECK(apart.reason == StopReason::nothing_gained);
+  CHECK(apart.last.iteration < options.optimize.max_iterations);
+  const OptimizeResult sphere = remesh(geom::make_shape("sphere"), options).optimization;
+  CHECK(sphere.reason != StopReason::nothing_gained);
+}
