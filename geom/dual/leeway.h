@@ -15,8 +15,8 @@
 //   - (a) p and its rim, and these with each of the strangers that are `kept`, are a simple chart (chart.h);
 //   - (b) all other strangers are farther than some site of the rim;
 //   - (c) bisectors of p and its rim are no steeper than `steepest`; the power to the nearest of the rim is
-//     at most `power`; what p has within `near` of it hangs together if it has one component in the sense of
-//     sheets.h, on a sheet with that axis and slope.
+//     at most `power`; what p has within `near` of it, or within `radius` of O, hangs together if it has one
+//     component in the sense of sheets.h, on a sheet with that axis and slope.
 //
 // A move in place then needs its circles only. The hole: its triangles' circles are empty of the rim and of
 // those kept, which is tested at each, and by (b) of all others, so with (a) the division is right (chart.h).
