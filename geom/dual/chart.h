@@ -38,11 +38,12 @@
 //
 // How far is what a site has? Distances grow along horizontal lines (t^2 + h^2 has derivative at least 2t (1
 // - s^2)), so the farthest location of a cell, or of a part of it, is on its border. An edge runs in the
-// plane of the bisector, with slopes of at most some k there, so between A and B it is in the parallelogram
-// of sides with slopes k and -k that has A and B as opposite corners. Distance is convex, so it is largest at
-// a corner. The other two are above and below the points that divide the chord from A to B, of length L, as
-// y : 1 - y for some y, by at most 2 k L y (1 - y). If A and B are within R of a site, such a point is within
-// the root of R^2 - y (1 - y) L^2, at most R - y (1 - y) L^2 / (2 R), and the corner within
+// plane of the bisector, with slopes of at most some k there, those of its chords as well, so between A and B
+// it is in the parallelogram of sides with slopes k and -k that has A and B as opposite corners. Distance is
+// convex, so it is largest at a corner. The other two are above and below the points that divide the chord
+// from A to B, of length L, as y : 1 - y for some y, by at most 2 k L y (1 - y). If A and B are within R of a
+// site, such a point is within the root of R^2 - y (1 - y) L^2, at most R - y (1 - y) L^2 / (2 R), and the
+// corner within
 //
 //     R + y (1 - y) (2 k L - L^2 / (2 R)) <= R + k / 2 min(L, k R)
 //

@@ -63,7 +63,8 @@ void FastWay::name_rim(DualChange& change) const {
 bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, DualChange& change) {
   const SiteId p = around_.p;
   const WeightedPoint3 old = state_.sites[p];
-  if (point.level != old.level) return false;
+  if (point.level != old.level || (point.weight != old.weight && state_.leeways.is_in_use())) return false;
+  state_.search.allow(point.weight);
   Frame& frame = around_.frame;
   const Rim& rim = around_.rim;
   frame.add(point);
@@ -79,6 +80,7 @@ bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, Dua
     state_.sites[p] = old;
     return false;
   }
+  had_leeway_ = around_.leeway;
   state_.follow(p, old.position);
   state_.home[p] = home;
   raise_reaches(old);

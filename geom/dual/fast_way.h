@@ -65,11 +65,12 @@ class FastWay {
   void cancel() { hole_.cancel(); }
   /// Carries the planned removal out. circles_created: in the order of circles().
   void remove(DualChange& change);
-  /// p, as planned, to the center of that circle, if its link stays what it is.
+  /// p, as planned, to the center of that circle, if its link stays what it is. Not with another weight while
+  /// there are leeways, which that ends: then p is removed and inserted.
   bool move_in_place(std::size_t circle, const WeightedPoint3& point, DualChange& change);
 
-  /// Was that proven with leeway?
-  bool had_leeway() const { return around_.leeway; }
+  /// Was the last such move proven with leeway?
+  bool had_leeway() const { return had_leeway_; }
 
   /// p, which is out, to the center of an empty circle.
   bool insert(SiteId p, const WeightedPoint3& point, FacetId home, CircleId first, DualChange& change);
@@ -93,6 +94,7 @@ class FastWay {
   Surroundings around_;
   Hole hole_;
   CellProof cell_;
+  bool had_leeway_ = false;
   struct HoleCorner {
     Vec3 place;
     double power, tolerance;

@@ -17,7 +17,11 @@ FacetId HoleTriangles::start() const {
 }
 
 bool HoleTriangles::fill() {
-  if (!recall() && !guess()) return false;
+  if (recall() && find_circles()) return true;
+  return guess() && find_circles();
+}
+
+bool HoleTriangles::find_circles() {
   FacetId near = start();
   for (Triangle& triangle : triangles_) {
     if (!find_circle(triangle, near)) return false;

@@ -32,6 +32,7 @@ class HoleTriangles {
  private:
   FacetId start() const;
   bool flatten_rim();
+  bool find_circles();
   bool recall();
   void remember() const;
   bool guess();

@@ -23,13 +23,17 @@
 // The new cell: at each of its corners p and two of the rim are nearest, tested in the same way; along an arc
 // between two corners, on the bisector of p and one of the rim, a third site that were nearer somewhere would
 // be nearer at an end, by (a). So the arcs are a closed curve of edges of the new diagram, and what it
-// surrounds is p's cell. Circles beyond the rim are not in it, hence not beaten, and need no test. And nobody
-// is nearer to p than the nearest of its rim and of those kept, by (b).
+// surrounds is p's cell. What p has elsewhere would have a path to it over the disc of the sheet, which holds
+// the hole and p (sheets.h). Circles beyond the rim need no test: were one beaten, on the edge of r_j and
+// r_j+1 that ends there, then p, who comes nearer once on that edge, would do so beyond it, and at that
+// corner the third site of the circle would be nearer. And nobody is nearer to p than the nearest of its rim
+// and of those kept, by (b).
 //
 // Who has moved? Watched sites are compared one by one. Each of the others has an anchor from which it is no
-// farther than a length, the step. Who is not watched was farther than the range and two steps, and so is
-// beyond the range as long as it keeps its anchor. A site that comes in, or leaves its anchor, gets a new
-// one, and then all leeways end that have it within the range and two steps, and do not watch it.
+// farther than a length, the step. Who is not watched was farther than the range and two steps, its anchor
+// farther than the range and one, so it is beyond the range as long as it keeps its anchor. A site that comes
+// in, or leaves its anchor, gets a new one, and then all leeways end that have it within the range and two
+// steps, and do not watch it.
 
 #include <array>
 #include <cstdint>
@@ -71,7 +75,7 @@ struct Leeway {
   float way = std::numeric_limits<float>::infinity();  ///< of the last move of p
   bool stands = false;
   std::uint8_t num_rim = 0, num_kept = 0, size = 0;
-  std::uint8_t failures = 0, rest = 0;  ///< attempts that failed in a row, and moves without one
+  std::uint8_t failures = 0, rest = 0;  ///< failed attempts since p has its anchor, and moves without one
   std::uint8_t num_guesses = 0;
   std::array<Guess, 6> guesses;
   std::array<Watched, most> watched;  ///< the rim in its order, those who are kept, and others

@@ -1,9 +1,11 @@
 #pragma once
 // Proves what a leeway says (leeway.h) of a site on a sheet, from its rim.
 //
-// (a) and the bound of slopes: slack_chart.h. The bound of the power: where the nearest of the rim is within
-// r of a location, it is within r and delta after all have moved; and who is nearer there is within that of
-// it, so within the range of O. (b) is tested at a location z by |z - q|^2 - |z - r|^2, which changes by
+// (a) and the bound of slopes: slack_chart.h. The bound of the power and the range: let the nearest of the
+// rim be within r of a location z before anyone has moved. Then afterwards it is within r + delta, and
+// whoever is nearer to z is within |z - O| + r + delta of O: that is the range. A stranger there, or that may
+// come there by its own delta, must pass (b) or is kept. (b) is tested at z by |z - q|^2 - |z - r|^2, which
+// changes by
 //
 //     2 delta (|z - q| + |z - r|) + 2 delta^2 <= 2 delta (2 radius + |q - O| + |r - O| + delta)
 //
