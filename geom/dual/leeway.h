@@ -45,7 +45,7 @@
 
 namespace geom {
 
-/// What was proven allows a hundredth more than what is asked here, for rounding.
+/// What was proven allows a hundredth more than what is asked here, for rounding (slack_chart.h).
 struct Leeway {
   static constexpr std::size_t most = 16;
   /// A triangle of the hole that p left last: as HoleTriangles::Triangle.
