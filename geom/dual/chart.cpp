@@ -7,7 +7,7 @@
 namespace geom {
 namespace {
 
-constexpr double steeper = 1 + 1e-6;
+constexpr double steeper = SheetAxes::steeper;
 constexpr double small = 1e-9;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -15,12 +15,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 void Chart::begin(const Sheet& sheet) {
-  m_ = sheet.axis;
-  u_ = sheet.u;
-  v_ = m_.cross(u_);
-  slope_u_ = steeper * sheet.slope_u;
-  slope_v_ = steeper * sheet.slope_v;
-  slope2_ = steeper * sheet.slope * sheet.slope;
+  axes_ = SheetAxes(sheet);
   largest2_ = 0;
   size_ = 0;
 }
@@ -28,9 +23,9 @@ void Chart::begin(const Sheet& sheet) {
 void Chart::set(int i, const Vec3& d, double c) {
   const std::size_t k = at(i);
   const double dx = d.x(), dy = d.y(), dz = d.z();
-  x_[k] = dx * u_[0] + dy * u_[1] + dz * u_[2];
-  y_[k] = dx * v_[0] + dy * v_[1] + dz * v_[2];
-  z_[k] = dx * m_[0] + dy * m_[1] + dz * m_[2];
+  x_[k] = dx * axes_.u[0] + dy * axes_.u[1] + dz * axes_.u[2];
+  y_[k] = dx * axes_.v[0] + dy * axes_.v[1] + dz * axes_.v[2];
+  z_[k] = dx * axes_.m[0] + dy * axes_.m[1] + dz * axes_.m[2];
   c_[k] = c;
   largest2_ = std::max(std::max(largest2_, dx * dx + dy * dy + dz * dz), std::abs(c));
 }
@@ -47,8 +42,8 @@ Chart::Spread Chart::spread(int count) const {
     return most - least;
   };
   const double X = width(x_), Y = width(y_), Z = width(z_), least = small * largest();
-  return {2 * Z * (slope_u_ * Y + slope_v_ * X) + 4 * small * largest2_, slope_u_ * Z + least,
-          slope_v_ * Z + least};
+  return {2 * Z * (axes_.slope_u * Y + axes_.slope_v * X) + 4 * small * largest2_, axes_.slope_u * Z + least,
+          axes_.slope_v * Z + least};
 }
 
 // n_z of three sites is twice the area of their triangle: the sum of those of its sides with any location.
@@ -94,8 +89,8 @@ bool Chart::is_simple_with(int last, double radius) const {
 bool Chart::is_monotone(int first, int second) const {
   const std::size_t i = at(first), j = at(second);
   const double least = small * largest(), rise = std::abs(z_[i] - z_[j]);
-  return std::abs(x_[i] - x_[j]) > rise * slope_u_ + least ||
-         std::abs(y_[i] - y_[j]) > rise * slope_v_ + least;
+  return std::abs(x_[i] - x_[j]) > rise * axes_.slope_u + least ||
+         std::abs(y_[i] - y_[j]) > rise * axes_.slope_v + least;
 }
 
 bool Chart::meets_axis_once(int first, int second, int third, double radius) const {
@@ -104,7 +99,8 @@ bool Chart::meets_axis_once(int first, int second, int third, double radius) con
   const double fx = x_[j] - x_[k], fy = y_[j] - y_[k], fz = z_[j] - z_[k];
   const double nx = std::abs(ey * fz - ez * fy), ny = std::abs(ez * fx - ex * fz),
                nz = std::abs(ex * fy - ey * fx);
-  return nz > slope_u_ * nx + slope_v_ * ny + 4 * small * largest2_ || is_far(first, second, third, radius);
+  return nz > axes_.slope_u * nx + axes_.slope_v * ny + 4 * small * largest2_ ||
+         is_far(first, second, third, radius);
 }
 
 bool Chart::meets_axes_once(int site, std::span<const Edge> edges, double radius) const {
@@ -132,7 +128,7 @@ bool Chart::is_far(int first, int second, int third, double radius) const {
 // root of that and of the heaviest weight. Both are largest at 0 or at the radius.
 Chart::Gain Chart::most_gain(int count, double radius, double weight, double heaviest) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const double shrink = 1 / std::sqrt(1 + slope2_), slope = std::sqrt(slope2_);
+  const double shrink = 1 / std::sqrt(1 + axes_.slope2), slope = std::sqrt(axes_.slope2);
   std::array<double, most_sites> length, half;  // of site i; the cosine from i to the next one
   for (int j = 0; j < count; ++j) length[at(j)] = std::sqrt(x_[at(j)] * x_[at(j)] + y_[at(j)] * y_[at(j)]);
   for (int j = 0; j < count; ++j) {
@@ -159,16 +155,16 @@ Chart::Gain Chart::most_gain(int count, double radius, double weight, double hea
 // Of the pairs the one with the largest |a| / |e_h| counts: k^2 = s^2 (1 + tau^2) / (1 - s^2 tau^2) for that
 // ratio tau (farthest2).
 double Chart::steepest(std::span<const Edge> edges) const {
-  double tau2 = slope2_;
+  double tau2 = axes_.slope2;
   for (const auto& [first, second] : edges) {
     const std::size_t i = at(first), j = at(second);
     const double ex = x_[i] - x_[j], ey = y_[i] - y_[j], ez = z_[i] - z_[j];
     const double h2 = ex * ex + ey * ey, a2 = ez * ez;
     if (!(a2 <= tau2 * h2)) tau2 = a2 / h2;
   }
-  const double cosine2 = 1 - slope2_ * tau2;
+  const double cosine2 = 1 - axes_.slope2 * tau2;
   if (!(cosine2 > small)) return std::numeric_limits<double>::infinity();
-  return steeper * std::sqrt(slope2_ * (1 + tau2) / cosine2);
+  return steeper * std::sqrt(axes_.slope2 * (1 + tau2) / cosine2);
 }
 
 // In the plane of the bisector let w be the horizontal direction and m' the one across, tilted from m by psi,
@@ -182,10 +178,10 @@ double Chart::farthest2(int first, int second, const Vec3& from, const Vec3& to)
   const double ex = x_[i] - x_[j], ey = y_[i] - y_[j], ez = z_[i] - z_[j];
   const double h2 = ex * ex + ey * ey, e2 = h2 + ez * ez;
   const Vec3 chord = to - from;
-  const double rise = chord.dot(m_), rise2 = rise * rise * e2 / h2, length2 = chord.squaredNorm();
-  const double cosine2 = 1 - slope2_ * ez * ez / h2;  // of phi
+  const double rise = chord.dot(axes_.m), rise2 = rise * rise * e2 / h2, length2 = chord.squaredNorm();
+  const double cosine2 = 1 - axes_.slope2 * ez * ez / h2;  // of phi
   if (!(cosine2 > small)) return std::numeric_limits<double>::infinity();
-  const double steep2 = slope2_ * (e2 / h2) / cosine2;
+  const double steep2 = axes_.slope2 * (e2 / h2) / cosine2;
   const double along2 = std::max(length2 - rise2, small * length2);
   const double off = (steep2 * along2 - rise2) / (2 * std::sqrt(steep2 * along2));
   const double shift = 0.5 * std::sqrt(length2 * rise2 / (steep2 * along2));

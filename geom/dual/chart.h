@@ -58,7 +58,7 @@
 #include <span>
 
 #include "geom/dual/frame.h"
-#include "geom/dual/sheets.h"
+#include "geom/dual/sheet_axes.h"
 
 namespace geom {
 
@@ -122,8 +122,7 @@ class Chart {
            is_monotone(first, second);
   }
 
-  Vec3 u_{1, 0, 0}, v_{0, 1, 0}, m_{0, 0, 1};
-  double slope_u_ = 0, slope_v_ = 0, slope2_ = 0;
+  SheetAxes axes_;
   double largest2_ = 0;  ///< |d|^2 or |c|
   int size_ = 0;
   std::array<double, most_sites> x_, y_, z_, c_;  ///< z: the height

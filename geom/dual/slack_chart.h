@@ -19,11 +19,13 @@
 // where h_ik bounds by how much L is off, as |z - p|^2 changes by at most 2 off |z - p| + off^2: the sum of
 // 2 off (radius + |d|) + off^2 for i and k.
 //
-// Rounding is far below the hundredth that is given to every off.
+// Rounding: an off is .005 spacings or more (leeway_proof.cpp), and a hundredth is added to each, .00005.
+// Places here are within 3 spacings of the origin: in single precision they are off by 3e-7, in double, as
+// differences of coordinates of at most 1e5 spacings (site_search.cpp), by 3e-11.
 
 #include <array>
 
-#include "geom/dual/sheets.h"
+#include "geom/dual/sheet_axes.h"
 
 namespace geom {
 
@@ -53,8 +55,8 @@ class SlackChart {
   bool is_monotone(int k);
   bool meets_axis_once(int i, int j, int k) const;
 
-  Vec3 u_{1, 0, 0}, v_{0, 1, 0}, m_{0, 0, 1};
-  double slope_u_ = 0, slope_v_ = 0, slope2_ = 0, steep_ = 1;  ///< the last one: the Lipschitz constant
+  SheetAxes axes_;
+  double steep_ = 1;  ///< the Lipschitz constant
   double radius_ = 0;
   int size_ = 0;
   double tau2_ = 0;  ///< the largest |a| / |e_h|, squared
