@@ -22,8 +22,8 @@
 #include "fpo/remesh/stand_in.h"
 #include "fpo/remesh/stand_in_remesh.h"
 #include "fpo/remesh/start.h"
+#include "fpo/remesh/surface_apart.h"
 #include "fpo/remesh/unit_box.h"
-#include "fpo/surface/near_sheets.h"
 #include "fpo/surface/sheet_levels.h"
 #include "geom/check.h"
 
@@ -55,25 +55,6 @@ AngleOptions angle_options(const RemeshOptions& options) {
   AngleOptions angles = options.angles;
   angles.interrupted = options.optimize.interrupted;
   return angles;
-}
-
-/// Whether sheets that are left to us are near each other on so much of the surface that they are set apart
-/// at once: together, they would keep cells from being simple in most moves.
-bool is_mostly_near_itself(const RemeshTask& task, const SharedSizing& shared, const RemeshOptions& options) {
-  constexpr double most = 0.25;
-  if (options.sheets != Sheets::automatic || options.method != Method::fpo || task.start || !options.mend)
-    return false;
-  const auto samples = initial_samples(task.surface(), shared, options.num_samples, options.seed);
-  return share_on_near_sheets(task.surface(), shared.sizing, samples, SheetOptions().near) > most &&
-         !has_needles(task.surface(), options.num_samples, even_spacing(task.input, options));
-}
-
-/// The surface with its sheets apart, if it has some that are near each other and that is wanted.
-std::optional<SplitSurface> surface_apart(const RemeshTask& task, SharedSizing& shared,
-                                          const RemeshOptions& options) {
-  if (facts_of(options.method).distribute) return {};
-  if (options.sheets != Sheets::apart && !is_mostly_near_itself(task, shared, options)) return {};
-  return sheets_apart(task.surface(), shared.sizing, shared.features.samples);
 }
 
 /// The samples become those of the old surface again.

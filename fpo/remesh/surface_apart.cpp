@@ -1,0 +1,31 @@
+#include "fpo/remesh/surface_apart.h"
+
+#include "fpo/remesh/stand_in.h"
+#include "fpo/remesh/start.h"
+#include "fpo/surface/near_sheets.h"
+#include "fpo/surface/sheet_levels.h"
+
+namespace fpo {
+namespace {
+
+constexpr double most_near_itself = 0.25;  // of the surface
+
+bool is_mostly_near_itself(const RemeshTask& task, const SharedSizing& shared, const RemeshOptions& options) {
+  if (options.sheets != Sheets::automatic || options.method != Method::fpo || task.start || !options.mend)
+    return false;
+  const auto samples = initial_samples(task.surface(), shared, options.num_samples, options.seed);
+  return share_on_near_sheets(task.surface(), shared.sizing, samples, SheetOptions().near) >
+             most_near_itself &&
+         !has_needles(task.surface(), options.num_samples, even_spacing(task.input, options));
+}
+
+}  // namespace
+
+std::optional<SplitSurface> surface_apart(const RemeshTask& task, SharedSizing& shared,
+                                          const RemeshOptions& options) {
+  if (facts_of(options.method).distribute) return {};
+  if (options.sheets != Sheets::apart && !is_mostly_near_itself(task, shared, options)) return {};
+  return sheets_apart(task.surface(), shared.sizing, shared.features.samples);
+}
+
+}  // namespace fpo

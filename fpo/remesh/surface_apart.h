@@ -1,0 +1,18 @@
+#pragma once
+// Whether the sheets of a surface are set apart (fpo/surface/sheet_levels.h) before it is remeshed.
+
+#include <optional>
+
+#include "fpo/remesh/remesh_task.h"
+#include "fpo/surface/split_facets.h"
+
+namespace fpo {
+
+/// The task's surface with its sheets apart, if it has some that are near each other, and that is wanted:
+/// with Sheets::apart, or, where that is left to us, if they are near each other on so much of the surface
+/// that together they would keep cells from being simple in most moves. The samples on features are then on
+/// facets of the new surface.
+std::optional<SplitSurface> surface_apart(const RemeshTask& task, SharedSizing& shared,
+                                          const RemeshOptions& options);
+
+}  // namespace fpo
