@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <unordered_map>
 
+#include "fpo/surface/halved_edges.h"
+#include "fpo/surface/needle_parts.h"
 #include "geom/mesh/aabb_tree.h"
-#include "geom/mesh/scaling.h"
 
 namespace fpo {
 namespace {
@@ -17,26 +17,53 @@ using geom::TriMesh;
 using geom::Vec3;
 using geom::VertexId;
 
-bool is_long(const Vec3& a, const Vec3& b, double least_h, double most) {
-  return (a - b).norm() > most * least_h;
-}
-
 class Splitting {
  public:
   Splitting(const TriMesh& mesh, const Sizing& sizing, double most)
-      : positions_(mesh.vertices()), facets_(mesh.facets()), most_(most), uniform_(sizing.is_uniform()) {
-    for (VertexId v(0); v.index() < positions_.size(); v = VertexId(v.value + 1)) h_.push_back(sizing.at(v));
+      : edges_(mesh, sizing, most), facets_(mesh.facets()), uniform_(sizing.is_uniform()) {
     for (std::size_t t = 0; t < facets_.size(); ++t) parents_.emplace_back(t);
+  }
+
+  /// Cuts needles to their end, as long as there are not more than so many parts.
+  void cut_needles(std::span<SurfaceSample> samples, std::size_t most_parts) {
+    const auto is_needle = [&](const TriMesh::Facet& f) { return NeedleParts::is_needle(f, edges_); };
+    if (std::ranges::none_of(facets_, is_needle)) return;
+    NeedleParts needle(edges_);
+    replace(samples, [&](const TriMesh::Facet& facet, Table<FacetId, TriMesh::Facet>& parts) {
+      if (parts.size() <= most_parts && is_needle(facet))
+        needle.cut(facet, most_parts - parts.size(), parts);
+      else
+        parts.push_back(facet);
+    });
+    has_needles_ = true;
   }
 
   /// Halves each long edge once. False if there is none.
   bool halve(std::span<SurfaceSample> samples) {
-    middles_.clear();
+    const std::size_t before = facets_.size();
+    if (!has_needles_) edges_.forget_middles();  // else some are of needles' sides, and wait
+    replace(samples,
+            [&](const TriMesh::Facet& facet, Table<FacetId, TriMesh::Facet>& parts) { split(facet, parts); });
+    return facets_.size() > before;
+  }
+
+  std::size_t num_parts() const { return facets_.size(); }
+
+  SplitSurface take() {
+    VertexField h;
+    if (!uniform_) h = edges_.take_lengths();
+    return {TriMesh(edges_.take_positions(), std::move(facets_)), std::move(h), std::move(parents_)};
+  }
+
+ private:
+  /// Each facet by its parts, which cut(facet, parts) appends.
+  template <class Cut>
+  void replace(std::span<SurfaceSample> samples, const Cut& cut) {
     Table<FacetId, TriMesh::Facet> parts;
     Table<FacetId, FacetId> parents, first_part;
     for (FacetId t(0); t.index() < facets_.size(); t = FacetId(t.value + 1)) {
       first_part.push_back(parts.next_id());
-      split(facets_[t], parts);
+      cut(facets_[t], parts);
       parents.resize(parts.size(), parents_[t]);
     }
     first_part.push_back(parts.next_id());
@@ -44,36 +71,13 @@ class Splitting {
       x.facet = nearest_of(x.position, parts, first_part[x.facet], first_part[FacetId(x.facet.value + 1)]);
     facets_ = std::move(parts);
     parents_ = std::move(parents);
-    return !middles_.empty();
-  }
-
-  std::size_t num_parts() const { return facets_.size(); }
-
-  SplitSurface take() {
-    if (uniform_) h_.clear();
-    return {TriMesh(std::move(positions_), std::move(facets_)), std::move(h_), std::move(parents_)};
-  }
-
- private:
-  /// The middle of an edge if that is long, else none.
-  VertexId middle(VertexId a, VertexId b) {
-    if (!is_long(positions_[a], positions_[b], std::min(h_[a], h_[b]), most_)) return {};
-    const auto [low, high] = std::minmax(a, b);
-    const auto key = static_cast<std::uint64_t>(low.value) << 32 | static_cast<std::uint64_t>(high.value);
-    const auto [at, is_new] = middles_.try_emplace(key, positions_.next_id());
-    if (is_new) {
-      const Vec3 &p = positions_[low], &q = positions_[high];
-      positions_.push_back(geom::snapped(Vec3(0.5 * p + 0.5 * q)));
-      h_.push_back(0.5 * h_[low] + 0.5 * h_[high]);
-    }
-    return at->second;
   }
 
   void split(const TriMesh::Facet& facet, Table<FacetId, TriMesh::Facet>& parts) {
     std::array<VertexId, 3> m;
     std::size_t count = 0;
     for (std::size_t e = 0; e < 3; ++e) {
-      m[e] = middle(facet[e], facet[(e + 1) % 3]);
+      m[e] = edges_.middle(facet[e], facet[(e + 1) % 3]);
       count += m[e].valid();
     }
     if (count == 0) return parts.push_back(facet);
@@ -102,20 +106,17 @@ class Splitting {
     double least = std::numeric_limits<double>::infinity();
     for (FacetId t = first; t < end && end.value - first.value > 1; t = FacetId(t.value + 1)) {
       const auto& [a, b, c] = parts[t];
-      const double distance2 =
-          geom::closest_point(x, {positions_[a], positions_[b], positions_[c]}).distance2;
+      const auto& at = edges_.positions();
+      const double distance2 = geom::closest_point(x, {at[a], at[b], at[c]}).distance2;
       if (distance2 < least) least = distance2, best = t;
     }
     return best;
   }
 
-  Table<VertexId, Vec3> positions_;
+  HalvedEdges edges_;
   Table<FacetId, TriMesh::Facet> facets_;
   Table<FacetId, FacetId> parents_;
-  VertexField h_;
-  double most_;
-  bool uniform_;
-  std::unordered_map<std::uint64_t, VertexId> middles_;  ///< by the ends of the edge
+  bool uniform_, has_needles_ = false;
 };
 
 }  // namespace
@@ -124,8 +125,8 @@ bool has_long_edges(const TriMesh& mesh, const Sizing& sizing, double most) {
   return std::ranges::any_of(mesh.facets(), [&](const TriMesh::Facet& f) {
     for (std::size_t e = 0; e < 3; ++e) {
       const VertexId a = f[e], b = f[(e + 1) % 3];
-      if (is_long(mesh.position(a), mesh.position(b), std::min(sizing.at(a), sizing.at(b)), most))
-        return true;
+      const double length = (mesh.position(a) - mesh.position(b)).norm();
+      if (length > most * std::min(sizing.at(a), sizing.at(b))) return true;
     }
     return false;
   });
@@ -134,6 +135,7 @@ bool has_long_edges(const TriMesh& mesh, const Sizing& sizing, double most) {
 SplitSurface split_long_edges(const TriMesh& mesh, const Sizing& sizing, double most,
                               std::span<SurfaceSample> samples, std::size_t most_parts) {
   Splitting splitting(mesh, sizing, most);
+  splitting.cut_needles(samples, most_parts);
   while (splitting.num_parts() <= most_parts && splitting.halve(samples)) continue;
   return splitting.take();
 }

@@ -1,11 +1,24 @@
 #include "geom/dual/cell_clipper.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "geom/mesh/aabb_tree.h"
 
 namespace geom {
 namespace {
 
 constexpr std::size_t many = 48;  // sites: the nearest few of them first
+
+/// From a polygon.
+double distance(const Vec3& x, std::span<const PolygonCorner> corners) {
+  double least2 = infinity;
+  for (std::size_t k = 2; k < corners.size(); ++k)
+    least2 = std::min(least2, closest_point(x, {corners[0].point.position, corners[k - 1].point.position,
+                                                corners[k].point.position})
+                                  .distance2);
+  return std::sqrt(least2);
+}
 
 }  // namespace
 
@@ -59,8 +72,27 @@ double CellClipper::clip_near(SiteId p, double power, double radius, CellPieces&
     const double seen = find_others(p, std::min(left, cap));
     cut_pieces(p, out);
     if (seen == left) return others_.empty() ? left : bound(out);
-    if (seen == cap) cap = infinity;
+    if (seen == cap) {
+      drop_beyond(p, state_.distance_at(cap, p), out);
+      cap = infinity;
+    }
   }
+}
+
+// No location of p has more than the power that is known, and whoever takes any with less was considered. So
+// what is left within that ball is the cell, and a part that went on beyond it would have a location of p at
+// the ball's edge and, bisectors being continuous, beyond: parts are within the ball or without. Large facets
+// that p shares with nobody near have such ones without: those that cut them are any number, and far.
+void CellClipper::drop_beyond(SiteId p, double radius, CellPieces& cell) {
+  const double far = radius * (1 + 1e-9) + 2 * state_.clipper.most_tolerance();
+  const auto is_beyond = [&](const CellPieces::Piece& piece) {
+    return distance(state_.sites[p].position, cell.corners_of(piece)) > far;
+  };
+  if (std::ranges::none_of(cell.pieces, is_beyond)) return;
+  spare_.clear();
+  for (const CellPieces::Piece& piece : cell.pieces)
+    if (!is_beyond(piece)) spare_.add(piece, cell.corners_of(piece));
+  std::swap(spare_, cell);
 }
 
 void CellClipper::consider(SiteId p, std::span<const SiteId> sites) {

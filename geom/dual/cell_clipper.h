@@ -64,6 +64,7 @@ class CellClipper {
   bool cut(FacetId t, SiteId p, std::span<const PolygonCorner> corners, std::size_t first);
   bool cut_facet(FacetId t, SiteId p);
   void cut_pieces(SiteId p, CellPieces& cell);
+  void drop_beyond(SiteId p, double radius, CellPieces& cell);
   double bound(const CellPieces& cell) const;
 
   DualState& state_;
