@@ -8,8 +8,8 @@
 
 namespace fpo {
 
-/// Long: more than `most` times the smaller of the wanted lengths at the ends. Middles are rounded to the exact
-/// range (geom/mesh/scaling.h), and the wanted length there is the mean of those at the ends.
+/// Long: more than `most` times the smaller of the wanted lengths at the ends. Middles are rounded to the
+/// exact range (geom/mesh/scaling.h), and the wanted length there is the mean of those at the ends.
 class HalvedEdges {
  public:
   HalvedEdges(const geom::TriMesh& mesh, const Sizing& sizing, double most);

@@ -2,9 +2,9 @@
 // A needle cut into few parts.
 //
 // Halving all long edges of a facet at a time makes parts like itself: a needle becomes thousands of shorter
-// ones, many abreast where one would do. Here its sides are halved first, then edges between them, the longest
-// one first, and after each cut an edge between two parts gives way to the other diagonal where that is
-// shorter (as in Lawson's flips). So parts lie one after the other along the needle,
+// ones, many abreast where one would do. Here its sides are halved first, then edges between them, the
+// longest one first, and after each cut an edge between two parts gives way to the other diagonal where that
+// is shorter (as in Lawson's flips). So parts lie one after the other along the needle,
 //
 //     ____________________          about as many as its longest side has pieces, twice over, and more only
 //     |\  |\  |\  |\  |\  |         where the needle is wider than an edge may be long. The sides are halved

@@ -19,8 +19,8 @@ struct SplitSurface {
 bool has_long_edges(const geom::TriMesh& mesh, const Sizing& sizing, double most);
 
 /// Halves such edges until there are none, at middles rounded to the exact range (geom/mesh/scaling.h): parts
-/// of a facet are in its plane up to rounding only. Needles are cut to few parts (needle_parts.h), other facets
-/// to parts like themselves. The samples' facets become those of the parts; the old
+/// of a facet are in its plane up to rounding only. Needles are cut to few parts (needle_parts.h), other
+/// facets to parts like themselves. The samples' facets become those of the parts; the old
 /// vertices keep their ids. O(parts + samples) for each halving of the longest edge. Ends with edges that are
 /// long when there are more than `most_parts`: needles make millions.
 SplitSurface split_long_edges(const geom::TriMesh& mesh, const Sizing& sizing, double most,
