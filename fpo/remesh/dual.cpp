@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
 #include <span>
 #include <tuple>
@@ -25,15 +26,36 @@ std::size_t Dual::num_faults() const {
   return type.ok() ? 0 : std::max(defects.size() + cell_faults.size() + type.parts.size(), std::size_t{1});
 }
 
+namespace {
+
+void look_at(Dual& dual, const geom::SurfaceType& type) {
+  dual.defects = find_defects(dual.mesh);
+  dual.type = check_type(type, dual.mesh, dual.samples);
+}
+
+/// The remesh by the domain's circles, if it is right. Then each cell has all its corners in one cycle or
+/// path: none has orphans but such as border one other cell alone, which have no triangle, whoever has them.
+std::optional<Dual> right_dual(const SurfaceDomain& domain, const geom::SurfaceType& type) {
+  Dual dual;
+  dual.samples = samples_of(domain);
+  dual.mesh = extract(domain);
+  look_at(dual, type);
+  if (!dual.type.ok() || !dual.defects.empty()) return {};
+  return dual;
+}
+
+}  // namespace
+
 Dual dual_of(const SurfaceDomain& domain, const geom::SurfaceType& type, bool keep_cells,
              const std::atomic<bool>* interrupted) {
+  if (!keep_cells)
+    if (std::optional<Dual> right = right_dual(domain, type)) return std::move(*right);
   Dual dual;
   dual.samples = samples_of(domain);
   const std::unique_ptr<geom::RestrictedPower> diagram = domain.diagram();
   dual.localization = localize(*diagram, dual.samples, interrupted);
   dual.mesh = extract(*diagram, dual.samples.size(), dual.localization.owners);
-  dual.defects = find_defects(dual.mesh);
-  dual.type = check_type(type, dual.mesh, dual.samples);
+  look_at(dual, type);
   if (!dual.type.ok() && type.manifold) dual.cell_faults = cell_faults(*diagram, dual.localization.owners);
   if (dual.defects.empty() && type.manifold)
     for (const CellFault& fault : dual.cell_faults) dual.defects.push_back({fault.cell, fault.other});

@@ -38,8 +38,8 @@ struct Dual {
 /// All of them, by id.
 std::vector<SurfaceSample> samples_of(const SurfaceDomain& domain);
 
-/// Leaves the domain as it is. O(n) if no cell has orphans, else the cost of another diagram. `type`: of the
-/// input. If interrupted, orphans are merged (localize.h). Throws InputError if there is no triangle.
+/// Leaves the domain as it is. O(n log n) if the type is right at once and no cells are to be kept: then no
+/// orphans are counted. Else the cost of a diagram. `type`: of the input. If interrupted, orphans are merged (localize.h). Throws InputError if there is no triangle.
 Dual dual_of(const SurfaceDomain& domain, const geom::SurfaceType& type, bool keep_cells,
              const std::atomic<bool>* interrupted = nullptr);
 

@@ -24,7 +24,37 @@ void for_each_fragment(const geom::RestrictedPower& diagram, Visit visit) {
       visit(fragments.site(f), t, fragments.corners(f, buffer));
 }
 
+using Triangle = std::array<SiteId, 3>;
+
+/// Sorted, each once. `position(s)`: of a sample.
+template <class Position>
+geom::TriMesh mesh_of(std::vector<Triangle> triangles, std::size_t num_samples, const Position& position) {
+  geom::require(!triangles.empty(), std::to_string(num_samples) +
+                                        (num_samples == 1 ? " sample is" : " samples are") +
+                                        " too few: their diagram has no triangle");
+  std::ranges::sort(triangles);
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  geom::Table<geom::VertexId, geom::Vec3> vertices;
+  for (std::size_t i = 0; i < num_samples; ++i) vertices.push_back(position(SiteId(i)));
+  geom::Table<FacetId, geom::TriMesh::Facet> facets;
+  for (const auto& [i, j, k] : triangles)
+    facets.push_back({geom::VertexId(i.value), geom::VertexId(j.value), geom::VertexId(k.value)});
+  return geom::TriMesh(std::move(vertices), std::move(facets));
+}
+
 }  // namespace
+
+geom::TriMesh extract(const SurfaceDomain& domain) {
+  std::vector<Triangle> triangles;
+  for (std::size_t s = 0; s < domain.num_samples(); ++s)
+    for (const geom::CircleId c : domain.dual().circles_of(SiteId(s))) {
+      const geom::EmptyCircle& circle = domain.dual().circle(c);
+      if (!circle.is_triangle() || circle.sites[0] != SiteId(s)) continue;
+      triangles.push_back({circle.sites[0], circle.sites[circle.after(0)], circle.sites[circle.before(0)]});
+    }
+  return mesh_of(std::move(triangles), domain.num_samples(),
+                 [&](SiteId s) { return domain.sample(s).position; });
+}
 
 //            k            Around the corner the cells of i, j, k follow each other. Seen from i, whose
 //        \      /         polygon runs counterclockwise, the edge before the corner is labelled j and the
@@ -37,31 +67,20 @@ geom::TriMesh extract(const geom::RestrictedPower& diagram, std::size_t num_samp
     const auto found = owners.find(diagram.fragments().find(s, t));
     return found == owners.end() ? s : found->second;
   };
-  std::vector<std::array<SiteId, 3>> triangles;
+  std::vector<Triangle> triangles;
   for_each_fragment(diagram, [&](SiteId i, FacetId t, std::span<const PolygonCorner> corners) {
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const geom::EdgeLabel before = corners[k == 0 ? corners.size() - 1 : k - 1].edge,
                             after = corners[k].edge;
       if (!before.is_site() || !after.is_site()) continue;
       if (!(i < before.site() && i < after.site())) continue;
-      std::array<SiteId, 3> triangle{owner_of(i, t), owner_of(before.site(), t), owner_of(after.site(), t)};
+      Triangle triangle{owner_of(i, t), owner_of(before.site(), t), owner_of(after.site(), t)};
       std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
       if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
         triangles.push_back(triangle);
     }
   });
-  geom::require(!triangles.empty(), std::to_string(num_samples) +
-                                        (num_samples == 1 ? " sample is" : " samples are") +
-                                        " too few: their diagram has no triangle");
-  std::ranges::sort(triangles);
-  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
-
-  geom::Table<geom::VertexId, geom::Vec3> vertices;
-  for (std::size_t i = 0; i < num_samples; ++i) vertices.push_back(diagram.site(SiteId(i)).position);
-  geom::Table<FacetId, geom::TriMesh::Facet> facets;
-  for (const auto& [i, j, k] : triangles)
-    facets.push_back({geom::VertexId(i.value), geom::VertexId(j.value), geom::VertexId(k.value)});
-  return geom::TriMesh(std::move(vertices), std::move(facets));
+  return mesh_of(std::move(triangles), num_samples, [&](SiteId s) { return diagram.site(s).position; });
 }
 
 std::vector<CellPolygon> cell_polygons(const geom::RestrictedPower& diagram) {

@@ -4,6 +4,7 @@
 #include <map>
 #include <vector>
 
+#include "fpo/surface/surface_domain.h"
 #include "geom/power/restricted_power.h"
 
 namespace fpo {
@@ -18,6 +19,9 @@ using FragmentOwners = std::map<geom::FragmentId, geom::SiteId>;
 /// property): see geom::topology(). Throws geom::InputError if there is no triangle: too few samples.
 geom::TriMesh extract(const geom::RestrictedPower& diagram, std::size_t num_samples,
                       const FragmentOwners& owners = {});
+
+/// The same of the domain's samples, from its circles: no diagram is needed. O(n log n).
+geom::TriMesh extract(const SurfaceDomain& domain);
 
 /// A fragment of the diagram with rounded corners, for output.
 struct CellPolygon {
