@@ -1,7 +1,8 @@
 #pragma once
-// Sets of integers that are merged: components, fans.
+// Sets of integers below 2^32 that are merged: components, fans.
 
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -11,21 +12,21 @@ namespace geom {
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t n) : parent_(n) {
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
   }
   std::size_t find(std::size_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  void merge(std::size_t a, std::size_t b) { parent_[find(a)] = find(b); }
+  void merge(std::size_t a, std::size_t b) { parent_[find(a)] = static_cast<std::uint32_t>(find(b)); }
   /// The smaller of the two representatives stands for both: so each set is known by its least member.
   void merge_to_least(std::size_t a, std::size_t b) {
     a = find(a), b = find(b);
-    parent_[a < b ? b : a] = a < b ? a : b;
+    parent_[a < b ? b : a] = static_cast<std::uint32_t>(a < b ? a : b);
   }
 
  private:
-  std::vector<std::size_t> parent_;
+  std::vector<std::uint32_t> parent_;
 };
 
 }  // namespace geom

@@ -5,6 +5,7 @@ namespace fpo {
 using geom::SiteId;
 
 RememberedSamples::RememberedSamples(const SurfaceDomain& domain) {
+  states_.reserve(domain.num_samples());
   for (std::size_t i = 0; i < domain.num_samples(); ++i) states_.push_back(state_of(domain, SiteId(i)));
 }
 

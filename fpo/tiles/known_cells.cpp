@@ -5,6 +5,7 @@
 namespace fpo {
 
 KnownCells::KnownCells(const geom::RestrictedDual& whole) {
+  cells_.reserve(whole.num_sites());
   for (SiteId x(0); x.index() < whole.num_sites(); x = SiteId(x.value + 1)) {
     cells_.push_back({whole.known_cell(x), std::numeric_limits<double>::infinity()});
     raise_power(whole.reach_bound(x));
@@ -39,6 +40,7 @@ geom::KnownCell KnownCells::of(SiteId x, const geom::WeightedPoint3& site, const
 
 std::vector<geom::KnownCell> KnownCells::of_all(const WeightedSamples& samples) const {
   std::vector<geom::KnownCell> result;
+  result.reserve(samples.size());
   for (SiteId x(0); x.index() < samples.size(); x = SiteId(x.value + 1)) {
     result.push_back(cells_[x.index()].known);
     if (!is_known(x, samples.weight(x), std::numeric_limits<double>::infinity()))

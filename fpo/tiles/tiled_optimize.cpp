@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "fpo/interruption.h"
 #include "fpo/stopwatch.h"
@@ -43,7 +44,7 @@ class TiledSamples {
     return measure_positions(samples_, sizing_, task_.surface.num_fixed, threads);
   }
   /// Of what was given, with what is known of the cells there.
-  SurfaceDomain domain(const std::optional<KnownCells>& known = {}) const;
+  SurfaceDomain domain(std::optional<KnownCells> known = {}) const;
 
   bool is_split() const { return split_.has_value(); }
   void split();    ///< from now on mesh() has no large facets, unless these are needles by the thousand
@@ -56,10 +57,11 @@ class TiledSamples {
   Sizing sizing_;                      ///< on mesh()
 };
 
-SurfaceDomain TiledSamples::domain(const std::optional<KnownCells>& known) const {
+SurfaceDomain TiledSamples::domain(std::optional<KnownCells> known) const {
   SurfaceOptions options = task_.surface;
   std::vector<geom::KnownCell> cells;
   if (known) cells = known->of_all({task_.sizing, samples_, options});
+  known.reset();  // it is as large as they are
   options.known_cells = cells;
   return SurfaceDomain(task_.mesh, task_.sizing, samples_, options);
 }
@@ -282,7 +284,12 @@ SurfaceDomain TiledRun::take() {
   geom::require(samples_.size() > 0, "there must be at least one sample");
   if (options_.scope == Scope::global && options_.max_iterations > 0) {
     std::optional<SurfaceDomain> whole = samples_.domain();
-    if (!begin_at_large(*whole)) return interrupted() ? std::move(*whole) : samples_.domain();
+    const bool is_begun = begin_at_large(*whole);
+    if (!is_begun && interrupted()) return std::move(*whole);
+    if (!is_begun) {
+      whole.reset();  // two of them would be the most memory of the run
+      return samples_.domain();
+    }
     known_.emplace(whole->dual());
   } else {
     report(samples_.measured(tile_options_.threads));
@@ -292,7 +299,7 @@ SurfaceDomain TiledRun::take() {
   result_.reason = rounds();
   if (samples_.is_split() || result_.reason == StopReason::interrupted) known_.reset();
   samples_.unsplit();
-  SurfaceDomain domain = samples_.domain(known_);
+  SurfaceDomain domain = samples_.domain(std::exchange(known_, {}));
   if (iteration_ == 0) return domain;
   if (result_.reason == StopReason::iteration_cap) catch_up(domain);
   report(measure(domain));

@@ -40,6 +40,7 @@ const DualChange& DualUpdates::build(std::span<const WeightedPoint3> points, std
 
 void DualUpdates::certify_all(std::span<const KnownCell> known) {
   if (are_certified_) return;
+  fast_.reserve(state_.sites.size());
   for (SiteId p(0); p.index() < state_.sites.size(); p = SiteId(p.value + 1))
     if (known.empty())
       fast_.certify(p);

@@ -77,6 +77,8 @@ class FastWay {
 
   /// Finds out whether p is regular, and what the power in its cell is at most.
   void certify(SiteId p);
+  /// Before that is done to so many.
+  void reserve(std::size_t num_sites) { around_.sheets.reserve(num_sites); }
   /// The same, of a cell that is known from elsewhere; what is known of one.
   void certify(SiteId p, const KnownCell& known);
   KnownCell known(SiteId p) const;

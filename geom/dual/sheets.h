@@ -84,6 +84,7 @@ class Sheets {
     const Sheet& sheet = of_site_[site].sheet;
     return sheet.width > 0 && sheet.level == level ? &sheet : nullptr;
   }
+  void reserve(std::size_t num_sites) { of_site_.reserve(num_sites); }
   /// Keeps one that was made elsewhere: the surface must be the same there.
   void keep(SiteId site, const Sheet& sheet);
   /// Is there surely no second component of the cell of p within the distance that the sheet covers, given

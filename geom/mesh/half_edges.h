@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -16,7 +17,7 @@ namespace geom {
 struct HalfEdge {
   VertexId low, high;  ///< ends, ascending
   FacetId facet;
-  int edge;
+  std::int8_t edge;
   bool ascending;  ///< the facet runs from low to high
 
   auto ends() const { return std::pair(low, high); }
@@ -30,7 +31,7 @@ inline std::vector<HalfEdge> sorted_half_edges(const Table<FacetId, std::array<V
   const auto half_edge = [&](FacetId t, int e) -> HalfEdge {
     const VertexId a = facets[t][static_cast<std::size_t>(e)],
                    b = facets[t][static_cast<std::size_t>(e == 2 ? 0 : e + 1)];
-    return {std::min(a, b), std::max(a, b), t, e, a < b};
+    return {std::min(a, b), std::max(a, b), t, static_cast<std::int8_t>(e), a < b};
   };
   const auto for_each = [&](auto visit) {
     for (FacetId t(0); t.index() < facets.size(); t = FacetId(t.value + 1))

@@ -1,7 +1,7 @@
 #include "geom/mesh/surface_type.h"
 
 #include <algorithm>
-#include <utility>
+#include <cstdint>
 
 #include "geom/disjoint_sets.h"
 #include "geom/mesh/half_edges.h"
@@ -27,15 +27,17 @@ void find_one_sided(const std::vector<HalfEdge>& half_edges, SurfaceType& type) 
 
 /// Vertices and their borders, counted once in each part that they belong to.
 void count_at_vertices(const TriMesh& mesh, const std::vector<HalfEdge>& half_edges, SurfaceType& type) {
-  std::vector<std::pair<std::size_t, VertexId>> corners;  // of parts
+  std::vector<std::uint64_t> corners;  // of parts: the part before the vertex
+  const auto corner = [](std::size_t part, VertexId v) { return std::uint64_t{part} << 32 | v.index(); };
+  corners.reserve(3 * mesh.num_facets());
   for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
-    for (const VertexId v : mesh.facet(t)) corners.emplace_back(type.part_of[t], v);
+    for (const VertexId v : mesh.facet(t)) corners.push_back(corner(type.part_of[t], v));
   std::ranges::sort(corners);
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   const auto place = [&](std::size_t part, VertexId v) {
-    return static_cast<std::size_t>(std::ranges::lower_bound(corners, std::pair(part, v)) - corners.begin());
+    return static_cast<std::size_t>(std::ranges::lower_bound(corners, corner(part, v)) - corners.begin());
   };
-  for (const auto& corner : corners) ++type.parts[corner.first].euler;
+  for (const std::uint64_t c : corners) ++type.parts[c >> 32].euler;
   DisjointSets loops(corners.size());
   std::vector<char> on_border(corners.size(), 0);
   for_each_edge(half_edges, [&](auto first, auto last) {
@@ -46,13 +48,14 @@ void count_at_vertices(const TriMesh& mesh, const std::vector<HalfEdge>& half_ed
     loops.merge(a, b);
   });
   for (std::size_t i = 0; i < corners.size(); ++i)
-    type.parts[corners[i].first].border_loops += on_border[i] && loops.find(i) == i;
+    type.parts[corners[i] >> 32].border_loops += on_border[i] && loops.find(i) == i;
 }
 
 }  // namespace
 
-SurfaceType surface_type(const TriMesh& mesh) {
+SurfaceType surface_type(const TriMesh& mesh, const Topology& topology) {
   SurfaceType type;
+  type.manifold = topology.manifold();
   const std::vector<HalfEdge> half_edges = sorted_half_edges(mesh.facets());
   DisjointSets joined(mesh.num_facets());
   for_each_edge(half_edges, [&](auto first, auto last) {
@@ -68,7 +71,6 @@ SurfaceType surface_type(const TriMesh& mesh) {
   for_each_edge(half_edges, [&](auto first, auto) { --type.parts[type.part_of[first->facet]].euler; });
   count_at_vertices(mesh, half_edges, type);
   find_one_sided(half_edges, type);
-  type.manifold = topology(mesh).manifold();
   return type;
 }
 

@@ -25,7 +25,8 @@ struct SurfaceType {
   bool manifold = true;
 };
 
-/// O(F log F).
-SurfaceType surface_type(const TriMesh& mesh);
+/// O(F log F). `topology`: of the mesh, where it is known.
+SurfaceType surface_type(const TriMesh& mesh, const Topology& topology);
+inline SurfaceType surface_type(const TriMesh& mesh) { return surface_type(mesh, topology(mesh)); }
 
 }  // namespace geom
