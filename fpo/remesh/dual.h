@@ -39,7 +39,8 @@ struct Dual {
 std::vector<SurfaceSample> samples_of(const SurfaceDomain& domain);
 
 /// Leaves the domain as it is. O(n log n) if the type is right at once and no cells are to be kept: then no
-/// orphans are counted. Else the cost of a diagram. `type`: of the input. If interrupted, orphans are merged (localize.h). Throws InputError if there is no triangle.
+/// orphans are counted. Else the cost of a diagram. `type`: of the input. If interrupted, orphans are merged
+/// (localize.h). Throws InputError if there is no triangle.
 Dual dual_of(const SurfaceDomain& domain, const geom::SurfaceType& type, bool keep_cells,
              const std::atomic<bool>* interrupted = nullptr);
 
