@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,7 @@
 #include "fpo/remesh/spreading.h"
 #include "fpo/remesh/surface_above.h"
 #include "geom/mesh/scaling.h"
+#include "geom/parallel.h"
 
 namespace fpo {
 
@@ -37,8 +40,9 @@ constexpr double passing = 0.05;         // of delta, until others have made roo
 
 class Distances {
  public:
-  explicit Distances(const SurfaceDomain& domain)
-      : domain_(domain), triangles_(domain), above_(domain.mesh()) {}
+  /// Keeps references.
+  Distances(const SurfaceDomain& domain, const TriangleDistances& triangles)
+      : domain_(domain), triangles_(triangles), above_(domain.mesh()) {}
 
   const geom::AabbTree& tree() const { return triangles_.tree(); }
   std::size_t looks() const { return above_.looks(); }
@@ -70,13 +74,6 @@ class Distances {
     return std::sqrt(least2);
   }
 
-  double largest() {
-    double most = 0;
-    for_triangles(domain_.dual(),
-                  [&](const EmptyCircle& circle) { most = std::max(most, farthest(circle, most).distance); });
-    return most;
-  }
-
  private:
   /// Those with two corners in common come first.
   void add_beside(const EmptyCircle& circle, std::vector<geom::DistanceFromTriangle>& triangles) const {
@@ -94,8 +91,78 @@ class Distances {
   }
 
   const SurfaceDomain& domain_;
-  TriangleDistances triangles_;
+  const TriangleDistances& triangles_;
   SurfaceAbove above_;
+};
+
+double beyond(Distances& distances, const EmptyCircle& circle, double bound) {
+  const double beyond = std::max(distances.farthest(circle, bound).distance / bound - 1, 0.0);
+  return beyond * beyond;
+}
+
+/// Distances of all triangles, found by some threads: each has its own workspace.
+class AllDistances {
+ public:
+  AllDistances(const SurfaceDomain& domain, int threads)
+      : domain_(domain), triangles_(domain), threads_(threads) {
+    workspaces_.push_back(std::make_unique<Distances>(domain, triangles_));
+  }
+
+  /// For who asks about one after the other.
+  Distances& one() { return *workspaces_.front(); }
+  std::size_t looks() const {
+    std::size_t sum = 0;
+    for (const auto& workspace : workspaces_) sum += workspace->looks();
+    return sum;
+  }
+
+  /// One after the other: the largest so far spares the others most of the look.
+  double largest() {
+    double most = 0;
+    for_triangles(domain_.dual(), [&](const EmptyCircle& circle) {
+      most = std::max(most, one().farthest(circle, most).distance);
+    });
+    return most;
+  }
+
+  FlawMeasures beyond(double bound) {
+    return [this, bound](std::span<const CircleId> triangles) {
+      std::vector<double> result(triangles.size());
+      in_ranges(triangles.size(), [&](Distances& distances, std::size_t i) {
+        result[i] = fpo::beyond(distances, domain_.dual().circle(triangles[i]), bound);
+      });
+      return result;
+    };
+  }
+
+ private:
+  static constexpr std::size_t grain = 1024;
+
+  template <class Visit>
+  void in_ranges(std::size_t count, const Visit& visit) {
+    std::mutex access;
+    std::vector<Distances*> idle;
+    for (const auto& workspace : workspaces_) idle.push_back(workspace.get());
+    const auto take = [&]() -> Distances& {
+      const std::lock_guard lock(access);
+      if (idle.empty())
+        idle.push_back(workspaces_.emplace_back(std::make_unique<Distances>(domain_, triangles_)).get());
+      Distances* const distances = idle.back();
+      idle.pop_back();
+      return *distances;
+    };
+    geom::parallel_ranges(count, grain, threads_, [&](std::size_t first, std::size_t last) {
+      Distances& distances = take();
+      for (std::size_t i = first; i < last; ++i) visit(distances, i);
+      const std::lock_guard lock(access);
+      idle.push_back(&distances);
+    });
+  }
+
+  const SurfaceDomain& domain_;
+  TriangleDistances triangles_;
+  int threads_;
+  std::vector<std::unique_ptr<Distances>> workspaces_;
 };
 
 /// Places on the way to a far point, and around the sample.
@@ -110,28 +177,23 @@ std::vector<SurfaceSample> places_towards(const SurfaceDomain& domain, const geo
   return places;
 }
 
-FlawMeasure beyond(Distances& distances, double bound) {
-  return [&distances, bound](const EmptyCircle& circle) {
-    const double beyond = std::max(distances.farthest(circle, bound).distance / bound - 1, 0.0);
-    return beyond * beyond;
-  };
-}
-
 /// One far triangle after the other.
 class CloserMender {
  public:
-  CloserMender(SurfaceDomain& domain, Distances& distances, const AngleOptions& angles, double bound,
+  CloserMender(SurfaceDomain& domain, AllDistances& all, const AngleOptions& angles, double bound,
                const ClosenessOptions& options)
       : domain_(domain),
-        distances_(distances),
+        distances_(all.one()),
         options_(options),
         bound_(bound),
         delta_(std::min(options.enough_delta, measure(domain).delta)),
-        far_(domain, beyond(distances, bound), Flaws::Sight::star),
+        far_(
+            domain, [this](const EmptyCircle& circle) { return beyond(distances_, circle, bound_); },
+            Flaws::Sight::star, all.beyond(bound)),
         bad_(domain, bad_angles(domain, angles)),
         journal_(domain),
         resampling_(domain, {&far_, &bad_}, options.enough_delta - passing),
-        spreading_(domain, {&far_, &bad_}, distances.tree(), {delta_, options.enough_delta - passing}) {
+        spreading_(domain, {&far_, &bad_}, distances_.tree(), {delta_, options.enough_delta - passing}) {
     resampling_.keep(&journal_);
     spreading_.keep(&journal_);
   }
@@ -228,7 +290,7 @@ class CloserMender {
 /// Round after round, until that brings nothing more.
 void mend_in_rounds(SurfaceDomain& domain, const AngleOptions& angles, const ClosenessOptions& options,
                     ClosenessResult& result) {
-  Distances distances(domain);
+  AllDistances distances(domain, options.threads);
   result.largest_before = result.largest_after = distances.largest();
   std::size_t moves = 0;
   for (int round = 0; round < options.rounds && result.largest_after > 0; ++round) {

@@ -18,7 +18,8 @@ struct ClosenessOptions {
   /// and all stays as it is.
   double most_far = 1;
   std::size_t most_moves = std::numeric_limits<std::size_t>::max();  ///< give or take one triangle's
-  std::size_t most_looks = most_moves;             ///< at edges of the surface (surface_above.h), likewise
+  std::size_t most_looks = most_moves;  ///< at edges of the surface (surface_above.h), likewise
+  int threads = 1;                      ///< that find distances of all triangles; no result changes
   const std::atomic<bool>* interrupted = nullptr;  ///< looked at before each triangle
 };
 

@@ -7,6 +7,7 @@
 
 #include "fpo/optimize.h"
 #include "fpo/remesh/nearby_places.h"
+#include "fpo/remesh/triangle_distances.h"
 #include "fpo/rings.h"
 
 namespace fpo {
@@ -25,12 +26,14 @@ constexpr double least_nudge_gain = 1e-3;  // of the penalty
 
 }  // namespace
 
-Flaws::Flaws(SurfaceDomain& domain, FlawMeasure measure, Sight sight)
+Flaws::Flaws(SurfaceDomain& domain, FlawMeasure measure, Sight sight, const FlawMeasures& at_first)
     : domain_(domain), measure_(std::move(measure)), sight_(sight), untried_(Order{&domain.dual()}) {
-  for (std::size_t i = 0; i < domain.num_samples(); ++i) {
-    const SiteId x(i);
-    for (const CircleId c : domain.dual().circles_of(x))
-      if (domain.dual().circle(c).sites[0] == x) add(c);
+  const std::vector<CircleId> all = triangles_of(domain.dual());
+  if (at_first) {
+    const std::vector<double> bad = at_first(all);
+    for (std::size_t i = 0; i < all.size(); ++i) add(all[i], bad[i]);
+  } else {
+    for (const CircleId c : all) add(c);
   }
   domain.followers().add(*this);
 }
@@ -97,10 +100,13 @@ void Flaws::try_all_again() {
 void Flaws::add(CircleId c) {
   const EmptyCircle& circle = domain_.dual().circle(c);
   if (!circle.sites[2].valid()) return;  // type A or B: no triangle
-  const double bad = measure_(circle);
+  add(c, measure_(circle));
+}
+
+void Flaws::add(CircleId c, double bad) {
   if (!(bad > 0)) return;
   penalties_.add(c, bad);
-  if (!tried_.contains(circle.sites)) untried_.push(c, bad);
+  if (!tried_.contains(domain_.dual().circle(c).sites)) untried_.push(c, bad);
 }
 
 void Flaws::forget(CircleId c) {

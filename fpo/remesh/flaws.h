@@ -20,6 +20,8 @@ namespace fpo {
 
 /// How bad the triangle at a circle of type C is; 0 if it is good.
 using FlawMeasure = std::function<double(const geom::EmptyCircle&)>;
+/// The same of many at once.
+using FlawMeasures = std::function<std::vector<double>(std::span<const CircleId>)>;
 
 /// The bad triangles of the RRT under one measure, followed through removals and insertions.
 class Flaws final : public Follower<geom::RestrictedDual::Change> {
@@ -27,8 +29,10 @@ class Flaws final : public Follower<geom::RestrictedDual::Change> {
   /// What a measure looks at: the triangle alone, or all that have a corner with it in common.
   enum class Sight { triangle, star };
 
-  /// Keeps a reference to the domain, which must stay where it is. One measurement a triangle.
-  Flaws(SurfaceDomain& domain, FlawMeasure measure, Sight sight = Sight::triangle);
+  /// Keeps a reference to the domain, which must stay where it is. One measurement a triangle, by `at_first`
+  /// if that is given.
+  Flaws(SurfaceDomain& domain, FlawMeasure measure, Sight sight = Sight::triangle,
+        const FlawMeasures& at_first = {});
   ~Flaws() override;
 
   /// What is new is measured when next somebody asks, so what exists between a removal and an insertion only
@@ -54,6 +58,7 @@ class Flaws final : public Follower<geom::RestrictedDual::Change> {
   void catch_up();
   void measure_again(CircleId c);
   void add(CircleId c);
+  void add(CircleId c, double bad);
   void forget(CircleId c);
 
   SurfaceDomain& domain_;

@@ -123,6 +123,7 @@ void come_nearer(SurfaceDomain& domain, const Improvement& how, const RemeshOpti
   closeness.most_moves = wanted ? least_fidelity_moves + moves_to_come_closer * domain.num_samples()
                                 : least_fidelity_moves + result.optimization.moves / 12;
   if (!wanted) closeness.most_far = most_far, closeness.most_looks = looks_a_move * result.optimization.moves;
+  closeness.threads = options.threads;
   closeness.interrupted = options.optimize.interrupted;
   result.closeness = come_closer(domain, how.angles, closeness);
 }

@@ -25,4 +25,14 @@ FarPoint TriangleDistances::farthest(const geom::EmptyCircle& circle, double eno
   return result;
 }
 
+std::vector<CircleId> triangles_of(const geom::RestrictedDual& dual) {
+  std::vector<CircleId> triangles;
+  for (std::size_t i = 0; i < dual.num_sites(); ++i)
+    for (const CircleId c : dual.circles_of(SiteId(i))) {
+      const geom::EmptyCircle& circle = dual.circle(c);
+      if (circle.sites[0] == SiteId(i) && circle.sites[2].valid()) triangles.push_back(c);
+    }
+  return triangles;
+}
+
 }  // namespace fpo

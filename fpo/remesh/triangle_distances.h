@@ -1,6 +1,8 @@
 #pragma once
 // How far the RRT's triangles are from the surface.
 
+#include <vector>
+
 #include "fpo/surface/surface_domain.h"
 #include "geom/mesh/aabb_tree.h"
 
@@ -27,14 +29,11 @@ class TriangleDistances {
   geom::AabbTree tree_;
 };
 
-/// Each circle of type C once: visit(const EmptyCircle&).
+/// Each circle of type C once, by the first of its sites.
+std::vector<CircleId> triangles_of(const geom::RestrictedDual& dual);
 template <class Visit>
 void for_triangles(const geom::RestrictedDual& dual, Visit visit) {
-  for (std::size_t i = 0; i < dual.num_sites(); ++i)
-    for (const CircleId c : dual.circles_of(SiteId(i))) {
-      const geom::EmptyCircle& circle = dual.circle(c);
-      if (circle.sites[0] == SiteId(i) && circle.sites[2].valid()) visit(circle);
-    }
+  for (const CircleId c : triangles_of(dual)) visit(dual.circle(c));
 }
 
 }  // namespace fpo
