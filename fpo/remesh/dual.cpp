@@ -34,8 +34,8 @@ Dual dual_of(const SurfaceDomain& domain, const geom::SurfaceType& type, bool ke
   dual.mesh = extract(*diagram, dual.samples.size(), dual.localization.owners);
   dual.defects = find_defects(dual.mesh);
   dual.type = check_type(type, dual.mesh, dual.samples);
-  if (!dual.type.ok() && type.manifold) dual.cell_faults = cell_faults(*diagram, dual.localization.owners);
-  if (dual.defects.empty() && type.manifold)
+  if (!dual.type.ok() && !type.branches) dual.cell_faults = cell_faults(*diagram, dual.localization.owners);
+  if (dual.defects.empty() && !type.branches)
     for (const CellFault& fault : dual.cell_faults) dual.defects.push_back({fault.cell, fault.other});
   if (keep_cells) dual.cells = cell_polygons(*diagram);
   return dual;

@@ -70,7 +70,7 @@ std::unique_ptr<SurfaceDomain> with_room(std::unique_ptr<SurfaceDomain> domain, 
   if (!options.mend) return domain;
   if (result.thin_parts.faults_before == 0)
     result.protection = protect_chains(*domain, shared.features, options.optimize.interrupted);
-  if (options.method != Method::fpo || !type.manifold || result.stood_in || interrupted(options))
+  if (options.method != Method::fpo || type.branches || result.stood_in || interrupted(options))
     return domain;
   ThinPartOptions room;
   if (only_look) room.rounds = 0;
@@ -339,7 +339,8 @@ RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoic
         unless_interrupted(options, [&] { return remesh_with(surface, choice, together); });
     if (other && is_better(*other, best)) best = std::move(*other);
   }
-  if ((is_hopeless(best) && !may_be_faced(best)) || !geom::topology(surface).manifold()) return best;
+  if ((is_hopeless(best) && !may_be_faced(best)) || geom::topology(surface).nonmanifold_edges > 0)
+    return best;
   const auto attempt = [&](const RemeshOptions& otherwise, bool only_apart, bool anew = false) {
     if (interrupted(options)) return;
     std::optional<RemeshResult> other = unless_interrupted(
@@ -449,7 +450,7 @@ RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const Reme
     return std::move(*with_strong);
   RemeshResult result = remesh_sheets(surface, all, options);
   if (result.crease_curves == 0 || !options.features->yielding || options.method != Method::fpo ||
-      result.stood_in || interrupted(options) || !geom::topology(surface).manifold() ||
+      result.stood_in || interrupted(options) || geom::topology(surface).nonmanifold_edges > 0 ||
       has_wanted_angles(result) || (is_useful(result) && !crowded))
     return result;
   const bool has_few_on_curves = 2 * result.feature_samples < options.num_samples;
@@ -471,7 +472,7 @@ RemeshResult remesh_smoothed_or_not(const geom::TriMesh& surface, const RemeshOp
   RemeshResult result = remesh_with_creases_or_not(surface, options);
   if (!interrupted(options)) result.feature_bound = feature_bound(surface, options);
   if (!may_be || result.type.ok() || interrupted(options) || !is_folded(surface) ||
-      !geom::topology(surface).manifold())
+      geom::topology(surface).nonmanifold_edges > 0)
     return result;
   std::optional<RemeshResult> other =
       unless_interrupted(options, [&] { return remesh_smoothed(surface, options); });
