@@ -145,8 +145,26 @@ std::vector<std::string> type_warnings(const geom::TriMesh& input, const fpo::Re
   return lines;
 }
 
-std::vector<std::string> shape_warnings(const fpo::RemeshResult& result) {
+namespace {
+
+void add_far_part(const fpo::RemeshResult& result, const fpo::RemeshOptions& options,
+                  std::vector<std::string>& lines) {
+  const fpo::FarPart& part = result.far_part;
+  if (part.of_wanted == 0) return;
+  std::string line = worded(
+      "the input is up to %.6g away from the remesh, %.2f wanted lengths, at (%.6g, %.6g, %.6g), as if cut "
+      "off; try more samples",
+      part.distance, part.of_wanted, part.at.x(), part.at.y(), part.at.z());
+  if (options.surface.corners != geom::CornerTypes::all) line += ", or --corners all";
+  if (options.sizing == fpo::SizingKind::uniform) line += ", or --sizing lfs";
+  lines.push_back(line);
+}
+
+}  // namespace
+
+std::vector<std::string> shape_warnings(const fpo::RemeshResult& result, const fpo::RemeshOptions& options) {
   std::vector<std::string> lines;
+  add_far_part(result, options, lines);
   add_small_angles(result, lines);
   if (result.broken_feature_edges > 0)
     lines.push_back(worded(

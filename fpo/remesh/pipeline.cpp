@@ -479,13 +479,25 @@ RemeshResult remesh_smoothed_or_not(const geom::TriMesh& surface, const RemeshOp
   return other && other->type.ok() ? std::move(*other) : result;
 }
 
+/// And what is far from it. Lengths that were to be even are what was asked for, where they are less, too.
+RemeshResult remesh_and_look(const geom::TriMesh& surface, const RemeshOptions& options) {
+  RemeshResult result = remesh_smoothed_or_not(surface, options);
+  VertexField wanted = result.sizing;
+  if (options.sizing == SizingKind::uniform) {
+    const double even = even_spacing(surface, options);
+    for (double& h : wanted) h = std::max(h, even);
+  }
+  result.far_part = far_part(surface, wanted, result.mesh, result.samples);
+  return result;
+}
+
 }  // namespace
 
 RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options) try {
   geom::require(options.num_samples > 0, "the number of samples must be at least 1");
   geom::require(options.disk_radius == 0 || options.sizing == SizingKind::uniform,
                 "a radius of disks goes with uniform sizing only");
-  return remesh_in_unit_box(input, options, remesh_smoothed_or_not);
+  return remesh_in_unit_box(input, options, remesh_and_look);
 } catch (const geom::Bug& bug) {
   throw geom::Bug("seed " + std::to_string(options.seed) + ", " + bug.what());
 }

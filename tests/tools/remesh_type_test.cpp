@@ -69,6 +69,18 @@ TEST_CASE(
   CHECK_MESSAGE(says(wrong.err, "; the input, with 1 non-manifold vertex split, has 2, 2, 0\n"), wrong.err);
 }
 
+TEST_CASE("fpo-remesh: a tip that is cut off is said with its place and what keeps it, and that does") {
+  const RemeshTypePlace place;
+  io::write_mesh(place.folder / "cone.obj", geom::make_shape("cone", 48));  // its tip is at (0, 0, 2)
+  const ProgramResult cut = place.run({"cone.obj", "-n", "200", "--report", "report.html"});
+  const std::string line = "wanted lengths, at (0, 0, 2), as if cut off; try more samples";
+  CHECK_MESSAGE(says(cut.err, line), cut.err);
+  CHECK(says(cut.err, ", or --corners all, or --sizing lfs\n"));
+  CHECK(says(ScratchFolder::read(place.folder / "report.html"), line));
+  const ProgramResult kept = place.run({"cone.obj", "-n", "200", "--corners", "all"});
+  CHECK_MESSAGE(!says(kept.err, "cut off"), kept.err);
+}
+
 TEST_CASE("fpo-remesh: --at-least takes more samples until the type is right, and says how many") {
   const RemeshTypePlace place;
   const ProgramResult more = place.run({"torus.obj", "-n", "9", "--at-least", "--strict"});

@@ -23,7 +23,7 @@ fpo::RemeshResult spoilt_remesh() {
 TEST_CASE("type warnings: all lines tell the same number of samples") {
   const fpo::RemeshResult result = spoilt_remesh();
   std::vector<std::string> lines = tools::type_warnings({}, result, {});
-  for (const std::string& line : tools::shape_warnings(result)) lines.push_back(line);
+  for (const std::string& line : tools::shape_warnings(result, {})) lines.push_back(line);
   std::size_t told = 0;
   for (const std::string& line : lines) {
     CAPTURE(line);
@@ -64,7 +64,7 @@ TEST_CASE("type warnings: nobody is told a number that is of no use") {
   for (const std::size_t needed : {501u, 50000u, 50001u, 27482660u}) {
     CAPTURE(needed);
     result.feature_bound = {needed, fpo::FeatureNeed::small_angles};
-    const std::vector<std::string> lines = tools::shape_warnings(result);
+    const std::vector<std::string> lines = tools::shape_warnings(result, {});
     REQUIRE(lines.size() == 1);
     CHECK((lines[0].find("-n ") != std::string::npos) == (needed <= 50000));
     CHECK(tools::enough_samples(result) == (needed <= 50000 ? needed : 0));
