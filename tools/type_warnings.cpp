@@ -160,11 +160,34 @@ void add_far_part(const fpo::RemeshResult& result, const fpo::RemeshOptions& opt
   lines.push_back(line);
 }
 
+constexpr double short_edge = 0.5;  // of the length that is wanted, or of an even spacing
+
+void add_short_edge(const geom::TriMesh& input, const fpo::RemeshResult& result,
+                    const fpo::RemeshOptions& options, std::vector<std::string>& lines) {
+  const fpo::FinalMeasures& m = result.measures;
+  if (result.mesh.num_facets() == 0) return;
+  const auto told = [](double length, const char* unit, const geom::Vec3& at) {
+    return worded("the shortest edge is %.3f %s long, at (%.6g, %.6g, %.6g)", length, unit, at.x(), at.y(),
+                  at.z());
+  };
+  if (m.least_edge < short_edge) {
+    lines.push_back(told(m.least_edge, "wanted lengths", m.least.middle) +
+                    (m.least.is_fixed ? ": features are that close there" : ""));
+    return;
+  }
+  const double even = fpo::hexagonal_spacing(input.area(), result.samples.size());
+  if (options.sizing == fpo::SizingKind::uniform && m.shortest.length < short_edge * even)
+    lines.push_back(told(m.shortest.length / even, "even spacings", m.shortest.middle) +
+                    ": lengths are less there, on a blend, beside close curves or on a thin part");
+}
+
 }  // namespace
 
-std::vector<std::string> shape_warnings(const fpo::RemeshResult& result, const fpo::RemeshOptions& options) {
+std::vector<std::string> shape_warnings(const geom::TriMesh& input, const fpo::RemeshResult& result,
+                                        const fpo::RemeshOptions& options) {
   std::vector<std::string> lines;
   add_far_part(result, options, lines);
+  add_short_edge(input, result, options, lines);
   add_small_angles(result, lines);
   if (result.broken_feature_edges > 0)
     lines.push_back(worded(

@@ -111,7 +111,7 @@ struct RemeshResult {
   std::size_t brought = 0;  ///< samples that mending has moved
   TypeCheck type;           ///< of the mesh; with `advice` where and how to mend it
   TypeAdvice advice;
-  FarPart far_part;  ///< of the input, with regard to the mesh
+  FarPart far_part;        ///< of the input, with regard to the mesh
   FinalMeasures measures;  ///< of the mesh
   Localization localization;
   std::size_t hidden = 0;          ///< samples without a cell, hence without a triangle
