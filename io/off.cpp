@@ -30,7 +30,7 @@ std::size_t read_count(TextCursor& cursor, std::string_view word, std::string_vi
   return static_cast<std::size_t>(count);
 }
 
-/// The characters of a word that are a header, which the first count may follow without a blank; 0: no header.
+/// The characters of a word that are a header, which the first count may follow without a blank; 0: none.
 std::size_t header_length(std::string_view word) {
   std::size_t length = 0;
   for (const std::string_view part : {"ST", "C", "N"})
@@ -65,9 +65,9 @@ Counts read_header(TextCursor& cursor) {
   return counts;
 }
 
-/// The facets, a new line each. One whose line ends too soon goes on in the next ones, for to the format a line
-/// end is a blank; where a corner was forgotten, that takes the line of another facet, and one is missing in
-/// the end: who went on first is named then.
+/// The facets, a new line each. One whose line ends too soon goes on in the next ones, for to the format a
+/// line end is a blank; where a corner was forgotten, that takes the line of another facet, and one is
+/// missing in the end: who went on first is named then.
 class OffFacets {
  public:
   OffFacets(const InputFile& file, TextCursor& cursor, MeshBuilder& mesh)

@@ -8,11 +8,11 @@
 
 namespace io {
 
-/// Headers OFF, COFF, NOFF, STOFF and their mixtures ([ST][C][N]OFF); the counts follow on the same line, with
-/// or without a blank before them, or on the next one; comments anywhere. Each vertex and each facet begins a
-/// line; corners may go on in further lines, coordinates may not. What follows the coordinates or the corners
-/// on their line (normals, colours) is ignored. Polygons are triangulated (polygon.h), facets of one or two
-/// corners ignored. Throws geom::InputError "name:line: what". Cost: linear.
+/// Headers OFF, COFF, NOFF, STOFF and their mixtures ([ST][C][N]OFF); the counts follow on the same line,
+/// with or without a blank before them, or on the next one; comments anywhere. Each vertex and each facet
+/// begins a line; corners may go on in further lines, coordinates may not. What follows the coordinates or
+/// the corners on their line (normals, colours) is ignored. Polygons are triangulated (polygon.h), facets of
+/// one or two corners ignored. Throws geom::InputError "name:line: what". Cost: linear.
 /// `repeated`: as in MeshBuilder::finish().
 geom::TriMesh parse_off(const InputFile& file, std::size_t* repeated = nullptr);
 

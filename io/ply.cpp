@@ -168,8 +168,8 @@ class BodyReader {
     }
   }
 
-  /// Each corner but a strip's first two makes a triangle with the two before it, turned over by turns; -1 ends
-  /// a strip. Triangles that name a vertex twice lead from one part of a strip to another and are none.
+  /// Each corner but a strip's first two makes a triangle with the two before it, turned over by turns; -1
+  /// ends a strip. Triangles that name a vertex twice lead from one part of a strip to another and are none.
   void add_strips(std::size_t place) {
     std::size_t first = 0;  // of the strip at hand
     for (std::size_t i = 0; i < corners_.size(); ++i) {

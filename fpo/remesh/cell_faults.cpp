@@ -162,7 +162,7 @@ class Faults {
       }
   }
 
-  /// A vertex of the surface, or each of its sheets, that is not on its border is inside the cell that has it.
+  /// A vertex of the surface, or each of its sheets, that is not on the border is inside the cell with it.
   void count_inner_vertices() {
     const TriMesh& mesh = diagram_.mesh();
     geom::DisjointSets sheets = geom::sheets_at_vertices(mesh, geom::sorted_half_edges(mesh.facets()));

@@ -16,9 +16,10 @@ struct FarPart {
 };
 
 /// The vertex of the surface that is farthest from the remesh, if it is farther than the length wanted there
-/// (`wanted`, of each vertex). Vertex i of the remesh is sample i, in a facet of the surface. Nothing of a mesh
-/// without facets. Looked for at those vertices alone that are as far from a sample with triangles, the one from
-/// which a walk over the facets from all of them at once comes. O(F), and a closest point for each of these.
+/// (`wanted`, of each vertex). Vertex i of the remesh is sample i, in a facet of the surface. Nothing of a
+/// mesh without facets. Looked for at those vertices alone that are as far from a sample with triangles, the
+/// one from which a walk over the facets from all of them at once comes. O(F), and a closest point for each
+/// of these.
 FarPart far_part(const geom::TriMesh& surface, const VertexField& wanted, const geom::TriMesh& remesh,
                  std::span<const SurfaceSample> samples);
 

@@ -19,9 +19,9 @@ struct PartType {
 };
 
 /// Parts are facets joined by edges, in the order of their first facets. A vertex counts once for each of its
-/// sheets, the facets about it that are joined by edges at it: a surface that meets itself in vertices only is
-/// of the type of the manifold that it is when these are split. Edges of more than two facets count as they
-/// are, and are left out of the question which side is left.
+/// sheets, the facets about it that are joined by edges at it: a surface that meets itself in vertices only
+/// is of the type of the manifold that it is when these are split. Edges of more than two facets count as
+/// they are, and are left out of the question which side is left.
 struct SurfaceType {
   std::vector<PartType> parts;
   Table<FacetId, std::size_t> part_of;
