@@ -16,10 +16,12 @@ struct Counts {
   std::size_t vertices, facets;
 };
 
-void require_line(TextCursor& cursor, std::string_view kind, std::size_t index, std::size_t count) {
+/// `why` ends the complaint that there is none.
+void require_line(TextCursor& cursor, std::string_view kind, std::size_t index, std::size_t count,
+                  std::string_view why = "") {
   if (cursor.next_line()) return;
   cursor.fail("truncated: the file ends before " + std::string(kind) + " " + std::to_string(index + 1) +
-              " of " + std::to_string(count));
+              " of " + std::to_string(count) + std::string(why));
 }
 
 std::size_t read_count(TextCursor& cursor, std::string_view word, std::string_view what) {
@@ -28,13 +30,25 @@ std::size_t read_count(TextCursor& cursor, std::string_view word, std::string_vi
   return static_cast<std::size_t>(count);
 }
 
+/// The characters of a word that are a header, which the first count may follow without a blank; 0: none.
+std::size_t header_length(std::string_view word) {
+  std::size_t length = 0;
+  for (const std::string_view part : {"ST", "C", "N"})
+    if (word.substr(length).starts_with(part)) length += part.size();
+  if (!word.substr(length).starts_with("OFF")) return 0;
+  length += 3;
+  const bool ends = length == word.size() || (word[length] >= '0' && word[length] <= '9');
+  return ends ? length : 0;
+}
+
 /// The header and both counts, which the bytes that follow can hold: a vertex takes at least the 6 bytes
 /// "0 0 0\n", a facet the 2 bytes "0\n", the last of them may lack its line end.
 Counts read_header(TextCursor& cursor) {
   const bool has_line = cursor.next_line();
   const std::string_view header = has_line ? cursor.word() : std::string_view();
   if (!is_off_header(header)) cursor.fail("no OFF header (OFF, COFF, NOFF, ...)");
-  std::string_view word = cursor.word();
+  std::string_view word = header.substr(header_length(header));
+  if (word.empty()) word = cursor.word();
   if (word == "BINARY") cursor.fail("binary OFF is not supported");
   if (word.empty()) {
     if (!cursor.next_line()) cursor.fail("truncated: the file ends before the counts");
@@ -51,13 +65,50 @@ Counts read_header(TextCursor& cursor) {
   return counts;
 }
 
+/// The facets, a new line each. One whose line ends too soon goes on in the next ones, for to the format a
+/// line end is a blank; where a corner was forgotten, that takes the line of another facet, and one is
+/// missing in the end: who went on first is named then.
+class OffFacets {
+ public:
+  OffFacets(const InputFile& file, TextCursor& cursor, MeshBuilder& mesh)
+      : file_(file), cursor_(cursor), mesh_(mesh) {}
+
+  void read(std::size_t count) {
+    std::string why;
+    for (std::size_t i = 0; i < count; ++i) {
+      require_line(cursor_, "facet", i, count, why);
+      const std::size_t begin = cursor_.line();
+      read_corners(begin);
+      mesh_.add_facet(corners_, begin);
+      if (why.empty() && cursor_.line() != begin)
+        why = ", and the one of line " + std::to_string(begin) + " goes on in line " +
+              std::to_string(cursor_.line());
+    }
+  }
+
+ private:
+  void read_corners(std::size_t begin) {
+    const std::size_t degree = read_count(cursor_, cursor_.word(), "the number of corners");
+    if (degree > cursor_.remaining())
+      cursor_.fail("truncated: a facet of " + std::to_string(degree) + " corners");
+    corners_.resize(degree);
+    for (std::int64_t& corner : corners_) {
+      const std::string_view word = cursor_.word_across_lines();
+      if (word.empty())
+        file_.fail({begin, Unit::line}, "truncated: the file ends inside the facet that begins here");
+      corner = cursor_.integer(word, "vertex index");
+    }
+  }
+
+  const InputFile& file_;
+  TextCursor& cursor_;
+  MeshBuilder& mesh_;
+  std::vector<std::int64_t> corners_;
+};
+
 }  // namespace
 
-bool is_off_header(std::string_view word) {
-  for (const std::string_view prefix : {"ST", "C", "N"})
-    if (word.starts_with(prefix)) word.remove_prefix(prefix.size());
-  return word == "OFF";
-}
+bool is_off_header(std::string_view word) { return header_length(word) > 0; }
 
 geom::TriMesh parse_off(const InputFile& file, std::size_t* repeated) {
   TextCursor cursor(file);
@@ -69,16 +120,7 @@ geom::TriMesh parse_off(const InputFile& file, std::size_t* repeated) {
     for (double& x : p) x = cursor.coordinate(cursor.word());
     mesh.add_vertex({p[0], p[1], p[2]}, cursor.line());
   }
-  std::vector<std::int64_t> corners;
-  for (std::size_t i = 0; i < counts.facets; ++i) {
-    require_line(cursor, "facet", i, counts.facets);
-    const std::size_t degree = read_count(cursor, cursor.word(), "the number of corners");
-    if (degree > cursor.remaining())
-      cursor.fail("truncated: a facet of " + std::to_string(degree) + " corners");
-    corners.clear();
-    for (std::size_t k = 0; k < degree; ++k) corners.push_back(cursor.integer(cursor.word(), "vertex index"));
-    mesh.add_facet(corners, cursor.line());
-  }
+  OffFacets(file, cursor, mesh).read(counts.facets);
   if (cursor.next_line()) cursor.fail("more lines than the header announces");
   return std::move(mesh).finish(repeated);
 }

@@ -8,17 +8,18 @@
 
 namespace io {
 
-/// Headers OFF, COFF, NOFF, STOFF and their mixtures ([ST][C][N]OFF); the counts follow on the same or the
-/// next line; comments anywhere. One vertex or facet a line: what follows the coordinates or the corners
-/// (normals, colours) is ignored. Polygons are triangulated (polygon.h), facets of one or two corners
-/// ignored. Throws geom::InputError "name:line: what". Cost: linear.
+/// Headers OFF, COFF, NOFF, STOFF and their mixtures ([ST][C][N]OFF); the counts follow on the same line,
+/// with or without a blank before them, or on the next one; comments anywhere. Each vertex and each facet
+/// begins a line; corners may go on in further lines, coordinates may not. What follows the coordinates or
+/// the corners on their line (normals, colours) is ignored. Polygons are triangulated (polygon.h), facets of
+/// one or two corners ignored. Throws geom::InputError "name:line: what". Cost: linear.
 /// `repeated`: as in MeshBuilder::finish().
 geom::TriMesh parse_off(const InputFile& file, std::size_t* repeated = nullptr);
 
 /// Coordinates as the shortest decimals that read back exactly.
 std::string to_off(const geom::TriMesh& mesh);
 
-/// Whether a word is a header that parse_off reads.
+/// Whether a word is a header that parse_off reads, or one with the first count right behind.
 bool is_off_header(std::string_view word);
 
 }  // namespace io

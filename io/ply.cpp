@@ -112,7 +112,7 @@ class BinaryValues {
 enum class Role { ignored, x, y, z, weight, corners, texture };
 
 Role role_of(const PlyElement& element, const PlyProperty& property) {
-  if (element.name == "face" && property.count && is_integer(property.type))
+  if ((element.name == "face" || element.name == "tristrips") && property.count && is_integer(property.type))
     return property.name == "vertex_indices" || property.name == "vertex_index" ? Role::corners
                                                                                 : Role::ignored;
   if (element.name == "face" && property.count && property.name == "texcoord") return Role::texture;
@@ -162,7 +162,23 @@ class BodyReader {
       } else if (element.name == "face") {
         mesh_.add_facet(corners_, place);
         if (faces_) faces_->push_back({corners_, std::exchange(texture_, {})});
+      } else if (element.name == "tristrips") {
+        add_strips(place);
       }
+    }
+  }
+
+  /// Each corner but a strip's first two makes a triangle with the two before it, turned over by turns; -1
+  /// ends a strip. Triangles that name a vertex twice lead from one part of a strip to another and are none.
+  void add_strips(std::size_t place) {
+    std::size_t first = 0;  // of the strip at hand
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+      if (corners_[i] == -1) first = i + 1;
+      if (i < first + 2) continue;
+      std::array<std::int64_t, 3> triangle{corners_[i - 2], corners_[i - 1], corners_[i]};
+      if ((i - first) % 2 != 0) std::swap(triangle[0], triangle[1]);
+      const auto [a, b, c] = triangle;
+      if (a != b && b != c && c != a) mesh_.add_facet(triangle, place);
     }
   }
 
@@ -225,13 +241,16 @@ void require_vertices(const InputFile& file, const PlyHeader& header) {
 }
 
 void require_faces(const InputFile& file, const PlyHeader& header) {
+  bool found = false;
   for (const PlyElement& element : header.elements) {
-    if (element.name != "face") continue;
-    for (const PlyProperty& property : element.properties)
-      if (role_of(element, property) == Role::corners) return;
-    file.fail("the faces have no list of integers 'vertex_indices' or 'vertex_index'");
+    if (element.name != "face" && element.name != "tristrips") continue;
+    found = true;
+    const auto names_corners = [&](const PlyProperty& p) { return role_of(element, p) == Role::corners; };
+    if (std::ranges::none_of(element.properties, names_corners))
+      file.fail(std::string("the ") + (element.name == "face" ? "faces" : "tristrips") +
+                " have no list of integers 'vertex_indices' or 'vertex_index'");
   }
-  file.fail("no facets");
+  if (!found) file.fail("no facets");
 }
 
 template <class Visit>

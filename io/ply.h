@@ -21,7 +21,8 @@ struct VertexProperty {
 
 /// Text and binary of both byte orders, all number types, any further elements and properties (lists too).
 /// The element "vertex" must have x, y, z; the corners of "face" are the list vertex_indices or vertex_index.
-/// Polygons are triangulated (polygon.h), faces of one or two corners ignored.
+/// Polygons are triangulated (polygon.h), faces of one or two corners ignored. Such a list of "tristrips" is
+/// triangle strips, one after another with -1 between them.
 /// Throws geom::InputError "name:line: what" or "name:byte offset: what". Cost: linear.
 /// `repeated`: as in MeshBuilder::finish().
 geom::TriMesh parse_ply(const InputFile& file, std::size_t* repeated = nullptr);

@@ -133,7 +133,7 @@ int remesh(tools::CommandLine& cli) {
   if (!a.report.empty()) tools::write_remesh_report(a.report, input, result, run);
   tools::print_notes(read);  // now nothing is refused any more
   for (const std::string& line : tools::type_warnings(input, result, a.remesh)) warn(line);
-  for (const std::string& line : tools::shape_warnings(result)) warn(line);
+  for (const std::string& line : tools::shape_warnings(input, result, a.remesh)) warn(line);
   const bool interrupted = tools::interrupt_flag();  // maybe after the optimization
   std::optional<tools::EndsAtOnce> all_saved;
   if (!interrupted) all_saved.emplace(tools::all_is_written(cli.program()));

@@ -143,7 +143,7 @@ void write_remesh_report(const std::filesystem::path& path, const geom::TriMesh&
   io::HtmlReport page(run.input.stem().string() + ", " + std::to_string(result.samples.size()) + " samples");
   page.command(run.command);
   for (const std::string& line : type_warnings(input, result, run.options)) page.banner(line + ".");
-  for (const std::string& line : shape_warnings(result)) page.banner(line + ".");
+  for (const std::string& line : shape_warnings(input, result, run.options)) page.banner(line + ".");
   page.note(
       "Turn the pictures by dragging or with the arrow keys, shift them with the shift key or the other "
       "button "

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geom/mesh/surface_type.h"
 #include "tools/feature_words.h"
 #include "tools/worded.h"
 
@@ -67,6 +68,42 @@ void add_parts(const fpo::TypeCheck& type, std::vector<std::string>& lines) {
       "components of the input are several of the remesh each");
 }
 
+std::string counted(std::size_t count, const char* one, const char* more) {
+  return worded("%zu %s", count, count == 1 ? one : more);
+}
+
+/// What stands between the input and a manifold of its own type, in words; empty: nothing.
+std::string set_apart(const geom::Topology& in, const geom::SurfaceType& split) {
+  if (in.nonmanifold_edges > 0)
+    return counted(in.nonmanifold_edges, "non-manifold edge", "non-manifold edges");
+  if (split.split_vertices == 0) return {};
+  return counted(split.split_vertices, "non-manifold vertex split", "non-manifold vertices split");
+}
+
+/// What the remesh has against what was wanted: the input's numbers, with its vertices split.
+std::string numbers_told(const geom::Topology& in, const geom::Topology& out,
+                         const geom::SurfaceType& split) {
+  const std::string apart = set_apart(in, split);
+  return worded("Euler number %ld, %zu components, %zu boundary loops; the input%s has %ld, %zu, %zu",
+                out.euler, out.components, out.boundary_loops,
+                apart.empty() ? "" : (", with " + apart + ",").c_str(), split.whole().euler,
+                split.parts.size(), split.whole().border_loops);
+}
+
+/// Of an input that meets itself in vertices, of which the remesh makes several each.
+std::string splitting_told(const geom::Topology& in, const geom::Topology& out,
+                           const geom::SurfaceType& split) {
+  std::string changes;
+  const auto add = [&](const char* name, long from, long to) {
+    if (from != to) changes += worded("%s%s %ld -> %ld", changes.empty() ? "" : ", ", name, from, to);
+  };
+  add("Euler number", in.euler, out.euler);
+  add("components", static_cast<long>(in.components), static_cast<long>(out.components));
+  add("boundary loops", static_cast<long>(in.boundary_loops), static_cast<long>(out.boundary_loops));
+  if (changes.empty()) return {};
+  return changes + ", as " + counted(split.split_vertices, "vertex was split", "vertices were split");
+}
+
 void add_small_angles(const fpo::RemeshResult& result, std::vector<std::string>& lines) {
   if (result.measures.angles_below_30 == 0) return;
   std::string line = worded("%zu angles are below 30 degrees, the smallest is %.1f",
@@ -85,26 +122,72 @@ std::vector<std::string> type_warnings(const geom::TriMesh& input, const fpo::Re
                                        const fpo::RemeshOptions& options) {
   const fpo::TypeCheck& type = result.type;
   std::vector<std::string> lines;
-  if (type.ok()) return lines;
+  const geom::Topology in = geom::topology(input);
+  if (type.ok() && in.manifold()) return lines;
+  const geom::Topology out = geom::topology(result.mesh);
+  const geom::SurfaceType split = geom::surface_type(input);
+  if (type.ok()) {
+    const std::string told = splitting_told(in, out, split);
+    if (!told.empty()) lines.push_back(told);
+    return lines;
+  }
   if (!type.is_manifold())
     lines.push_back(worded("the remesh is not a manifold: %zu non-manifold edges, %zu non-manifold vertices",
                            type.nonmanifold_edges, type.nonmanifold_vertices));
   if (type.bare_samples > 0) lines.push_back(worded("%zu samples have no triangle", type.bare_samples));
   add_parts(type, lines);
-  const geom::Topology in = geom::topology(input), out = geom::topology(result.mesh);
-  if (in.euler != out.euler || in.components != out.components || in.boundary_loops != out.boundary_loops ||
-      type.changed_parts > 0)
-    lines.push_back(worded(
-        "%sEuler number %ld, %zu components, %zu boundary loops; the input has %ld, %zu, %zu",
-        in.manifold() ? "" : "the input is not a manifold, so the remesh is of another type: ", out.euler,
-        out.components, out.boundary_loops, in.euler, in.components, in.boundary_loops));
+  const geom::PartType wanted = split.whole();
+  if (wanted.euler != out.euler || split.parts.size() != out.components ||
+      wanted.border_loops != out.boundary_loops || type.changed_parts > 0)
+    lines.push_back(numbers_told(in, out, split));
   const std::string advice = what_to_do(result, options);
   if (!advice.empty()) lines.push_back(advice);
   return lines;
 }
 
-std::vector<std::string> shape_warnings(const fpo::RemeshResult& result) {
+namespace {
+
+void add_far_part(const fpo::RemeshResult& result, const fpo::RemeshOptions& options,
+                  std::vector<std::string>& lines) {
+  const fpo::FarPart& part = result.far_part;
+  if (part.of_wanted == 0) return;
+  std::string line = worded(
+      "the input is up to %.6g away from the remesh, %.2f wanted lengths, at (%.6g, %.6g, %.6g), as if cut "
+      "off; try more samples",
+      part.distance, part.of_wanted, part.at.x(), part.at.y(), part.at.z());
+  if (options.surface.corners != geom::CornerTypes::all) line += ", or --corners all";
+  if (options.sizing == fpo::SizingKind::uniform) line += ", or --sizing lfs";
+  lines.push_back(line);
+}
+
+constexpr double short_edge = 0.5;  // of the length that is wanted, or of an even spacing
+
+void add_short_edge(const geom::TriMesh& input, const fpo::RemeshResult& result,
+                    const fpo::RemeshOptions& options, std::vector<std::string>& lines) {
+  const fpo::FinalMeasures& m = result.measures;
+  if (result.mesh.num_facets() == 0) return;
+  const auto told = [](double length, const char* unit, const geom::Vec3& at) {
+    return worded("the shortest edge is %.3f %s long, at (%.6g, %.6g, %.6g)", length, unit, at.x(), at.y(),
+                  at.z());
+  };
+  if (m.least_edge < short_edge) {
+    lines.push_back(told(m.least_edge, "wanted lengths", m.least.middle) +
+                    (m.least.is_fixed ? ": features are that close there" : ""));
+    return;
+  }
+  const double even = fpo::hexagonal_spacing(input.area(), result.samples.size());
+  if (options.sizing == fpo::SizingKind::uniform && m.shortest.length < short_edge * even)
+    lines.push_back(told(m.shortest.length / even, "even spacings", m.shortest.middle) +
+                    ": lengths are less there, on a blend, beside close curves or on a thin part");
+}
+
+}  // namespace
+
+std::vector<std::string> shape_warnings(const geom::TriMesh& input, const fpo::RemeshResult& result,
+                                        const fpo::RemeshOptions& options) {
   std::vector<std::string> lines;
+  add_far_part(result, options, lines);
+  add_short_edge(input, result, options, lines);
   add_small_angles(result, lines);
   if (result.broken_feature_edges > 0)
     lines.push_back(worded(

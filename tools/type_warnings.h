@@ -19,11 +19,14 @@ namespace tools {
 std::size_t enough_samples(const fpo::RemeshResult& result);
 
 /// One line each, without end; none if the remesh is a 2-manifold of the input's type: what differs, in how
-/// many places, where the first one is, and what to do.
+/// many places, where the first one is, and what to do. If the input meets itself in vertices, its type is
+/// that with these split (geom::SurfaceType); then a line tells the numbers that this has changed.
 std::vector<std::string> type_warnings(const geom::TriMesh& input, const fpo::RemeshResult& result,
                                        const fpo::RemeshOptions& options);
 
-/// Lines on angles below 30 degrees and on feature edges that are missing.
-std::vector<std::string> shape_warnings(const fpo::RemeshResult& result);
+/// Lines on a part that is cut off, on the shortest edge if it is shorter than half of what was wanted, or of
+/// an even spacing, on angles below 30 degrees and on feature edges that are missing.
+std::vector<std::string> shape_warnings(const geom::TriMesh& input, const fpo::RemeshResult& result,
+                                        const fpo::RemeshOptions& options);
 
 }  // namespace tools

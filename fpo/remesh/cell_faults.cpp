@@ -7,6 +7,8 @@
 #include <set>
 
 #include "geom/disjoint_sets.h"
+#include "geom/mesh/half_edges.h"
+#include "geom/mesh/surface_type.h"
 
 namespace fpo {
 
@@ -160,16 +162,17 @@ class Faults {
       }
   }
 
-  /// A vertex of the surface that is not on its border is inside the cell that has it.
+  /// A vertex of the surface, or each of its sheets, that is not on the border is inside the cell with it.
   void count_inner_vertices() {
     const TriMesh& mesh = diagram_.mesh();
-    std::vector<char> outer(mesh.num_vertices(), 0);
+    geom::DisjointSets sheets = geom::sheets_at_vertices(mesh, geom::sorted_half_edges(mesh.facets()));
+    const auto sheet = [&](FacetId t, int corner) {
+      return sheets.find(3 * t.index() + static_cast<std::size_t>(corner));
+    };
+    std::vector<char> passed(3 * mesh.num_facets(), 0);  // on the border, or counted
     for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
       for (int e = 0; e < 3; ++e)
-        if (!mesh.across(t, e).valid())
-          outer[mesh.facet(t)[static_cast<std::size_t>(e)].index()] =
-              outer[mesh.facet(t)[static_cast<std::size_t>(e == 2 ? 0 : e + 1)].index()] = 1;
-    std::vector<char> seen(mesh.num_vertices(), 0);
+        if (!mesh.across(t, e).valid()) passed[sheet(t, e)] = passed[sheet(t, e == 2 ? 0 : e + 1)] = 1;
     for (Cell& cell : cells_)
       for (const FragmentId f : cell.fragments) {
         const auto corners = pieces_.corners(f);
@@ -177,11 +180,9 @@ class Faults {
           const EdgeLabel before = corners[geom::previous_corner(k, corners.size())].edge,
                           after = corners[k].edge;
           if (before.is_site() || after.is_site()) continue;
-          const VertexId v =
-              mesh.facet(diagram_.fragments().facet(f))[static_cast<std::size_t>(after.edge())];
-          if (outer[v.index()] || seen[v.index()]) continue;
-          seen[v.index()] = 1;
-          ++cell.inner_vertices;
+          char& is_passed = passed[sheet(diagram_.fragments().facet(f), after.edge())];
+          cell.inner_vertices += !is_passed;
+          is_passed = 1;
         }
       }
   }

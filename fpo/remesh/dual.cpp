@@ -56,8 +56,8 @@ Dual dual_of(const SurfaceDomain& domain, const geom::SurfaceType& type, bool ke
   dual.localization = localize(*diagram, dual.samples, interrupted);
   dual.mesh = extract(*diagram, dual.samples.size(), dual.localization.owners);
   look_at(dual, type);
-  if (!dual.type.ok() && type.manifold) dual.cell_faults = cell_faults(*diagram, dual.localization.owners);
-  if (dual.defects.empty() && type.manifold)
+  if (!dual.type.ok() && !type.branches) dual.cell_faults = cell_faults(*diagram, dual.localization.owners);
+  if (dual.defects.empty() && !type.branches)
     for (const CellFault& fault : dual.cell_faults) dual.defects.push_back({fault.cell, fault.other});
   if (keep_cells) dual.cells = cell_polygons(*diagram);
   return dual;

@@ -27,12 +27,15 @@ void measure_edges(const TriMesh& mesh, const VertexField& wanted, std::size_t n
                    FinalMeasures& result) {
   const std::vector<geom::MeshEdge> edges = geom::edges_of(mesh);
   std::vector<double> shortest(mesh.num_vertices(), std::numeric_limits<double>::infinity());
-  double sum = 0, least = std::numeric_limits<double>::infinity();
+  double sum = 0, least = std::numeric_limits<double>::infinity(), least_length = least;
   for (const auto& [a, b] : edges) {
     const double length = (mesh.position(a) - mesh.position(b)).norm();
     const double of_wanted = length / std::sqrt(wanted[a] * wanted[b]);
+    const ShortEdge edge{length, (mesh.position(a) + mesh.position(b)) / 2,
+                         a.index() < num_fixed && b.index() < num_fixed};
     sum += of_wanted;
-    least = std::min(least, of_wanted);
+    if (of_wanted < least) least = of_wanted, result.least = edge;
+    if (length < least_length) least_length = length, result.shortest = edge;
     for (const VertexId v : {a, b}) shortest[v.index()] = std::min(shortest[v.index()], length / wanted[v]);
   }
   result.mean_edge = sum / static_cast<double>(std::max<std::size_t>(edges.size(), 1));

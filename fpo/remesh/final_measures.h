@@ -9,6 +9,13 @@
 
 namespace fpo {
 
+/// An edge that is shorter than all others.
+struct ShortEdge {
+  double length = 0;
+  geom::Vec3 middle{0, 0, 0};
+  bool is_fixed = false;  ///< both its ends are
+};
+
 /// Lengths in units of the wanted edge length at a vertex, of an edge at its ends (geometric mean). Edges
 /// only: samples of two sheets may be near each other.
 struct FinalMeasures {
@@ -16,6 +23,8 @@ struct FinalMeasures {
   double mean_delta = 0;  ///< and the mean of them
   double mean_edge = 0;
   double least_edge = 0;            ///< the shortest of all edges
+  ShortEdge least;                  ///< that one, its length in the units of the surface
+  ShortEdge shortest;               ///< the shortest in these units
   double theta_min = 180;           ///< the smallest angle, degrees
   std::size_t angles_below_30 = 0;  ///< less 1e-9 for rounding
   std::size_t bad_triangles = 0;    ///< beyond the bounds of angle optimization

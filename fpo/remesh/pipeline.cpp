@@ -70,7 +70,7 @@ std::unique_ptr<SurfaceDomain> with_room(std::unique_ptr<SurfaceDomain> domain, 
   if (!options.mend) return domain;
   if (result.thin_parts.faults_before == 0)
     result.protection = protect_chains(*domain, shared.features, options.optimize.interrupted);
-  if (options.method != Method::fpo || !type.manifold || result.stood_in || interrupted(options))
+  if (options.method != Method::fpo || type.branches || result.stood_in || interrupted(options))
     return domain;
   ThinPartOptions room;
   if (only_look) room.rounds = 0;
@@ -340,7 +340,8 @@ RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoic
         unless_interrupted(options, [&] { return remesh_with(surface, choice, together); });
     if (other && is_better(*other, best)) best = std::move(*other);
   }
-  if ((is_hopeless(best) && !may_be_faced(best)) || !geom::topology(surface).manifold()) return best;
+  if ((is_hopeless(best) && !may_be_faced(best)) || geom::topology(surface).nonmanifold_edges > 0)
+    return best;
   const auto attempt = [&](const RemeshOptions& otherwise, bool only_apart, bool anew = false) {
     if (interrupted(options)) return;
     std::optional<RemeshResult> other = unless_interrupted(
@@ -450,7 +451,7 @@ RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const Reme
     return std::move(*with_strong);
   RemeshResult result = remesh_sheets(surface, all, options);
   if (result.crease_curves == 0 || !options.features->yielding || options.method != Method::fpo ||
-      result.stood_in || interrupted(options) || !geom::topology(surface).manifold() ||
+      result.stood_in || interrupted(options) || geom::topology(surface).nonmanifold_edges > 0 ||
       has_wanted_angles(result) || (is_useful(result) && !crowded))
     return result;
   const bool has_few_on_curves = 2 * result.feature_samples < options.num_samples;
@@ -472,11 +473,23 @@ RemeshResult remesh_smoothed_or_not(const geom::TriMesh& surface, const RemeshOp
   RemeshResult result = remesh_with_creases_or_not(surface, options);
   if (!interrupted(options)) result.feature_bound = feature_bound(surface, options);
   if (!may_be || result.type.ok() || interrupted(options) || !is_folded(surface) ||
-      !geom::topology(surface).manifold())
+      geom::topology(surface).nonmanifold_edges > 0)
     return result;
   std::optional<RemeshResult> other =
       unless_interrupted(options, [&] { return remesh_smoothed(surface, options); });
   return other && other->type.ok() ? std::move(*other) : result;
+}
+
+/// And what is far from it. Lengths that were to be even are what was asked for, where they are less, too.
+RemeshResult remesh_and_look(const geom::TriMesh& surface, const RemeshOptions& options) {
+  RemeshResult result = remesh_smoothed_or_not(surface, options);
+  VertexField wanted = result.sizing;
+  if (options.sizing == SizingKind::uniform) {
+    const double even = even_spacing(surface, options);
+    for (double& h : wanted) h = std::max(h, even);
+  }
+  result.far_part = far_part(surface, wanted, result.mesh, result.samples);
+  return result;
 }
 
 }  // namespace
@@ -485,7 +498,7 @@ RemeshResult remesh(const geom::TriMesh& input, const RemeshOptions& options) tr
   geom::require(options.num_samples > 0, "the number of samples must be at least 1");
   geom::require(options.disk_radius == 0 || options.sizing == SizingKind::uniform,
                 "a radius of disks goes with uniform sizing only");
-  return remesh_in_unit_box(input, options, remesh_smoothed_or_not);
+  return remesh_in_unit_box(input, options, remesh_and_look);
 } catch (const geom::Bug& bug) {
   throw geom::Bug("seed " + std::to_string(options.seed) + ", " + bug.what());
 }

@@ -14,6 +14,7 @@
 #include "fpo/remesh/closeness.h"
 #include "fpo/remesh/dual.h"
 #include "fpo/remesh/edge_advice.h"
+#include "fpo/remesh/far_part.h"
 #include "fpo/remesh/fidelity.h"
 #include "fpo/remesh/final_measures.h"
 #include "fpo/remesh/finish.h"
@@ -110,6 +111,7 @@ struct RemeshResult {
   std::size_t brought = 0;  ///< samples that mending has moved
   TypeCheck type;           ///< of the mesh; with `advice` where and how to mend it
   TypeAdvice advice;
+  FarPart far_part;        ///< of the input, with regard to the mesh
   FinalMeasures measures;  ///< of the mesh
   Localization localization;
   std::size_t hidden = 0;          ///< samples without a cell, hence without a triangle

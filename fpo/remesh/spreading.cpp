@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<double, 5> steps = {0.005, 0.01, 0.02, 0.04, 0.08};  // in units of h
 constexpr int directions_of_steps = 12;
-constexpr int most_rounds = 8;
+constexpr int most_spreading_rounds = 8;
 constexpr double least_spread = 0.02;  // of a triangle's penalty
 constexpr double drift_of_lengths = 1e-12;
 constexpr std::size_t most_trials = 12;  // of the places that would be best
@@ -78,7 +78,7 @@ std::vector<Trial> Spreading::trials(const std::array<SiteId, 3>& corners) const
 bool Spreading::spread() {
   const auto cost = [&](double limit) { return close_.is_more_than(limit) ? limit : close_.penalty(); };
   bool progress = true;
-  for (int round = 0; round < most_rounds && progress && close_.number() > 0; ++round) {
+  for (int round = 0; round < most_spreading_rounds && progress && close_.number() > 0; ++round) {
     progress = false;
     close_.try_all_again();
     for (CircleId c; (c = close_.take_worst()).valid();)

@@ -17,7 +17,7 @@ TypeCheck check_type(const geom::SurfaceType& input, const geom::TriMesh& remesh
   check.bare_samples = topology.unreferenced_vertices;
 
   // Which parts of the input meet which of the remesh.
-  const geom::SurfaceType output = geom::surface_type(remesh, topology);
+  const geom::SurfaceType output = geom::surface_type(remesh);
   std::vector<std::set<std::size_t>> outputs(input.parts.size()), inputs(output.parts.size());
   for (std::size_t t = 0; t < remesh.num_facets(); ++t)
     for (const VertexId v : remesh.facet(FacetId(t))) {

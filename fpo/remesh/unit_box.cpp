@@ -15,6 +15,9 @@ void change_places(RemeshResult& result, Change change) {
   for (SurfaceSample& sample : result.samples) change(sample.position);
   for (Vec3& place : result.advice.places) change(place);
   change(result.edge_advice.first);
+  change(result.far_part.at);
+  change(result.measures.least.middle);
+  change(result.measures.shortest.middle);
   for (CellPolygon& cell : result.cells)
     for (Vec3& corner : cell.corners) change(corner);
 }
@@ -30,6 +33,9 @@ RemeshResult remesh_scaled(const geom::TriMesh& input, const RemeshOptions& opti
   RemeshResult result = remesh(surface, scaled_options);
   result.mesh = geom::scaled(result.mesh, 1 / factor);
   change_places(result, [&](Vec3& place) { place /= factor; });
+  for (double* length :
+       {&result.far_part.distance, &result.measures.least.length, &result.measures.shortest.length})
+    *length /= factor;
   for (double& h : result.sizing) h /= factor;
   for (double& h : result.wanted) h /= factor;
   return result;

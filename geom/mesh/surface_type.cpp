@@ -1,10 +1,7 @@
 #include "geom/mesh/surface_type.h"
 
 #include <algorithm>
-#include <cstdint>
-
-#include "geom/disjoint_sets.h"
-#include "geom/mesh/half_edges.h"
+#include <utility>
 
 namespace geom {
 namespace {
@@ -25,37 +22,60 @@ void find_one_sided(const std::vector<HalfEdge>& half_edges, SurfaceType& type) 
     if (sides.find(t) == sides.find(t + count)) type.parts[type.part_of[FacetId(t)]].orientable = false;
 }
 
-/// Vertices and their borders, counted once in each part that they belong to.
+std::size_t corner_at(const TriMesh& mesh, FacetId t, VertexId v) {
+  const TriMesh::Facet& f = mesh.facet(t);
+  return 3 * t.index() + static_cast<std::size_t>(std::ranges::find(f, v) - f.begin());
+}
+
+/// Vertices and their borders, counted once for each sheet.
 void count_at_vertices(const TriMesh& mesh, const std::vector<HalfEdge>& half_edges, SurfaceType& type) {
-  std::vector<std::uint64_t> corners;  // of parts: the part before the vertex
-  const auto corner = [](std::size_t part, VertexId v) { return std::uint64_t{part} << 32 | v.index(); };
-  corners.reserve(3 * mesh.num_facets());
-  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
-    for (const VertexId v : mesh.facet(t)) corners.push_back(corner(type.part_of[t], v));
-  std::ranges::sort(corners);
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  const auto place = [&](std::size_t part, VertexId v) {
-    return static_cast<std::size_t>(std::ranges::lower_bound(corners, corner(part, v)) - corners.begin());
-  };
-  for (const std::uint64_t c : corners) ++type.parts[c >> 32].euler;
-  DisjointSets loops(corners.size());
-  std::vector<char> on_border(corners.size(), 0);
+  const std::size_t num_corners = 3 * mesh.num_facets();
+  DisjointSets sheets = sheets_at_vertices(mesh, half_edges), loops(num_corners);
+  std::vector<char> on_border(num_corners, 0);
   for_each_edge(half_edges, [&](auto first, auto last) {
+    type.branches |= last - first > 2;
     if (last - first != 1) return;
-    const std::size_t part = type.part_of[first->facet];
-    const std::size_t a = place(part, first->low), b = place(part, first->high);
+    const std::size_t a = sheets.find(corner_at(mesh, first->facet, first->low)),
+                      b = sheets.find(corner_at(mesh, first->facet, first->high));
     on_border[a] = on_border[b] = 1;
     loops.merge(a, b);
   });
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    type.parts[corners[i] >> 32].border_loops += on_border[i] && loops.find(i) == i;
+  std::vector<char> sheets_of(mesh.num_vertices(), 0);  // 2: several
+  for (std::size_t c = 0; c < num_corners; ++c) {
+    if (sheets.find(c) != c) continue;
+    PartType& part = type.parts[type.part_of[FacetId(c / 3)]];
+    ++part.euler;
+    part.border_loops += on_border[c] && loops.find(c) == c;
+    char& sheets_here = sheets_of[mesh.facet(FacetId(c / 3))[c % 3].index()];
+    type.split_vertices += sheets_here == 1;
+    if (sheets_here < 2) ++sheets_here;
+  }
 }
 
 }  // namespace
 
-SurfaceType surface_type(const TriMesh& mesh, const Topology& topology) {
+DisjointSets sheets_at_vertices(const TriMesh& mesh, const std::vector<HalfEdge>& half_edges) {
+  DisjointSets sheets(3 * mesh.num_facets());
+  for_each_edge(half_edges, [&](auto first, auto last) {
+    for (auto h = first + 1; h != last; ++h)
+      for (const VertexId v : {h->low, h->high})
+        sheets.merge(corner_at(mesh, first->facet, v), corner_at(mesh, h->facet, v));
+  });
+  return sheets;
+}
+
+PartType SurfaceType::whole() const {
+  PartType sum;
+  for (const PartType& part : parts) {
+    sum.euler += part.euler;
+    sum.border_loops += part.border_loops;
+    sum.orientable &= part.orientable;
+  }
+  return sum;
+}
+
+SurfaceType surface_type(const TriMesh& mesh) {
   SurfaceType type;
-  type.manifold = topology.manifold();
   const std::vector<HalfEdge> half_edges = sorted_half_edges(mesh.facets());
   DisjointSets joined(mesh.num_facets());
   for_each_edge(half_edges, [&](auto first, auto last) {

@@ -4,6 +4,8 @@
 #include <compare>
 #include <vector>
 
+#include "geom/disjoint_sets.h"
+#include "geom/mesh/half_edges.h"
 #include "geom/mesh/trimesh.h"
 
 namespace geom {
@@ -16,17 +18,23 @@ struct PartType {
   auto operator<=>(const PartType&) const = default;
 };
 
-/// Parts are facets joined by edges, in the order of their first facets. Where a mesh is no manifold the
-/// numbers are those of its facets, edges and vertices as they are, and edges of more than two facets are
-/// left out of the question which side is left.
+/// Parts are facets joined by edges, in the order of their first facets. A vertex counts once for each of its
+/// sheets, the facets about it that are joined by edges at it: a surface that meets itself in vertices only
+/// is of the type of the manifold that it is when these are split. Edges of more than two facets count as
+/// they are, and are left out of the question which side is left.
 struct SurfaceType {
   std::vector<PartType> parts;
   Table<FacetId, std::size_t> part_of;
-  bool manifold = true;
+  bool branches = false;           ///< an edge has more than two facets
+  std::size_t split_vertices = 0;  ///< those of several sheets
+
+  PartType whole() const;  ///< the sums; orientable if all parts are
 };
 
-/// O(F log F). `topology`: of the mesh, where it is known.
-SurfaceType surface_type(const TriMesh& mesh, const Topology& topology);
-inline SurfaceType surface_type(const TriMesh& mesh) { return surface_type(mesh, topology(mesh)); }
+/// Of corner i of facet t, at 3 t + i: the corners joined to it by edges at their common vertex are one set.
+DisjointSets sheets_at_vertices(const TriMesh& mesh, const std::vector<HalfEdge>& half_edges);
+
+/// O(F log F).
+SurfaceType surface_type(const TriMesh& mesh);
 
 }  // namespace geom

@@ -17,8 +17,9 @@ const std::string off_square = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 TEST_CASE("OFF: counts on the same or the next line, with or without edges, comments, blank lines") {
   const std::string facets = "3 0 1 2\n3 0 2 3\n";
   for (const std::string header :
-       {"OFF\n4 2 0\n", "OFF 4 2 0\n", "OFF\n4 2\n", "# made by hand\nOFF # text\n\n# counts\n4 2 5\n\n",
-        "OFF\r\n4 2 0\r\n", "\xEF\xBB\xBFOFF\n4 2 0\n"}) {
+       {"OFF\n4 2 0\n", "OFF 4 2 0\n", "OFF\n4 2\n", "OFF4 2 0\n", "\t NOFF4 2 # or so\n",
+        "# made by hand\nOFF # text\n\n# counts\n4 2 5\n\n", "OFF\r\n4 2 0\r\n",
+        "\xEF\xBB\xBFOFF\n4 2 0\n"}) {
     CAPTURE(header);
     CHECK(corners(parse_off(header + off_square + "\n# facets\n" + facets)) == "0 1 2, 0 2 3");
   }
@@ -38,11 +39,33 @@ TEST_CASE("OFF: polygons are triangulated, points and lines ignored, the last li
   CHECK(mesh.area() == 1);
 }
 
+TEST_CASE("OFF: a facet goes on in the next lines, and still the next one begins a line") {
+  const auto mesh = parse_off("OFF\n4 2 0\n" + off_square + "3\n\n 0 1 # two\n\t2 255 0 0\n3 0\n2\n3\n\n");
+  CHECK(corners(mesh) == "0 1 2, 0 2 3");
+  CHECK(parse_off("OFF\n4 2 0\n" + off_square + "4 0\n1\n2\n3\n2\n0\n1").num_facets() == 2);
+}
+
+TEST_CASE("OFF: a corner that was forgotten is found out, and where") {
+  const auto fault = [](const std::string& facets) {
+    return complaint([&] { parse_off("OFF\n4 2 0\n" + off_square + facets); });
+  };
+  CHECK(fault("3 0 1\n3 0 2 3\n") ==
+        "a.off:9: truncated: the file ends before facet 2 of 2, and the one of "
+        "line 7 goes on in line 8");
+  CHECK(fault("3 0 1\n9 0 2 3\n3 0 1 2") == "a.off:7: vertex index 9 out of range (the file has 4 vertices)");
+  CHECK(fault("3 0 1 2\n3 0\n2\n-3\n") == "a.off:8: vertex index -3 out of range (the first vertex is 0)");
+  CHECK(fault("3 0 1 2\n3 0\n2\nx\n") == "a.off:10: vertex index 'x' is not a whole number");
+  CHECK(fault("3\n0 1\n1\n3 0 2 3\n") == "a.off:7: a facet names vertex 1 twice");
+  CHECK(fault("3 0 1 2\n3 0\n\n2\n\n") ==
+        "a.off:8: truncated: the file ends inside the facet that begins here");
+}
+
 TEST_CASE("OFF: each fault is named with its line") {
   const auto fault = [](const std::string& text) { return complaint([&] { parse_off(text); }); };
   CHECK(fault("4 2 0\n" + off_square) == "a.off:1: no OFF header (OFF, COFF, NOFF, ...)");
   CHECK(fault("\n\n").find("no OFF header") != std::string::npos);
-  CHECK(fault("4OFF 1 1 1\n").find("no OFF header") != std::string::npos);
+  for (const std::string header : {"4OFF 1 1 1\n", "OFFS 4 2 0\n", "OFF-4 2 0\n", "ST4 2 0\n"})
+    CHECK(fault(header + off_square).find("no OFF header") != std::string::npos);
   CHECK(fault("OFF BINARY\n") == "a.off:1: binary OFF is not supported");
   CHECK(fault("OFF\n") == "a.off:2: truncated: the file ends before the counts");
   CHECK(fault("OFF\n4\n" + off_square) == "a.off:2: the number of facets is missing");
@@ -56,7 +79,8 @@ TEST_CASE("OFF: each fault is named with its line") {
         "a.off:7: vertex index 4 out of range (the file has 4 vertices)");
   CHECK(fault("OFF\n4 1 0\n" + off_square + "3 0 1 -1\n") ==
         "a.off:7: vertex index -1 out of range (the first vertex is 0)");
-  CHECK(fault("OFF\n4 1 0\n" + off_square + "3 0 1\n") == "a.off:7: vertex index is missing");
+  CHECK(fault("OFF\n4 1 0\n" + off_square + "3 0 1\n") ==
+        "a.off:7: truncated: the file ends inside the facet that begins here");
   CHECK(fault("OFF\n4 1 0\n" + off_square + "3 0 1 1\n") == "a.off:7: a facet names vertex 1 twice");
   CHECK(fault("OFF\n4 1 0\n" + off_square + "99999999 0 1 1\n") ==
         "a.off:7: truncated: a facet of 99999999 corners");

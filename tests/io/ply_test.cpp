@@ -120,6 +120,67 @@ TEST_CASE("PLY binary: a header with Windows line ends, a body that starts with 
   CHECK(fixtures::identical(parse_ply(windows + bytes.substr(body)), parse_ply(bytes)));
 }
 
+TEST_CASE("PLY: triangle strips, in text and both byte orders, beside faces and alone") {
+  const std::vector<std::int32_t> strip{0, 1, 3, 2, -1, -1, 3, 2, -1, 2, 2, 0, 0, 3, 2, 1};
+  const std::string triangles = "0 1 3, 3 1 2, 3 0 2, 3 2 1";  // every other one is turned over
+  const auto strips_header = [](std::string format) {
+    return "ply\nformat " + format +
+           " 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+           "element tristrips 1\nproperty list int int vertex_indices\n";
+  };
+  std::string text;
+  for (const std::int32_t v : strip) text += " " + std::to_string(v);
+  CHECK(corners(parse_ply(strips_header("ascii") + "end_header\n" + ply_square + "16" + text)) == triangles);
+  const std::string beside = strips_header("ascii") +
+                             "element face 1\nproperty list uchar int vertex_index\nend_header\n" +
+                             ply_square + "4 0 1 -1 2\n3 1 2 3\n";
+  CHECK(corners(parse_ply(beside)) == "1 2 3");
+  for (const bool big : {false, true}) {
+    CAPTURE(big);
+    std::string bytes = strips_header(big ? "binary_big_endian" : "binary_little_endian") + "end_header\n";
+    for (const float x : {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}) append(bytes, x, big);
+    append(bytes, static_cast<std::int32_t>(strip.size()), big);
+    for (const std::int32_t v : strip) append(bytes, v, big);
+    CHECK(corners(parse_ply(bytes)) == triangles);
+    CHECK(complaint([&] { parse_ply(bytes.substr(0, bytes.size() - 4)); }).find("truncated") !=
+          std::string::npos);
+  }
+}
+
+TEST_CASE("PLY: a band cut into strips is turned one way") {
+  std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 12\nproperty int x\nproperty int y\n"
+      "property int z\nelement tristrips 2\nproperty list uchar int vertex_indices\nend_header\n";
+  for (int i = 0; i < 12; ++i) text += std::to_string(i / 2) + " " + std::to_string(i % 2) + " 0\n";
+  const auto mesh = parse_ply(text + "7 0 1 2 3 4 5 6\n7 5 7 6 8 -1 7 9\n");
+  for (const auto& [a, b, c] : mesh.facets()) {
+    CAPTURE(a.value);
+    const geom::Vec3 ab = mesh.position(b) - mesh.position(a), ac = mesh.position(c) - mesh.position(a);
+    CHECK(ab.cross(ac).z() == -1);
+  }
+  CHECK(mesh.num_facets() == 7);
+}
+
+TEST_CASE("PLY: faults of triangle strips are named") {
+  const auto fault = [](const std::string& list, const std::string& strip) {
+    return complaint([&] {
+      parse_ply(
+          "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+          "property float z\nelement tristrips 1\nproperty " +
+          list + "\nend_header\n" + ply_square + strip);
+    });
+  };
+  const std::string list = "list int int vertex_indices";
+  CHECK(fault(list, "4 0 1 2 3\n").empty());
+  CHECK(fault(list, "4 0 1 2 4\n") == "a.ply:14: vertex index 4 out of range (the file has 4 vertices)");
+  CHECK(fault(list, "4 0 1 2 -2\n") == "a.ply:14: vertex index -2 out of range (the first vertex is 0)");
+  CHECK(fault(list, "9 0 1 2 3\n").starts_with("a.ply:14: truncated: "));
+  CHECK(fault(list, "-1 0 1 2 3\n") == "a.ply:14: a list of negative length");
+  CHECK(fault(list, "4 0 1 -1 3\n") == "a.ply: no facets");
+  CHECK(fault("list int float vertex_indices", "3 0 1 2\n") ==
+        "a.ply: the tristrips have no list of integers 'vertex_indices' or 'vertex_index'");
+}
+
 TEST_CASE("PLY: each fault is named with its place") {
   const auto fault = [](const std::string& bytes) { return complaint([&] { parse_ply(bytes); }); };
   const auto with = [](std::string text, const std::string& from, const std::string& to) {

@@ -1,8 +1,10 @@
 // fpo-remesh where the remesh is of another topological type than the input, or would be.
 
 #include "doctest.h"
+#include "geom/shapes/mesh_parts.h"
 #include "geom/shapes/shapes.h"
 #include "io/mesh_io.h"
+#include "tests/fixtures/pinched.h"
 #include "tests/fixtures/program.h"
 #include "tests/io/scratch_folder.h"
 
@@ -15,6 +17,9 @@ struct RemeshTypePlace {
   RemeshTypePlace() {
     io::write_mesh(folder / "handle.obj", geom::make_shape("thin-handle", 36));
     io::write_mesh(folder / "torus.obj", geom::make_shape("torus", 24));
+    io::write_mesh(folder / "pinched.obj", fixtures::pinched_sphere());
+    io::write_mesh(folder / "both.obj",
+                   geom::joined(fixtures::pinched_sphere(), geom::make_shape("thin-handle", 36)));
   }
   ProgramResult run(std::vector<std::string> arguments) const {
     arguments.insert(arguments.end(), {"-o", "out.obj", "--iterations", "5", "--features", "none"});
@@ -46,6 +51,34 @@ TEST_CASE(
   CHECK(sound.code == 0);
   CHECK_MESSAGE(sound.err.find("warning") == std::string::npos, sound.err);
   CHECK(!says(ScratchFolder::read(place.folder / "report.html"), "class=\"banner\""));
+}
+
+TEST_CASE(
+    "fpo-remesh: vertices in which the input meets itself are split, and a line says what that changes") {
+  const RemeshTypePlace place;
+  const ProgramResult split = place.run({"pinched.obj", "-n", "400", "--strict"});
+  CHECK_MESSAGE(split.code == 0, split.err);
+  CHECK_MESSAGE(says(split.err, "warning: Euler number 1 -> 2, as 1 vertex was split\n"), split.err);
+  const geom::Topology topology = geom::topology(io::read_mesh(place.folder / "out.obj"));
+  CHECK(topology.manifold());
+  CHECK(topology.euler == 2);
+  CHECK(topology.components == 1);
+
+  const ProgramResult wrong = place.run({"both.obj", "-n", "240", "--no-mend", "--strict"});
+  CHECK(wrong.code == 3);
+  CHECK_MESSAGE(says(wrong.err, "; the input, with 1 non-manifold vertex split, has 2, 2, 0\n"), wrong.err);
+}
+
+TEST_CASE("fpo-remesh: a tip that is cut off is said with its place and what keeps it, and that does") {
+  const RemeshTypePlace place;
+  io::write_mesh(place.folder / "cone.obj", geom::make_shape("cone", 48));  // its tip is at (0, 0, 2)
+  const ProgramResult cut = place.run({"cone.obj", "-n", "200", "--report", "report.html"});
+  const std::string line = "wanted lengths, at (0, 0, 2), as if cut off; try more samples";
+  CHECK_MESSAGE(says(cut.err, line), cut.err);
+  CHECK(says(cut.err, ", or --corners all, or --sizing lfs\n"));
+  CHECK(says(ScratchFolder::read(place.folder / "report.html"), line));
+  const ProgramResult kept = place.run({"cone.obj", "-n", "200", "--corners", "all"});
+  CHECK_MESSAGE(!says(kept.err, "cut off"), kept.err);
 }
 
 TEST_CASE("fpo-remesh: --at-least takes more samples until the type is right, and says how many") {

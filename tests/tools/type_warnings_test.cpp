@@ -1,6 +1,7 @@
 #include "tools/type_warnings.h"
 
 #include "doctest.h"
+#include "geom/shapes/shapes.h"
 
 namespace {
 
@@ -23,7 +24,7 @@ fpo::RemeshResult spoilt_remesh() {
 TEST_CASE("type warnings: all lines tell the same number of samples") {
   const fpo::RemeshResult result = spoilt_remesh();
   std::vector<std::string> lines = tools::type_warnings({}, result, {});
-  for (const std::string& line : tools::shape_warnings(result)) lines.push_back(line);
+  for (const std::string& line : tools::shape_warnings({}, result, {})) lines.push_back(line);
   std::size_t told = 0;
   for (const std::string& line : lines) {
     CAPTURE(line);
@@ -64,9 +65,36 @@ TEST_CASE("type warnings: nobody is told a number that is of no use") {
   for (const std::size_t needed : {501u, 50000u, 50001u, 27482660u}) {
     CAPTURE(needed);
     result.feature_bound = {needed, fpo::FeatureNeed::small_angles};
-    const std::vector<std::string> lines = tools::shape_warnings(result);
+    const std::vector<std::string> lines = tools::shape_warnings({}, result, {});
     REQUIRE(lines.size() == 1);
     CHECK((lines[0].find("-n ") != std::string::npos) == (needed <= 50000));
     CHECK(tools::enough_samples(result) == (needed <= 50000 ? needed : 0));
   }
+}
+
+TEST_CASE(
+    "type warnings: the shortest edge, if it is shorter than half of what was wanted or of an even spacing") {
+  const geom::TriMesh cube = geom::make_shape("cube");  // 100 samples: an even spacing of .263
+  fpo::RemeshResult result;
+  result.mesh = cube;
+  result.samples.resize(100);
+  result.measures.least = {0.4, {1, 2, 3}, false};
+  result.measures.shortest = {0.1, {4, 5, 6}, true};
+  const auto line = [&](double least_edge, bool is_fixed, fpo::SizingKind sizing = fpo::SizingKind::uniform) {
+    result.measures.least_edge = least_edge;
+    result.measures.least.is_fixed = is_fixed;
+    fpo::RemeshOptions options;
+    options.sizing = sizing;
+    const std::vector<std::string> lines = tools::shape_warnings(cube, result, options);
+    REQUIRE(lines.size() < 2);
+    return lines.empty() ? "" : lines.front();
+  };
+  CHECK(line(0.3, false) == "the shortest edge is 0.300 wanted lengths long, at (1, 2, 3)");
+  CHECK(line(0.3, true) ==
+        "the shortest edge is 0.300 wanted lengths long, at (1, 2, 3): features are that close there");
+  CHECK(line(0.6, false)
+            .starts_with("the shortest edge is 0.380 even spacings long, at (4, 5, 6): lengths are "));
+  CHECK(line(0.6, false, fpo::SizingKind::local_feature_size) == "");
+  result.measures.shortest.length = 0.14;
+  CHECK(line(0.6, false) == "");
 }

@@ -1,11 +1,13 @@
 #include "fpo/remesh/cell_faults.h"
 
 #include <algorithm>
+#include <array>
 
 #include "doctest.h"
 #include "fpo/optimize.h"
 #include "fpo/remesh/dual.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/pinched.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
@@ -116,4 +118,24 @@ TEST_CASE("cell faults: wherever the type is wrong there is one, and none lets i
         CHECK(dual.cell_faults.empty());
       }
     }
+}
+
+TEST_CASE(
+    "cell faults: the same where the surface meets itself in a vertex, of which each sheet has its own") {
+  const TriMesh mesh = fixtures::pinched_sphere();
+  REQUIRE(geom::topology(mesh).nonmanifold_vertices == 1);
+  const geom::SurfaceType type = geom::surface_type(mesh);
+  std::array<int, 2> seen{};  // of the wrong type, of the right one
+  for (const std::size_t n : {4u, 5u, 6u, 8u, 12u, 25u, 300u})
+    for (const unsigned seed : {1u, 2u, 3u, 4u}) {
+      CAPTURE(n);
+      CAPTURE(seed);
+      const SurfaceDomain domain(mesh, random_samples(mesh, n, seed));
+      const Dual dual = dual_of(domain, type, false);
+      if (dual.localization.remaining > 0 || dual.localization.merged > 0) continue;
+      CHECK(dual.type.ok() == faults_of(domain).empty());
+      ++seen[dual.type.ok()];
+    }
+  CHECK(seen[0] > 0);
+  CHECK(seen[1] > 10);
 }

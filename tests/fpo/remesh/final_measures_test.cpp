@@ -30,6 +30,13 @@ TEST_CASE("final measures: of a regular triangle and of a flat one") {
   const double side = std::hypot(1, 0.1);
   CHECK(bad.delta == doctest::Approx(side / 4));
   CHECK(bad.least_edge == doctest::Approx(side / 2));
+  CHECK(bad.least.length == doctest::Approx(side));
+  CHECK((bad.least.middle - Vec3(1.5, 0.05, 0)).norm() < 1e-15);
+  CHECK(!bad.least.is_fixed);
+  const FinalMeasures other = final_measures(flat, VertexField{0.1, 1.0, 4.0}, 1, {});
+  CHECK((other.least.middle - Vec3(1.5, 0.05, 0)).norm() < 1e-15);
+  CHECK(other.shortest.length == doctest::Approx(side));
+  CHECK(final_measures(flat, VertexField{1.0, 1.0, 4.0}, 3, {}).least.is_fixed);
   CHECK(bad.mean_edge == doctest::Approx((2 / 2.0 + side / 2 + side) / 3));
   CHECK(bad.angles_below_30 == 2);
   CHECK(bad.theta_min == doctest::Approx(std::atan(0.1) * 180 / std::acos(-1.0)));

@@ -3,6 +3,7 @@
 #include "doctest.h"
 #include "geom/shapes/mesh_parts.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/pinched.h"
 
 using namespace fpo;
 using geom::FacetId;
@@ -95,4 +96,25 @@ TEST_CASE("type check: Euler numbers that agree in all but not part by part") {
   REQUIRE(in.euler == out.euler);
   REQUIRE(in.components == out.components);
   CHECK(check_type(geom::surface_type(input), output, samples).changed_parts == 2);
+}
+
+TEST_CASE("type check: of an input that meets itself in a vertex a remesh with that vertex split is right") {
+  const TriMesh pinched = fixtures::pinched_sphere();
+  auto vertices = pinched.vertices();
+  auto facets = pinched.facets();
+  vertices.push_back(vertices[VertexId(0)]);
+  std::size_t below = 0;
+  for (TriMesh::Facet& f : facets)
+    for (VertexId& v : f)
+      if (v == VertexId(0) && vertices[f[1]].z() + vertices[f[2]].z() < 0)
+        v = VertexId(vertices.size() - 1), ++below;
+  REQUIRE(below == 24);
+  const TriMesh split(vertices, facets);
+  const auto against_pinched = [&](const TriMesh& remesh) {
+    return check_type(geom::surface_type(pinched), remesh, samples_at_vertices(remesh));
+  };
+  CHECK(against_pinched(split).ok());
+  CHECK(!against_pinched(pinched).ok());  // itself is no manifold
+  CHECK(against_pinched(pinched).same_parts());
+  CHECK(against_pinched(without_facets(split, 100, 101)).changed_parts == 1);
 }

@@ -14,7 +14,8 @@ TEST_CASE("surface type: that of each shape, part by part") {
     CAPTURE(std::string(info.name));
     const geom::SurfaceType type =
         geom::surface_type(geom::make_shape(info.name, info.name == "double-torus" ? 31 : 3));
-    CHECK(type.manifold);
+    CHECK(!type.branches);
+    CHECK(type.split_vertices == 0);
     REQUIRE(type.parts.size() == info.components);
     for (const PartType& part : type.parts)
       CHECK(part ==
@@ -32,18 +33,59 @@ TEST_CASE("surface type: parts are in the order of their first facets") {
     CHECK(type.part_of[geom::FacetId(t - 1)] <= type.part_of[geom::FacetId(t)]);
 }
 
+namespace {
+
+/// With vertices of the mesh that are one and the same.
+TriMesh with_merged(const TriMesh& mesh, const std::vector<std::pair<int, int>>& pairs) {
+  auto facets = mesh.facets();
+  for (TriMesh::Facet& f : facets)
+    for (geom::VertexId& v : f)
+      for (const auto& [to, from] : pairs)
+        if (v == geom::VertexId(from)) v = geom::VertexId(to);
+  return TriMesh(mesh.vertices(), facets);
+}
+
+}  // namespace
+
 TEST_CASE("surface type: bodies that share a vertex are two parts, with an edge they are one") {
   const TriMesh two = geom::joined(geom::make_shape("cube"), geom::make_shape("cube"));
-  const auto with_shared = [&](int count) {
-    auto facets = two.facets();
-    for (TriMesh::Facet& f : facets)
-      for (geom::VertexId& v : f)
-        if (v.index() >= 8 && v.index() < 8 + static_cast<std::size_t>(count))
-          v = geom::VertexId(v.index() - 8);
-    return geom::surface_type(TriMesh(two.vertices(), facets));
-  };
-  CHECK(with_shared(0).manifold);
-  CHECK(!with_shared(1).manifold);
-  CHECK(with_shared(1).parts == std::vector<PartType>{{2, 0, true}, {2, 0, true}});
-  CHECK(with_shared(2).parts.size() == 1);  // vertices 0 and 1 end an edge
+  const geom::SurfaceType at_a_vertex = geom::surface_type(with_merged(two, {{0, 8}}));
+  CHECK(!at_a_vertex.branches);
+  CHECK(at_a_vertex.split_vertices == 1);
+  CHECK(at_a_vertex.parts == std::vector<PartType>{{2, 0, true}, {2, 0, true}});
+  CHECK(at_a_vertex.whole() == PartType{4, 0, true});
+  const geom::SurfaceType at_an_edge = geom::surface_type(with_merged(two, {{0, 8}, {1, 9}}));
+  CHECK(at_an_edge.branches);
+  CHECK(at_an_edge.parts.size() == 1);  // vertices 0 and 1 end an edge
+}
+
+TEST_CASE("surface type: a part that meets itself in vertices is of the type it has when these are split") {
+  // Whatever vertices without a common neighbour are merged, splitting them gives the shape back.
+  const TriMesh torus = geom::make_shape("torus", 24), tube = geom::make_shape("tube", 12);
+  const geom::SurfaceType pinched = geom::surface_type(with_merged(torus, {{0, 30}, {0, 61}, {5, 100}}));
+  REQUIRE(geom::topology(with_merged(torus, {{0, 30}, {0, 61}, {5, 100}})).euler == -3);
+  CHECK(pinched.parts == std::vector<PartType>{{0, 0, true}});
+  CHECK(pinched.split_vertices == 2);
+
+  // Vertices of the border, of one loop and of two, and one of the border with one inside.
+  std::vector<int> border, inner;
+  for (std::size_t v = 0; v < tube.num_vertices(); ++v) border.push_back(0);
+  for (std::size_t t = 0; t < tube.num_facets(); ++t)
+    for (int e = 0; e < 3; ++e)
+      if (!tube.across(geom::FacetId(t), e).valid())
+        for (const int i : {e, (e + 1) % 3})
+          border[tube.facet(geom::FacetId(t))[static_cast<std::size_t>(i)].index()] = 1;
+  for (std::size_t v = 0; v < tube.num_vertices(); ++v)
+    if (!border[v]) inner.push_back(static_cast<int>(v));
+  std::vector<int> rim;
+  for (std::size_t v = 0; v < tube.num_vertices(); ++v)
+    if (border[v]) rim.push_back(static_cast<int>(v));
+  for (const auto& [a, b] : {std::pair{rim.front(), rim[rim.size() / 4]}, std::pair{rim.front(), rim.back()},
+                             std::pair{rim.front(), inner[inner.size() / 2]}}) {
+    CAPTURE(a);
+    CAPTURE(b);
+    const TriMesh merged = with_merged(tube, {{a, b}});
+    REQUIRE(geom::topology(merged).nonmanifold_vertices == 1);
+    CHECK(geom::surface_type(merged).parts == std::vector<PartType>{{0, 2, true}});
+  }
 }
