@@ -200,8 +200,8 @@ std::optional<NarrowSurface> narrow_surface(const TriMesh& mesh, const Features&
   for (int pass = 0;
        has_long_edges(result.split.mesh, Sizing(result.split.mesh, result.split.h), split_length); ++pass) {
     if (pass == most_passes || static_cast<double>(result.split.mesh.num_facets()) > most) return {};
-    SplitSurface next = split_long_edges(result.split.mesh, Sizing(result.split.mesh, result.split.h),
-                                         split_length, {}, static_cast<std::size_t>(most));
+    SplitSurface next = split_alike(result.split.mesh, Sizing(result.split.mesh, result.split.h),
+                                    split_length, static_cast<std::size_t>(most));
     for (FacetId& parent : next.parents) parent = result.split.parents[parent];
     next.h = lengths(next.mesh);
     result.split = std::move(next);
