@@ -98,14 +98,25 @@ bool NeedleParts::halve_side(int part, int e) {
   return true;
 }
 
+NeedleParts::Quad NeedleParts::quad_at(int part, int e) const {
+  const Part& here = at(part);
+  const int a = here.corners[slot(e)], b = here.corners[slot(next(e))], other = here.across[slot(e)];
+  const Part& there = at(other);
+  const int f = find(other, b, a);
+  return {a,
+          b,
+          here.corners[slot(next(next(e)))],
+          there.corners[slot(next(next(f)))],
+          here.across[slot(next(e))],
+          here.across[slot(next(next(e)))],
+          there.across[slot(next(f))],
+          there.across[slot(next(next(f)))],
+          other};
+}
+
 /// False if the middle, rounded, is not strictly within the two parts.
 bool NeedleParts::halve_between(int part, int e) {
-  const Part was = at(part);
-  const int other = was.across[slot(e)];
-  const Part opposite = at(other);
-  const int a = was.corners[slot(e)], b = was.corners[slot(next(e))], c = was.corners[slot(next(next(e)))];
-  const int f = find(other, b, a);
-  const int d = opposite.corners[slot(next(next(f)))];
+  const auto [a, b, c, d, bc, ca, ad, db, other] = quad_at(part, e);
   const int m = static_cast<int>(corners_.size()), added = static_cast<int>(parts_.size());
   corners_.push_back({VertexId(), (corner(a).x + corner(b).x) / 2, (corner(a).y + corner(b).y) / 2});
   if (!is_left(a, m, c) || !is_left(m, b, c) || !is_left(b, m, d) || !is_left(m, a, d)) {
@@ -113,8 +124,6 @@ bool NeedleParts::halve_between(int part, int e) {
     return false;
   }
   corners_.back().vertex = edges_.middle_within(corner(a).vertex, corner(b).vertex);
-  const int ca = was.across[slot(next(next(e)))], bc = was.across[slot(next(e))];
-  const int ad = opposite.across[slot(next(f))], db = opposite.across[slot(next(next(f)))];
   parts_.emplace_back(Part{{m, b, c}, {}});
   parts_.emplace_back(Part{{b, m, d}, {}});
   put(part, {{a, m, c}, {other, added, ca}});
@@ -140,15 +149,8 @@ void NeedleParts::flip_around(std::vector<int> waiting) {
 
 /// The other diagonal of the two parts at the edge, if it is shorter and within them.
 bool NeedleParts::flip(int part, int e) {
-  const Part was = at(part);
-  const int other = was.across[slot(e)];
-  const Part opposite = at(other);
-  const int a = was.corners[slot(e)], b = was.corners[slot(next(e))], c = was.corners[slot(next(next(e)))];
-  const int f = find(other, b, a);
-  const int d = opposite.corners[slot(next(next(f)))];
+  const auto [a, b, c, d, bc, ca, ad, db, other] = quad_at(part, e);
   if (!(length2(c, d) < length2(a, b)) || !is_left(a, d, c) || !is_left(d, b, c)) return false;
-  const int ca = was.across[slot(next(next(e)))], bc = was.across[slot(next(e))];
-  const int ad = opposite.across[slot(next(f))], db = opposite.across[slot(next(next(f)))];
   put(part, {{a, d, c}, {ad, other, ca}});
   put(other, {{d, b, c}, {db, bc, part}});
   return true;

@@ -52,7 +52,13 @@ class NeedleParts {
   };
   static constexpr int outside = -1;
 
+  /// Two parts at an edge from a to b: a, b, c is the one, b, a, d the other; and what is across their sides.
+  struct Quad {
+    int a, b, c, d, bc, ca, ad, db, other;
+  };
+
   int find(int part, int from, int to) const;
+  Quad quad_at(int part, int e) const;
   bool is_left(int a, int b, int c) const;
   void put(int part, const Part& what);
   void halve(int part, int e);
