@@ -24,7 +24,6 @@
 #include "fpo/remesh/start.h"
 #include "fpo/remesh/surface_apart.h"
 #include "fpo/remesh/unit_box.h"
-#include "fpo/surface/sheet_levels.h"
 #include "geom/check.h"
 
 namespace fpo {
@@ -203,13 +202,6 @@ void tell_of_lengths(const RemeshTask& task, const Sizing& sizing, const AngleOp
   result.fit = sizing_fit(result.mesh, result.wanted);
   result.measures = final_measures(result.mesh, result.wanted, result.feature_samples, angles);
   result.angles.bad_after = result.measures.bad_triangles;
-}
-
-/// Whether sheets are near each other, and can be set apart.
-bool has_near_sheets(const RemeshTask& task, const SharedSizing& shared, const RemeshOptions& options) {
-  if (has_needles(task.surface(), options.num_samples, even_spacing(task.input, options))) return false;
-  std::vector<SurfaceSample> on_features = shared.features.samples;
-  return sheets_apart(task.surface(), shared.sizing, on_features).has_value();
 }
 
 /// No mesh, for that is better made otherwise, with these samples to begin with.

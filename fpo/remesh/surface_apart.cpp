@@ -28,4 +28,10 @@ std::optional<SplitSurface> surface_apart(const RemeshTask& task, SharedSizing& 
   return sheets_apart(task.surface(), shared.sizing, shared.features.samples);
 }
 
+bool has_near_sheets(const RemeshTask& task, const SharedSizing& shared, const RemeshOptions& options) {
+  if (has_needles(task.surface(), options.num_samples, even_spacing(task.input, options))) return false;
+  std::vector<SurfaceSample> on_features = shared.features.samples;
+  return sheets_apart(task.surface(), shared.sizing, on_features).has_value();
+}
+
 }  // namespace fpo

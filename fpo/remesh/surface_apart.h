@@ -15,4 +15,7 @@ namespace fpo {
 std::optional<SplitSurface> surface_apart(const RemeshTask& task, SharedSizing& shared,
                                           const RemeshOptions& options);
 
+/// Whether sheets are near each other, and can be set apart.
+bool has_near_sheets(const RemeshTask& task, const SharedSizing& shared, const RemeshOptions& options);
+
 }  // namespace fpo

@@ -122,9 +122,27 @@ TEST_CASE("extract: the triangles are those of brute force, oriented like the su
   }
 }
 
+TEST_CASE("extract: by the circles the same as by the polygons, after moves and with ties, too") {
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    SurfaceDomain domain(surface.mesh, random_samples(surface.mesh, 40, 11));
+    for (std::size_t i = 0; i < 40; ++i) {
+      if (i % 4 == 0) CHECK(extract(domain).facets() == extract(*domain.diagram(), 40).facets());
+      domain.move(SiteId(i), Scope::global);
+    }
+  }
+  std::vector<Vec3> corners;
+  for (int i = 0; i < 8; ++i) corners.emplace_back(i & 1, i >> 1 & 1, i >> 2);
+  const TriMesh cube = fixtures::box(Vec3(1, 1, 1), 3);
+  const SurfaceDomain domain = domain_at(cube, corners);
+  CHECK(extract(domain).facets() == extract(*domain.diagram(), 8).facets());
+  CHECK(extract(domain).vertices() == extract(*domain.diagram(), 8).vertices());
+}
+
 TEST_CASE("extract: too few samples have no triangle, and that is said") {
   const TriMesh sphere = geom::make_shape("sphere", 2);
   const SurfaceDomain domain = domain_at(sphere, {Vec3(1, 0, 0), Vec3(-1, 0, 0)});
+  CHECK_THROWS_AS(extract(domain), geom::InputError);
   CHECK_THROWS_WITH_AS(extract(*domain.diagram(), 2), "2 samples are too few: their diagram has no triangle",
                        geom::InputError);
 }
