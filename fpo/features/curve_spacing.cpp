@@ -178,41 +178,63 @@ std::vector<NarrowPlace> narrow_places(const TriMesh& mesh, const Features& feat
   return FacingCurves(mesh, features, spacing).narrow_places();
 }
 
+/// Facets small beside the lengths at narrow places, these at least so long. Empty if they were too many.
+SplitSurface split_at(const std::vector<NarrowPlace>& places, const TriMesh& mesh, double spacing,
+                      double least) {
+  const LengthLimits near(places, split_slope, spacing);
+  const auto lengths = [&](const TriMesh& surface) {
+    VertexField h;
+    for (const Vec3& x : surface.vertices()) {
+      const LengthLimits::Limit limit = near.at(x);
+      const double length = std::max(limit.length, least + split_slope * limit.distance);
+      h.push_back(std::min(length, 1e6 * mesh.diagonal()));
+    }
+    return h;
+  };
+  SplitSurface split{mesh, lengths(mesh), {}};
+  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) split.parents.push_back(t);
+  // Middles are given the mean of their ends; then what the places allow there, which may be less.
+  const double even = mesh.area() / (spacing * spacing);
+  const double most = static_cast<double>(mesh.num_facets()) + most_facets * even;
+  for (int pass = 0; has_long_edges(split.mesh, Sizing(split.mesh, split.h), split_length); ++pass) {
+    if (pass == most_passes || static_cast<double>(split.mesh.num_facets()) > most) return {};
+    SplitSurface next =
+        split_alike(split.mesh, Sizing(split.mesh, split.h), split_length, static_cast<std::size_t>(most));
+    for (FacetId& parent : next.parents) parent = split.parents[parent];
+    next.h = lengths(next.mesh);
+    split = std::move(next);
+  }
+  return split;
+}
+
+/// The limits at the vertices of the split mesh.
+void find_limits(NarrowSurface& narrow, double spacing) {
+  const LengthLimits limits(narrow.places, narrow.gradation, most_growth * spacing);
+  narrow.lengths.clear(), narrow.distances.clear();
+  for (const Vec3& x : narrow.split.mesh.vertices()) {
+    const LengthLimits::Limit limit = limits.at(x);
+    narrow.lengths.push_back(limit.length), narrow.distances.push_back(limit.distance);
+  }
+}
+
 std::optional<NarrowSurface> narrow_surface(const TriMesh& mesh, const Features& features, double spacing,
                                             double gradation) {
   NarrowSurface result;
   result.places = narrow_places(mesh, features, spacing);
   std::erase_if(result.places, [](const NarrowPlace& place) { return !place.nearest; });
   if (result.places.empty()) return {};
-  const LengthLimits near(result.places, split_slope, spacing);
-  const auto lengths = [&](const TriMesh& surface) {
-    VertexField h;
-    for (const Vec3& x : surface.vertices())
-      h.push_back(std::clamp(near.at(x).length, smallest * spacing, 1e6 * mesh.diagonal()));
-    return h;
-  };
-  result.split = {mesh, lengths(mesh), {}};
-  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
-    result.split.parents.push_back(t);
-  // Middles are given the mean of their ends; then what the places allow there, which may be less.
-  const double even = mesh.area() / (spacing * spacing);
-  const double most = static_cast<double>(mesh.num_facets()) + most_facets * even;
-  for (int pass = 0;
-       has_long_edges(result.split.mesh, Sizing(result.split.mesh, result.split.h), split_length); ++pass) {
-    if (pass == most_passes || static_cast<double>(result.split.mesh.num_facets()) > most) return {};
-    SplitSurface next = split_alike(result.split.mesh, Sizing(result.split.mesh, result.split.h),
-                                    split_length, static_cast<std::size_t>(most));
-    for (FacetId& parent : next.parents) parent = result.split.parents[parent];
-    next.h = lengths(next.mesh);
-    result.split = std::move(next);
-  }
+  result.split = split_at(result.places, mesh, spacing, smallest * spacing);
+  if (result.split.mesh.num_facets() == 0) return {};
   result.gradation = gradation;
-  const LengthLimits limits(result.places, gradation, most_growth * spacing);
-  for (const Vec3& x : result.split.mesh.vertices()) {
-    const LengthLimits::Limit limit = limits.at(x);
-    result.lengths.push_back(limit.length), result.distances.push_back(limit.distance);
-  }
+  find_limits(result, spacing);
   return result;
+}
+
+void split_less(NarrowSurface& narrow, const TriMesh& mesh, double spacing, double least) {
+  SplitSurface split = split_at(narrow.places, mesh, spacing, least);
+  if (split.mesh.num_facets() == 0) return;
+  narrow.split = std::move(split);
+  find_limits(narrow, spacing);
 }
 
 CurveFit fit_sizing_to_curves(const TriMesh& mesh, const Sizing& base, const NarrowSurface& narrow,
@@ -238,9 +260,9 @@ CurveFit fit_sizing_to_curves(const TriMesh& mesh, const Sizing& base, const Nar
       const double growth = (low + high) / 2;
       (is_too_many(least, growth) ? low : high) = growth;
     }
-    return {limited(least, high), true};
+    return {limited(least, high), true, least};
   }
-  return {Sizing(surface, h), false};
+  return {Sizing(surface, h), false, 0};
 }
 
 }  // namespace fpo

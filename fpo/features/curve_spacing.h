@@ -46,9 +46,13 @@ struct NarrowSurface {
 std::optional<NarrowSurface> narrow_surface(const geom::TriMesh& mesh, const Features& features,
                                             double spacing, double gradation);
 
+/// The same places on a surface that is split for lengths of at least that: for those that are possible.
+void split_less(NarrowSurface& narrow, const geom::TriMesh& mesh, double spacing, double least);
+
 struct CurveFit {
   Sizing sizing;
-  bool helped;  ///< any narrow place: else the sizing is that of before
+  bool helped;   ///< any narrow place: else the sizing is that of before
+  double least;  ///< length at narrow places, if so
 };
 
 /// The wanted lengths on `narrow`, which was made of `mesh`, that call for n samples: those of `base`, times

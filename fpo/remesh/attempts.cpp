@@ -11,6 +11,7 @@ constexpr double weight_of_edges = 10;
 constexpr std::size_t samples_for_one_mended = 1000;
 constexpr std::size_t samples_for_one_place = 10;
 constexpr std::size_t samples_for_one_fault = 10;
+constexpr std::size_t samples_for_one_unmended = 100;
 constexpr double by_chords = 0.97;  // the angle between chords of two curves over that between the curves
 
 auto rank(const RemeshResult& r) {
@@ -61,6 +62,11 @@ bool is_in_ruins(const RemeshResult& r) {
 
 bool is_undone_by_staggering(const RemeshResult& r) {
   return r.staggered_curves > 0 && (!r.type.ok() || 2 * r.broken_feature_edges > r.feature_edges);
+}
+
+bool is_left_behind(const ThinParts& thin_parts, std::size_t n, const RemeshResult& rival) {
+  return !thin_parts.right_type && thin_parts.faults_after > 2 * rival.thin_parts.faults_after &&
+         thin_parts.faults_after * samples_for_one_unmended > n;
 }
 
 bool is_better(const RemeshResult& a, const RemeshResult& b) { return rank(a) > rank(b); }

@@ -40,6 +40,10 @@ bool is_in_ruins(const RemeshResult& result);
 /// another's edges (facing_curves.h): perhaps better without that, which takes fewer samples.
 bool is_undone_by_staggering(const RemeshResult& result);
 
+/// Of another type, with room made for thin parts, in a hundredth of the n samples and twice as many places
+/// as the rival before it was mended: will it hardly become better than that?
+bool is_left_behind(const ThinParts& thin_parts, std::size_t n, const RemeshResult& rival);
+
 /// First by the type. Then by the smallest angle, up to 30 degrees, in units of that, less ten times the
 /// share of edges of curves that are lost: a tenth of the edges weighs as much as all angles. Then by the
 /// smallest angle.

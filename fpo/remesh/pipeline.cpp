@@ -11,13 +11,11 @@
 #include "fpo/interruption.h"
 #include "fpo/remesh/attempts.h"
 #include "fpo/remesh/distribution.h"
-#include "fpo/remesh/emptied_balls.h"
 #include "fpo/remesh/feature_bound.h"
-#include "fpo/remesh/mended_dual.h"
+#include "fpo/remesh/improvement.h"
 #include "fpo/remesh/noise.h"
 #include "fpo/remesh/proven_edges.h"
 #include "fpo/remesh/refusal.h"
-#include "fpo/remesh/remembered_samples.h"
 #include "fpo/remesh/remesh_task.h"
 #include "fpo/remesh/stand_in.h"
 #include "fpo/remesh/stand_in_remesh.h"
@@ -29,11 +27,8 @@
 namespace fpo {
 namespace {
 
-constexpr std::size_t least_fidelity_moves = 2000;
-constexpr std::size_t moves_to_come_closer = 20;    // a sample, if it is asked for
-constexpr double most_far = 1.0 / 12;               // of the triangles, if it is not
 constexpr double smallest_beside_curves = 1.0 / 3;  // in spacings: wanted length
-constexpr std::size_t looks_a_move = 20;            // of the optimization, then: about a quarter of its time
+constexpr double most_on_curves = 0.5;              // of the samples
 constexpr std::array<double, 2> softer = {0.3, 1};  // least lengths in even spacings, where n is too small
 
 RemeshResult remesh_smoothed_or_not(const geom::TriMesh& surface, const RemeshOptions& options);
@@ -49,12 +44,6 @@ std::optional<RemeshResult> unless_interrupted(const RemeshOptions& options, Mak
 }
 
 bool interrupted(const RemeshOptions& options) { return fpo::interrupted(options.optimize.interrupted); }
-
-AngleOptions angle_options(const RemeshOptions& options) {
-  AngleOptions angles = options.angles;
-  angles.interrupted = options.optimize.interrupted;
-  return angles;
-}
 
 /// The samples become those of the old surface again.
 void return_to(const SplitSurface& apart, RemeshResult& result) {
@@ -77,91 +66,6 @@ std::unique_ptr<SurfaceDomain> with_room(std::unique_ptr<SurfaceDomain> domain, 
   room.scope = options.optimize.scope;
   room.interrupted = options.optimize.interrupted;
   return make_room_for_thin_parts(std::move(domain), shared.features, type, room, result.thin_parts);
-}
-
-struct Improvement {
-  const SharedSizing& shared;
-  const geom::SurfaceType& type;
-  const Features* curves;  ///< of the domain's mesh; null: their edges are not to be proven
-  AngleOptions angles;
-};
-
-void prove_edges(SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options) {
-  if (how.curves && !interrupted(options)) empty_balls(domain, *how.curves, how.shared.features);
-}
-
-/// Where lengths are even and neither features nor thin parts are in the way.
-bool comes_closer_by_itself(const SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options,
-                            const RemeshResult& result) {
-  return options.closer == Closer::automatic && options.method == Method::fpo &&
-         domain.sizing().is_uniform() && how.shared.features.samples.empty() && !domain.mesh().has_levels() &&
-         result.thin_parts.faults_before == 0;
-}
-
-void come_nearer(SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options,
-                 RemeshResult& result) {
-  FidelityOptions fidelity;
-  fidelity.enough_delta = options.angles.enough_delta;
-  fidelity.interrupted = options.optimize.interrupted;
-  const bool has_features = !how.shared.features.samples.empty();
-  if (options.method == Method::fpo)  // who wants it fast wants this fast, too
-    fidelity.most_moves = least_fidelity_moves + result.optimization.moves / (has_features ? 4 : 12);
-  if (result.thin_parts.faults_before > 0) {  // moves there cost the most and bring samples together
-    fidelity.most_moves /= 4;
-    fidelity.keep_spacing = true;
-  }
-  if (has_features) {  // fixed samples keep delta from more, and shape matters more
-    fidelity.share_of_largest = 0.5;
-    fidelity.enough_delta = std::min(0.9, fidelity.enough_delta);
-  }
-  result.fidelity = improve_fidelity(domain, how.angles, fidelity);
-  const bool wanted = options.closer == Closer::always;
-  if (!wanted && !comes_closer_by_itself(domain, how, options, result)) return;
-  ClosenessOptions closeness;
-  closeness.enough_delta = std::min(options.closer_delta, options.angles.enough_delta);
-  closeness.most_moves = wanted ? least_fidelity_moves + moves_to_come_closer * domain.num_samples()
-                                : least_fidelity_moves + result.optimization.moves / 12;
-  if (!wanted) closeness.most_far = most_far, closeness.most_looks = looks_a_move * result.optimization.moves;
-  closeness.threads = options.threads;
-  closeness.interrupted = options.optimize.interrupted;
-  result.closeness = come_closer(domain, how.angles, closeness);
-}
-
-/// What follows the optimization: angles, fidelity, closeness; edges of curves are proven before and after.
-void improve(SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options,
-             RemeshResult& result) {
-  prove_edges(domain, how, options);
-  if (options.optimize_angles && !interrupted(options)) result.angles = optimize_angles(domain, how.angles);
-  if (options.improve_fidelity && !result.stood_in && !interrupted(options))
-    come_nearer(domain, how, options, result);
-  prove_edges(domain, how, options);
-}
-
-/// The dual of the samples, improved as far as that leaves it of the input's type.
-Dual improved_dual(SurfaceDomain& domain, const Improvement& how, RemeshOptions options,
-                   RemeshResult& result) {
-  const FeatureSamples& features = how.shared.features;
-  const RememberedSamples before(domain);
-  improve(domain, how, options, result);
-  if (options.maximal)
-    result.maximal =
-        make_maximal(domain, {features.samples.size(), options.threads, options.optimize.interrupted});
-  result.hidden = domain.num_hidden();
-  Dual dual = mended_dual(domain, features, how.type, options, result);
-  for (bool* step : {&options.improve_fidelity, &options.optimize_angles}) {
-    if (dual.type.ok() || !result.thin_parts.right_type || options.maximal || interrupted(options))
-      return dual;
-    if (!std::exchange(*step, false)) continue;
-    before.put_back(domain);
-    result.angles = {};
-    result.fidelity = {};
-    result.closeness = {};
-    result.brought = 0;
-    improve(domain, how, options, result);
-    result.hidden = domain.num_hidden();
-    dual = mended_dual(domain, features, how.type, options, result);
-  }
-  return dual;
 }
 
 /// Lengths that differ at narrow places are reached as those of any other sizing are.
@@ -247,6 +151,7 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
     samples = with_room(std::move(samples), shared, type, options, result);
   }
   if (interrupted(options) && task.start && task.start->mesh.num_facets() > 0) throw geom::Interrupted();
+  if (task.rival && is_left_behind(result.thin_parts, options.num_samples, *task.rival)) return {};
   SurfaceDomain& domain = *samples;
   const Sizing& sizing = domain.sizing();
   AngleOptions angles = angle_options(options);
@@ -278,20 +183,27 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   return is_better(other, result) ? other : result;
 }
 
-/// `only_apart`: no mesh if there are no sheets to be set apart.
+/// What a remesh begins with, and whether there is nothing to do.
+struct Beginning {
+  const RemeshResult* start = nullptr;
+  bool only_apart = false;
+  const RemeshResult* rival = nullptr;
+};
+
 RemeshResult remesh_with(const geom::TriMesh& surface, const FeatureChoice& choice,
-                         const RemeshOptions& options, const RemeshResult* start = nullptr,
-                         bool only_apart = false) {
+                         const RemeshOptions& options, const Beginning& begin = {}) {
   const SizingFor plain = part_sizing(surface, choice.features, options);
   const std::optional<NarrowSurface> narrow =
       helpful_narrow_surface(surface, choice.features, plain, options);
+  RemeshTask task{surface, plain, nullptr, choice.features, begin.only_apart, begin.start, begin.rival};
   RemeshResult result;
   if (narrow) {
-    const Features features = chosen_features(narrow->split.mesh, options).features;
-    result = remesh_task({surface, plain, &*narrow, features, only_apart, start}, options);
+    task.narrow = &*narrow;
+    task.features = chosen_features(narrow->split.mesh, options).features;
+    result = remesh_task(task, options);
     return_to(narrow->split, result);
   } else {
-    result = remesh_task({surface, plain, nullptr, choice.features, only_apart, start}, options);
+    result = remesh_task(task, options);
   }
   result.given_up = choice.given_up;
   result.collapsed_curves = choice.collapsed;
@@ -302,6 +214,13 @@ bool has_only_samples(const RemeshResult& result) {
   return result.mesh.num_facets() == 0 && !result.samples.empty();
 }
 
+/// Takes the other one if there is one, and it is better.
+bool take_if_better(std::optional<RemeshResult> other, RemeshResult& best) {
+  if (!other || other->mesh.num_facets() == 0 || !is_better(*other, best)) return false;
+  best = std::move(*other);
+  return true;
+}
+
 /// Sheets that are left to us are together unless they are near each other nearly everywhere, or that does
 /// harm and being apart helps. Samples of close curves face each other if edges of curves are lost else.
 RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoice& choice,
@@ -310,16 +229,23 @@ RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoic
   RemeshOptions together = options, with_levels = options;
   together.sheets = Sheets::together;
   with_levels.sheets = Sheets::apart;
+  const auto attempt = [&](const RemeshOptions& otherwise, Beginning begin) {
+    if (interrupted(options)) return;
+    begin.rival = &best;
+    take_if_better(
+        unless_interrupted(options, [&] { return remesh_with(surface, choice, otherwise, begin); }), best);
+  };
   const bool parted = has_only_samples(best);
   if (parted) {
     const RemeshResult begun = std::move(best);
-    best = remesh_with(surface, choice, with_levels, &begun, true);
+    best = remesh_with(surface, choice, with_levels, {&begun, true});
     const bool hopeless = (is_hopeless(best) || is_in_ruins(best)) && is_hopeless(begun);
-    if (!best.has_levels || (!best.type.ok() && !hopeless && !interrupted(options))) {
+    if (!best.has_levels) {
       std::optional<RemeshResult> other =
           unless_interrupted(options, [&] { return remesh_with(surface, choice, together); });
-      if (!other && !best.has_levels) other = remesh_with(surface, choice, together, &begun);
-      if (other && (!best.has_levels || is_better(*other, best))) best = std::move(*other);
+      best = other ? std::move(*other) : remesh_with(surface, choice, together, {&begun});
+    } else if (!best.type.ok() && !hopeless) {
+      attempt(together, {});
     }
   }
   if (options.sheets != Sheets::automatic || options.method != Method::fpo || is_fine(best) ||
@@ -327,26 +253,15 @@ RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoic
       (is_remnant(best.mesh) && !may_be_faced(best)))
     return best;
   const bool parted_at_once = best.has_levels && !parted;
-  if (parted_at_once && !is_useful(best) && !interrupted(options)) {
-    std::optional<RemeshResult> other =
-        unless_interrupted(options, [&] { return remesh_with(surface, choice, together); });
-    if (other && is_better(*other, best)) best = std::move(*other);
-  }
+  if (parted_at_once && !is_useful(best)) attempt(together, {});
   if ((is_hopeless(best) && !may_be_faced(best)) || geom::topology(surface).nonmanifold_edges > 0)
     return best;
-  const auto attempt = [&](const RemeshOptions& otherwise, bool only_apart, bool anew = false) {
-    if (interrupted(options)) return;
-    std::optional<RemeshResult> other = unless_interrupted(
-        options, [&] { return remesh_with(surface, choice, otherwise, anew ? nullptr : &best, only_apart); });
-    if (!other || (only_apart && !other->has_levels)) return;
-    if (is_better(*other, best)) best = std::move(*other);
-  };
-  if (!parted && !parted_at_once && !is_in_ruins(best)) attempt(with_levels, true);
+  if (!parted && !parted_at_once && !is_in_ruins(best)) attempt(with_levels, {&best, true});
   if (best.broken_feature_edges > 0) {
     RemeshOptions facing = options;
     facing.facing_samples = true;
     facing.sheets = best.has_levels ? Sheets::apart : Sheets::together;
-    attempt(facing, false);
+    attempt(facing, {&best});
   }
   for (const double least : softer) {
     if (best.type.ok() || is_in_ruins(best) || options.sizing == SizingKind::uniform ||
@@ -355,7 +270,7 @@ RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoic
     RemeshOptions even = options;
     even.limits.smallest = least;
     even.sheets = best.has_levels ? Sheets::apart : Sheets::together;
-    attempt(even, false, true);
+    attempt(even, {});
     if (best.type.ok()) best.least_length = least;
   }
   return best;
@@ -370,35 +285,34 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
     return best;
   RemeshOptions side_by_side = options;
   side_by_side.staggered_samples = false;
-  std::optional<RemeshResult> other =
-      unless_interrupted(options, [&] { return remesh_with_sheets(surface, choice, side_by_side); });
-  if (other && is_better(*other, best)) best = std::move(*other);
+  take_if_better(
+      unless_interrupted(options, [&] { return remesh_with_sheets(surface, choice, side_by_side); }), best);
   return best;
 }
 
+/// What there is already, with all creases or, if `tried_strong`, with the strongest as well or only.
+struct WithCreases {
+  RemeshResult result;
+  bool tried_strong = false;
+};
+
 /// Only the strongest creases, if that is of more use than all of them; if all are useless perhaps none.
-/// `with_strong`: what there is already.
-RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, RemeshResult result,
-                                       std::optional<RemeshResult> with_strong,
+RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, WithCreases with,
                                        const RemeshOptions& options) {
+  RemeshResult result = std::move(with.result);
   const std::string harm =
       "with " + std::to_string(result.crease_curves) + " curves kept " +
       (result.type.ok() ? "angles would be useless" : "the remesh would be of another type");
-  const auto take_if_better = [&](std::optional<RemeshResult> other) {
-    if (!other || !other->type.ok() || !is_better(*other, result)) return false;
-    result = std::move(*other);
-    return true;
-  };
   const auto attempt = [&](const RemeshOptions& fewer, const FeatureChoice& choice) {
     if (interrupted(options)) return false;
-    return take_if_better(unless_interrupted(options, [&] { return remesh_sheets(surface, choice, fewer); }));
+    std::optional<RemeshResult> other =
+        unless_interrupted(options, [&] { return remesh_sheets(surface, choice, fewer); });
+    return other && other->type.ok() && take_if_better(std::move(other), result);
   };
   RemeshOptions fewer = options;
   fewer.strong_creases_only = true;
   const FeatureChoice strong = chosen_features(surface, fewer);
-  if (with_strong)
-    take_if_better(std::move(with_strong));
-  else if (!strong.given_up.empty() && !strong.features.curves.empty())
+  if (!with.tried_strong && !strong.given_up.empty() && !strong.features.curves.empty())
     attempt(fewer, strong);
   if (!is_useless(result)) return result;
   RemeshOptions without = options;
@@ -416,6 +330,13 @@ bool has_crowded_creases(const geom::TriMesh& surface, const Features& features,
     return false;
   const SeenCurves seen = seen_curves(surface, features, even_spacing(surface, options));
   return !weakest_curves(seen, {.only_crowded = true}).empty();
+}
+
+/// Were samples on these curves as close as elsewhere, would they be most of them?
+bool take_most_samples(const geom::TriMesh& surface, const Features& features, const RemeshOptions& options) {
+  double length = 0;
+  for (const FeatureCurve& curve : features.curves) length += length_of(surface, curve);
+  return length > most_on_curves * even_spacing(surface, options) * static_cast<double>(options.num_samples);
 }
 
 /// With those creases alone that have room, if there are some, and smaller triangles between are no help or
@@ -441,15 +362,22 @@ RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const Reme
   if (crowded) with_strong = remesh_with_room(surface, all.features, options);
   if (with_strong && (has_wanted_angles(*with_strong) || interrupted(options)))
     return std::move(*with_strong);
-  RemeshResult result = remesh_sheets(surface, all, options);
+  WithCreases with{{}, with_strong.has_value()};
+  RemeshResult& result = with.result;
+  if (with_strong && with_strong->type.ok() && take_most_samples(surface, all.features, options)) {
+    result = std::move(*with_strong);
+  } else {
+    result = remesh_sheets(surface, all, options);
+    if (with_strong && with_strong->type.ok()) take_if_better(std::move(with_strong), result);
+  }
   if (result.crease_curves == 0 || !options.features->yielding || options.method != Method::fpo ||
       result.stood_in || interrupted(options) || geom::topology(surface).nonmanifold_edges > 0 ||
       has_wanted_angles(result) || (is_useful(result) && !crowded))
-    return result;
+    return std::move(result);
   const bool has_few_on_curves = 2 * result.feature_samples < options.num_samples;
   const bool has_other_ways = may_be_smoothed(options) && is_folded(surface);
-  if (is_hopeless(result) && (has_few_on_curves || has_other_ways)) return result;
-  return remesh_with_fewer_creases(surface, std::move(result), std::move(with_strong), options);
+  if (is_hopeless(result) && (has_few_on_curves || has_other_ways)) return std::move(result);
+  return remesh_with_fewer_creases(surface, std::move(with), options);
 }
 
 RemeshResult remesh_smoothed(const geom::TriMesh& surface, const RemeshOptions& options) {

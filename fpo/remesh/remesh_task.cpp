@@ -46,10 +46,13 @@ std::optional<NarrowSurface> helpful_narrow_surface(const geom::TriMesh& surface
                                                     const SizingFor& plain, const RemeshOptions& options) {
   const bool has_marks = options.features && !options.features->marked.empty();  // on facets as they are
   if (options.method != Method::fpo || has_marks) return {};
-  std::optional<NarrowSurface> narrow =
-      narrow_surface(surface, features, even_spacing(surface, options), curve_gradation(options));
+  const double spacing = even_spacing(surface, options);
+  std::optional<NarrowSurface> narrow = narrow_surface(surface, features, spacing, curve_gradation(options));
+  if (!narrow) return {};
   const std::size_t n = options.num_samples;
-  if (narrow && !fit_sizing_to_curves(surface, plain(n), *narrow, n).helped) narrow.reset();
+  const CurveFit fit = fit_sizing_to_curves(surface, plain(n), *narrow, n);
+  if (!fit.helped) return {};
+  split_less(*narrow, surface, spacing, fit.least);
   return narrow;
 }
 

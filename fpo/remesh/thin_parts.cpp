@@ -18,13 +18,15 @@ using geom::Vec3;
 
 namespace {
 
-constexpr double around_a_ring = 3.5;   // samples that make a ring
-constexpr double lowered_to = 0.6;      // of the wanted length where the girth says nothing
-constexpr double least_lowering = 0.3;  // in one round
-constexpr double few = 8;               // samples that make a body
-constexpr int passes = 4;               // through the samples, in search of strays
-constexpr int stray_rounds = 2;
-constexpr std::size_t samples_for_one_fault = 10;  // with more faults it is hopeless
+constexpr double around_a_ring = 3.5;                   // samples that make a ring
+constexpr double lowered_to = 0.6;                      // of the wanted length where the girth says nothing
+constexpr double least_lowering = 0.3;                  // in one round
+constexpr double few = 8;                               // samples that make a body
+constexpr int passes = 4;                               // through the samples, in search of strays
+constexpr int stray_rounds = 8, rounds_for_strays = 2;  // the first of them for nothing else
+constexpr int patience = 3;
+constexpr std::size_t most_growth = 3, some_faults = 10;  // times the fewest faults, and more: that is harm
+constexpr std::size_t samples_for_one_fault = 10;         // with more faults it is hopeless
 constexpr std::size_t least_progress = 10;  // of that many faults one must go in a round, if they are so many
 constexpr int most_futile = 2;              // rounds in a row without that
 
@@ -128,7 +130,7 @@ class RoomMaker {
         type_(type),
         options_(options),
         base_(domain.sizing()),
-        spots_(std::make_shared<const Spots>(options.gradation)) {
+        lowering_{std::make_shared<const Spots>(options.gradation)} {
     options_.diagram.weight_factor = best_weight_factor(Scope::global);
   }
 
@@ -136,13 +138,12 @@ class RoomMaker {
   bool lower(const SurfaceDomain& domain, const Dual& dual) {
     std::vector<Wish> all = wishes(domain, type_, dual);
     for (; !all.empty(); all.resize(all.size() / 2)) {
-      auto spots = std::make_shared<Spots>(*spots_);
+      auto spots = std::make_shared<Spots>(*lowering_.spots);
       for (const Wish& wish : all) spots->add(wish.spots);
-      if (spots->size() == spots_->size()) return false;
+      if (spots->size() == lowering_.spots->size()) return false;
       const double scale = fitting_scale(domain, base_, spots, 1.1 * options_.most_scale);
       if (scale > options_.most_scale) continue;
-      spots_ = std::move(spots);
-      scale_ = scale;
+      lowering_ = {std::move(spots), scale};
       return true;
     }
     return false;
@@ -153,7 +154,7 @@ class RoomMaker {
                                            bool without_strays = false) const {
     std::vector<SurfaceSample> samples;
     for (std::size_t i = 0; i < domain.num_samples(); ++i) samples.push_back(domain.sample(SiteId(i)));
-    const Sizing sizing = base_.lowered(scale_, spots_, domain.mesh());
+    const Sizing sizing = base_.lowered(lowering_.scale, lowering_.spots, domain.mesh());
     auto result = std::make_unique<SurfaceDomain>(domain.mesh(), sizing, samples, options_.diagram);
     if (without_strays)
       for (int pass = 0; pass < passes && call_back_strays(*result, options_.interrupted) > 0; ++pass) {
@@ -166,16 +167,21 @@ class RoomMaker {
     return result;
   }
 
-  std::size_t num_spots() const { return spots_->size(); }
-  double scale() const { return scale_; }
+  /// What was lowered.
+  struct Lowering {
+    std::shared_ptr<const Spots> spots;
+    double scale = 1;
+  };
+  const Lowering& lowering() const { return lowering_; }
+  void return_to(const Lowering& lowering) { lowering_ = lowering; }
+  std::size_t num_spots() const { return lowering_.spots->size(); }
 
  private:
   const FeatureSamples& features_;
   const geom::SurfaceType& type_;
   ThinPartOptions options_;
   Sizing base_;
-  std::shared_ptr<const Spots> spots_;
-  double scale_ = 1;
+  Lowering lowering_;
 };
 
 }  // namespace
@@ -190,32 +196,46 @@ std::unique_ptr<SurfaceDomain> make_room_for_thin_parts(std::unique_ptr<SurfaceD
   if (result.right_type || options.rounds == 0) return domain;
   const std::size_t many = domain->num_samples() / samples_for_one_fault;
   const std::size_t hopeless = result.faults_before + many;
-  int futile = 0;  // rounds in a row, with much to be done
+  int futile = 0;   // rounds in a row, with much to be done
+  int in_vain = 0;  // rounds in a row that were no better than the best
   const auto enough = [&] {
     return dual.type.ok() || futile == most_futile || dual.num_faults() > hopeless ||
            fpo::interrupted(options.interrupted);
   };
+  const auto did_harm = [&] { return dual.num_faults() > most_growth * result.faults_after + some_faults; };
   RoomMaker room(*domain, features, type, options);
   std::unique_ptr<SurfaceDomain> best = std::move(domain), next;
+  RoomMaker::Lowering of_best = room.lowering();
   const SurfaceDomain* last = best.get();
   const auto look_at = [&](std::unique_ptr<SurfaceDomain> found) {
     dual = dual_of(*found, type, false, options.interrupted);
     const std::size_t wanted = result.faults_after - result.faults_after / least_progress;
     futile = dual.num_faults() > std::max(wanted, many) ? futile + 1 : 0;
+    ++in_vain;
     next = std::move(found);
     last = next.get();
     if (dual.num_faults() >= result.faults_after) return;
-    result = {room.num_spots(), room.scale(), result.faults_before, dual.num_faults(), dual.type.ok()};
+    in_vain = 0;
+    of_best = room.lowering();
+    result = {room.num_spots(), of_best.scale, result.faults_before, dual.num_faults(), dual.type.ok()};
     best = std::move(next);
   };
   OptimizeOptions once_more;
   once_more.max_iterations = options.iterations;
-  for (int round = 0; round < options.rounds && !enough(); ++round) {
+  for (int round = 0; round < options.rounds && !enough() && !did_harm(); ++round) {
     if (!room.lower(*last, dual)) break;
     look_at(room.optimized(*last, once_more));
   }
-  for (int round = 0; round < stray_rounds && !enough(); ++round)
+  if (did_harm()) {
+    last = best.get();
+    room.return_to(of_best);
+    dual = dual_of(*best, type, false, options.interrupted);
+  }
+  in_vain = 0;
+  for (int round = 0; round < stray_rounds && !enough() && !did_harm() && in_vain < patience; ++round) {
+    if (round >= rounds_for_strays) room.lower(*last, dual);
     look_at(room.optimized(*last, once_more, true));
+  }
   if (!dual.type.ok() || fpo::interrupted(options.interrupted)) return best;
   OptimizeOptions polishing;
   polishing.max_iterations = options.polishing;

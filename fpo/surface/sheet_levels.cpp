@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "fpo/surface/fitted_parts.h"
 #include "geom/disjoint_sets.h"
 #include "geom/mesh/scaling.h"
 #include "geom/sites/site_tree.h"
@@ -350,19 +351,19 @@ Table<VertexId, double> SheetLevels::levels() {
 
 std::optional<SplitSurface> sheets_apart(const TriMesh& mesh, const Sizing& sizing,
                                          std::span<SurfaceSample> samples, const SheetOptions& options) {
-  std::vector<SurfaceSample> moved(samples.begin(), samples.end());
   const double most = static_cast<double>(mesh.num_facets()) + most_parts * num_samples(mesh, sizing);
   if (!(most < 1e9)) return {};
-  SplitSurface result =
-      split_long_edges(mesh, sizing, options.longest, moved, static_cast<std::size_t>(most));
-  if (static_cast<double>(result.mesh.num_facets()) > most) return {};
-  std::vector<double> h(result.h.begin(), result.h.end());
-  if (h.empty()) h.assign(result.mesh.num_vertices(), sizing.at(VertexId(0)));
-  Table<VertexId, double> levels = SheetLevels(result.mesh, std::move(h), options).find();
+  const SplitSurface split =
+      split_long_edges(mesh, sizing, options.longest, {}, static_cast<std::size_t>(most));
+  if (static_cast<double>(split.mesh.num_facets()) > most) return {};
+  std::vector<double> h(split.h.begin(), split.h.end());
+  if (h.empty()) h.assign(split.mesh.num_vertices(), sizing.at(VertexId(0)));
+  const Table<VertexId, double> levels = SheetLevels(split.mesh, std::move(h), options).find();
   if (levels.empty()) return {};
-  result.mesh = result.mesh.with_levels(std::move(levels));
-  std::ranges::copy(moved, samples.begin());
-  return result;
+  FittedParts fitted = fitted_parts(mesh, sizing, {split, levels}, {options.longest, options.tolerance});
+  fitted.surface.mesh = fitted.surface.mesh.with_levels(std::move(fitted.values));
+  enter_parts(fitted.surface, samples);
+  return std::move(fitted.surface);
 }
 
 }  // namespace fpo

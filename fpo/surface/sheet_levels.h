@@ -28,11 +28,12 @@ namespace fpo {
 
 /// Lengths in units of the wanted edge length.
 struct SheetOptions {
-  double near = 1.1;     ///< in space
-  double far = 2.5;      ///< along the surface
-  double height = 1.4;   ///< between the levels of sheets
-  double slope = 0.45;   ///< g
-  double longest = 0.6;  ///< edge: levels are linear on facets, which are halved to that
+  double near = 1.1;       ///< in space
+  double far = 2.5;        ///< along the surface
+  double height = 1.4;     ///< between the levels of sheets
+  double slope = 0.45;     ///< g
+  double longest = 0.6;    ///< edge of the facets that levels are found on
+  double tolerance = 0.1;  ///< of levels that are linear on larger ones
 };
 
 /// The surface with levels, its facets parts of those of the old one; nothing if no places are in conflict,

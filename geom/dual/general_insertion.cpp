@@ -73,12 +73,27 @@ void GeneralInsertion::find_circles(SiteId p) {
   std::ranges::sort(found_, circle_before);
 }
 
-/// Rivals that have no circle any more: p may have hidden them. Not those that have a part of a facet still:
-/// one is looked at, for cells that go round a horn have hundreds, and no circle for long.
+/// Surely nobody else is as near to the place of j, which is on the surface but for rounding. The next site is
+/// found by rounded powers: another one may be nearer by a part of the bound.
+bool GeneralInsertion::owns_its_place(SiteId j) const {
+  const WeightedPoint3& site = state_.sites[j];
+  if (!state_.home[j].valid()) return false;
+  const Location3 place(site.position, site.level);
+  const SiteId next = state_.nearest(place, j).site;
+  if (!next.valid()) return false;
+  const double off = 2 * state_.clipper.most_tolerance();
+  const Sure lead =
+      lead_of(site, state_.sites[next], place, off, state_.clipper.levels().off(state_.home[j], off));
+  return lead.value > 4 * lead.bound;
+}
+
+/// Rivals that have no circle any more: p may have hidden them. Not those that have their places still, or a
+/// part of a facet: one is looked at, for cells that go round a horn have hundreds, and no circle for long.
 void GeneralInsertion::find_hidden() {
   part_of_.resize(state_.sites.size());
   for (const SiteId j : rivals_) {
     if (!state_.circles.of_site(j).empty() || !(state_.reach[j] > -infinity)) continue;
+    if (owns_its_place(j)) continue;
     if (part_of_[j].valid() && clipper_.has_part_of(part_of_[j], j)) continue;
     state_.reach.set(j, clipper_.clip(j, spare_));
     part_of_[j] = spare_.pieces.empty() ? FacetId() : spare_.pieces[spare_.pieces.size() / 2].facet;

@@ -28,6 +28,7 @@ class GeneralInsertion {
   bool is_beaten(const EmptyCircle& circle, SiteId p) const;
   void find_circles(SiteId p);
   void find_hidden();
+  bool owns_its_place(SiteId j) const;
 
   DualState& state_;
   CellClipper& clipper_;

@@ -111,6 +111,31 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("curve spacing: fewer facets for lengths that are possible, and nearly the same lengths") {
+  const TriMesh plate = geom::make_shape("hole-plate");
+  constexpr std::size_t n = 1000;
+  const double even = hexagonal_spacing(plate.area(), n), gradation = 0.25;
+  auto narrow = narrow_surface(plate, find_features(plate), even, gradation);
+  REQUIRE(narrow.has_value());
+  const std::size_t before = narrow->split.mesh.num_facets();
+  const CurveFit fit = fit_sizing_to_curves(plate, Sizing::uniform(even), *narrow, n);
+  REQUIRE(fit.helped);
+  CHECK(fit.least >= 0.1 * even * (1 - 1e-9));
+  split_less(*narrow, plate, even, fit.least);
+  const TriMesh& surface = narrow->split.mesh;
+  CHECK(surface.num_facets() <= before);
+  CHECK(surface.area() == doctest::Approx(plate.area()));
+  CHECK(geom::topology(surface).euler == -22);
+  REQUIRE(narrow->split.parents.size() == surface.num_facets());
+  CHECK(narrow->lengths.size() == surface.num_vertices());
+  CHECK(narrow->distances.size() == surface.num_vertices());
+  const CurveFit again = fit_sizing_to_curves(plate, Sizing::uniform(even), *narrow, n);
+  REQUIRE(again.helped);
+  CHECK(again.least >= fit.least / 1.25);
+  CHECK(again.least <= fit.least * 1.25);
+  CHECK(num_samples(surface, again.sizing) == doctest::Approx(n).epsilon(1e-3));
+}
+
 TEST_CASE("curve spacing: what cannot be helped is left alone") {
   const TriMesh plate = geom::make_shape("thin-plate");
   const double even = hexagonal_spacing(plate.area(), 300);

@@ -110,6 +110,22 @@ TEST_CASE("attempts: in ruins is what is at fault at more than every tenth sampl
   CHECK(!is_in_ruins(result));
 }
 
+TEST_CASE(
+    "attempts: left behind is what has far more faults than there were, and more than few, with room made") {
+  RemeshResult rival = measured(true, 30, 0);
+  rival.thin_parts.faults_after = 12;
+  ThinParts parts;
+  parts.faults_after = 25;
+  CHECK(is_left_behind(parts, 2000, rival));
+  CHECK(!is_left_behind(parts, 2500, rival));  // a hundredth
+  parts.faults_after = 24;
+  CHECK(!is_left_behind(parts, 2000, rival));  // not more than twice as many
+  parts.faults_after = 1000;
+  parts.right_type = true;
+  CHECK(!is_left_behind(parts, 2000, rival));
+  CHECK(!is_left_behind(ThinParts(), 2000, rival));  // not looked at
+}
+
 TEST_CASE("attempts: without staggered samples it is tried if the type is wrong or most edges are lost") {
   RemeshResult result = measured(false, 30, 0);
   CHECK(!is_undone_by_staggering(result));

@@ -31,7 +31,7 @@ TriMesh local_feature_size_mapped(const TriMesh& mesh, const std::function<Vec3(
   return TriMesh(std::move(vertices), mesh.facets());
 }
 
-TriMesh joined(const TriMesh& a, const TriMesh& b) {
+TriMesh of_both(const TriMesh& a, const TriMesh& b) {
   Table<VertexId, Vec3> vertices = a.vertices();
   Table<geom::FacetId, TriMesh::Facet> facets = a.facets();
   const auto base = static_cast<std::int32_t>(a.num_vertices());
@@ -109,7 +109,7 @@ TEST_CASE("local feature size: half the distance of two plates, whatever their o
   fixtures::add_grid(v, f, 2, Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.1, 1, 0));
   const TriMesh plate(v, f);
   for (const double distance : {0.05, 0.1, 0.2}) {
-    const TriMesh both = joined(plate, local_feature_size_mapped(plate, [=](const Vec3& x) {
+    const TriMesh both = of_both(plate, local_feature_size_mapped(plate, [=](const Vec3& x) {
                                   return Vec3(x + Vec3(0, 0, distance));
                                 }));
     const auto locations = random_locations(both, 300);

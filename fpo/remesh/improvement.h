@@ -1,0 +1,27 @@
+#pragma once
+// What follows the optimization: angles (paper, section 5), fidelity and closeness to the surface, the edges
+// of curves proven, and what is mended at the end.
+
+#include "fpo/features/feature_samples.h"
+#include "fpo/remesh/dual.h"
+#include "fpo/remesh/pipeline.h"
+#include "fpo/surface/surface_domain.h"
+
+namespace fpo {
+
+struct Improvement {
+  const SharedSizing& shared;
+  const geom::SurfaceType& type;
+  const Features* curves;  ///< of the domain's mesh; null: their edges are not to be proven
+  AngleOptions angles;
+};
+
+/// Those of the options, and who interrupts.
+AngleOptions angle_options(const RemeshOptions& options);
+
+/// The dual of the samples, improved as far as that leaves it of the input's type: without fidelity, then
+/// without angles, too, if room was made for thin parts and that is undone. The result is told what was done.
+Dual improved_dual(SurfaceDomain& domain, const Improvement& how, RemeshOptions options,
+                   RemeshResult& result);
+
+}  // namespace fpo

@@ -1,0 +1,263 @@
+#include "fpo/surface/fitted_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "geom/mesh/aabb_tree.h"
+#include "geom/mesh/scaling.h"
+
+namespace fpo {
+
+using geom::FacetId;
+using geom::Table;
+using geom::TriMesh;
+using geom::Vec3;
+using geom::VertexId;
+
+namespace {
+
+constexpr double rounding = 1e-9;  // of weights
+
+/// A location on a facet a b c: a + x (b - a) + y (c - a).
+struct Place {
+  double x = 0, y = 0;
+};
+
+double cross(const Place& o, const Place& a, const Place& b) {
+  return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+}
+
+Place middle(const Place& a, const Place& b) { return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}; }
+
+using Triangle = std::array<Place, 3>;
+
+/// Of the corners, which sum up to 1: barycentric coordinates.
+std::array<double, 3> weights(const Triangle& t, const Place& p) {
+  const double whole = cross(t[0], t[1], t[2]);
+  const double b = cross(t[0], p, t[2]) / whole, c = cross(t[0], t[1], p) / whole;
+  return {1 - b - c, b, c};
+}
+
+/// Where positions are on a facet.
+class FacetFrame {
+ public:
+  FacetFrame(const Vec3& a, const Vec3& b, const Vec3& c) : origin_(a) {
+    const Vec3 u = b - a, v = c - a, n = u.cross(v);
+    to_x_ = v.cross(n) / n.squaredNorm();
+    to_y_ = n.cross(u) / n.squaredNorm();
+  }
+  Place place_of(const Vec3& p) const { return {to_x_.dot(p - origin_), to_y_.dot(p - origin_)}; }
+
+ private:
+  Vec3 origin_, to_x_, to_y_;
+};
+
+class Fitting {
+ public:
+  Fitting(const TriMesh& mesh, const Sizing& sizing, const SplitFunction& function, const FitOptions& options)
+      : fine_(function.split), fine_values_(function.values), options_(options), positions_(mesh.vertices()) {
+    for (VertexId v(0); v.index() < mesh.num_vertices(); v = VertexId(v.value + 1)) {
+      h_.push_back(sizing.at(v));
+      values_.push_back(fine_values_[v]);
+    }
+    fine_h_ = fine_.h;
+    if (fine_h_.empty()) fine_h_.assign(fine_.mesh.num_vertices(), sizing.at(VertexId(0)));
+    place_fine_parts(mesh);
+    for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
+      Piece whole{mesh.facet(t), {Place{0, 0}, {1, 0}, {0, 1}}, t, {}, false};
+      const auto [first, end] = std::equal_range(fine_.parents.begin(), fine_.parents.end(), t);
+      for (auto i = first; i < end; ++i)
+        whole.fine.emplace_back(static_cast<std::size_t>(i - fine_.parents.begin()));
+      pieces_.push_back(judged(std::move(whole)));
+    }
+  }
+
+  /// Halves the longest edge of each piece that does not fit. False if all do.
+  bool refine() {
+    halved_.clear();
+    middles_.clear();
+    for (const Piece& piece : pieces_)
+      if (!piece.fits) halved_.insert(key(piece, longest_edge(piece, {0, 1, 2})));
+    if (halved_.empty()) return false;
+    std::vector<Piece> parts;
+    for (Piece& piece : pieces_) cut(std::move(piece), parts);
+    pieces_ = std::move(parts);
+    return true;
+  }
+
+  std::size_t num_pieces() const { return pieces_.size(); }
+
+  FittedParts take(bool uniform) {
+    FittedParts result;
+    Table<FacetId, TriMesh::Facet> facets;
+    for (const Piece& piece : pieces_) {
+      facets.push_back(piece.corners);
+      result.surface.parents.push_back(piece.parent);
+    }
+    result.surface.mesh = TriMesh(std::move(positions_), std::move(facets));
+    if (!uniform) result.surface.h = std::move(h_);
+    result.values = std::move(values_);
+    return result;
+  }
+
+ private:
+  struct Piece {
+    TriMesh::Facet corners;
+    Triangle at;  ///< on its parent
+    FacetId parent;
+    std::vector<FacetId> fine;  ///< parts that meet it
+    bool fits;
+  };
+
+  void place_fine_parts(const TriMesh& mesh) {
+    for (FacetId t(0); t.index() < fine_.mesh.num_facets(); t = FacetId(t.value + 1)) {
+      const FacetId parent = fine_.parents[t];
+      const FacetFrame frame(mesh.corner(parent, 0), mesh.corner(parent, 1), mesh.corner(parent, 2));
+      Triangle& at = fine_at_.emplace_back();
+      for (std::size_t i = 0; i < 3; ++i) at[i] = frame.place_of(fine_.mesh.position(fine_.mesh.facet(t)[i]));
+    }
+  }
+
+  double length2(const Piece& piece, std::size_t e) const {
+    return (positions_[piece.corners[e]] - positions_[piece.corners[(e + 1) % 3]]).squaredNorm();
+  }
+  static std::uint64_t key(const Piece& piece, std::size_t e) {
+    const auto [low, high] = std::minmax(piece.corners[e], piece.corners[(e + 1) % 3]);
+    return static_cast<std::uint64_t>(low.value) << 32 | static_cast<std::uint64_t>(high.value);
+  }
+  std::size_t longest_edge(const Piece& piece, std::vector<std::size_t> edges) const {
+    return *std::ranges::max_element(
+        edges, {}, [&](std::size_t e) { return std::pair(length2(piece, e), key(piece, e)); });
+  }
+
+  Piece judged(Piece piece) const {
+    const std::size_t e = longest_edge(piece, {0, 1, 2});
+    const double h = std::min(h_[piece.corners[e]], h_[piece.corners[(e + 1) % 3]]);
+    piece.fits = std::sqrt(length2(piece, e)) <= options_.longest * h || is_linear_on(piece);
+    return piece;
+  }
+
+  bool is_linear_on(const Piece& piece) const {
+    const auto& [a, b, c] = piece.corners;
+    return std::ranges::all_of(piece.fine, [&](FacetId t) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::array<double, 3> w = weights(piece.at, fine_at_[t][i]);
+        if (!(std::ranges::min(w) > -rounding)) continue;
+        const VertexId v = fine_.mesh.facet(t)[i];
+        const double linear = w[0] * values_[a] + w[1] * values_[b] + w[2] * values_[c];
+        if (std::abs(linear - fine_values_[v]) > options_.tolerance * fine_h_[v]) return false;
+      }
+      return true;
+    });
+  }
+
+  /// The function, on the part that has the place inside, or nearly.
+  double value_at(const Piece& piece, const Place& place) const {
+    double best = -std::numeric_limits<double>::infinity(), value = 0;
+    for (const FacetId t : piece.fine) {
+      const std::array<double, 3> w = weights(fine_at_[t], place);
+      const double inside = std::ranges::min(w);
+      if (!(inside > best)) continue;
+      best = inside;
+      double sum = 0;
+      value = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double share = std::max(0.0, w[i]);
+        sum += share;
+        value += share * fine_values_[fine_.mesh.facet(t)[i]];
+      }
+      value /= sum;
+    }
+    return value;
+  }
+
+  /// At all of its edges that are halved, the longest one first.
+  void cut(Piece piece, std::vector<Piece>& parts) {
+    std::vector<std::size_t> edges;
+    for (std::size_t e = 0; e < 3; ++e)
+      if (halved_.contains(key(piece, e))) edges.push_back(e);
+    if (edges.empty()) return parts.push_back(std::move(piece));
+    const std::size_t e = longest_edge(piece, edges), next = (e + 1) % 3, last = (e + 2) % 3;
+    const VertexId m = middle_of(piece, e);
+    const Place at = middle(piece.at[e], piece.at[next]);
+    Piece one{
+        {piece.corners[e], m, piece.corners[last]}, {piece.at[e], at, piece.at[last]}, piece.parent, {}, {}};
+    Piece two{{m, piece.corners[next], piece.corners[last]},
+              {at, piece.at[next], piece.at[last]},
+              piece.parent,
+              {},
+              {}};
+    const auto reaches = [&](FacetId t, double side) {
+      return std::ranges::any_of(fine_at_[t],
+                                 [&](const Place& x) { return side * cross(piece.at[last], at, x) > 0; });
+    };
+    const double side = cross(piece.at[last], at, piece.at[e]);
+    for (const FacetId t : piece.fine) {
+      if (reaches(t, side)) one.fine.push_back(t);
+      if (reaches(t, -side)) two.fine.push_back(t);
+    }
+    piece = Piece();
+    cut(judged(std::move(one)), parts);
+    cut(judged(std::move(two)), parts);
+  }
+
+  /// Of an edge that is halved, the same vertex for all pieces there.
+  VertexId middle_of(const Piece& piece, std::size_t e) {
+    const auto [at, is_new] = middles_.try_emplace(key(piece, e), positions_.next_id());
+    if (!is_new) return at->second;
+    const VertexId a = piece.corners[e], b = piece.corners[(e + 1) % 3];
+    const Vec3 p = positions_[std::min(a, b)], q = positions_[std::max(a, b)];
+    positions_.push_back(geom::snapped(Vec3(0.5 * p + 0.5 * q)));
+    h_.push_back(0.5 * h_[a] + 0.5 * h_[b]);
+    const double value = value_at(piece, middle(piece.at[e], piece.at[(e + 1) % 3]));
+    values_.push_back(geom::snapped(value, geom::coordinate_unit));
+    return at->second;
+  }
+
+  const SplitSurface& fine_;
+  const Table<VertexId, double>& fine_values_;
+  FitOptions options_;
+  VertexField fine_h_;
+  Table<FacetId, Triangle> fine_at_;  ///< on their parents
+  Table<VertexId, Vec3> positions_;
+  VertexField h_;
+  Table<VertexId, double> values_;
+  std::vector<Piece> pieces_;
+  std::unordered_set<std::uint64_t> halved_;             ///< edges, by their ends
+  std::unordered_map<std::uint64_t, VertexId> middles_;  ///< of those
+};
+
+}  // namespace
+
+FittedParts fitted_parts(const TriMesh& mesh, const Sizing& sizing, const SplitFunction& function,
+                         const FitOptions& options) {
+  Fitting fitting(mesh, sizing, function, options);
+  while (fitting.refine()) {
+    const SplitSurface& split = function.split;
+    if (fitting.num_pieces() < split.mesh.num_facets()) continue;
+    return {{split.mesh, split.h, split.parents}, function.values};
+  }
+  return fitting.take(sizing.is_uniform());
+}
+
+void enter_parts(const SplitSurface& split, std::span<SurfaceSample> samples) {
+  for (SurfaceSample& x : samples) {
+    const auto parts = std::equal_range(split.parents.begin(), split.parents.end(), x.facet);
+    double least = std::numeric_limits<double>::infinity();
+    for (auto i = parts.first; i < parts.second; ++i) {
+      const FacetId t(static_cast<std::size_t>(i - split.parents.begin()));
+      const std::array<Vec3, 3> corners{split.mesh.corner(t, 0), split.mesh.corner(t, 1),
+                                        split.mesh.corner(t, 2)};
+      const double distance2 = geom::closest_point(x.position, corners).distance2;
+      if (distance2 < least) least = distance2, x.facet = t;
+    }
+  }
+}
+
+}  // namespace fpo
