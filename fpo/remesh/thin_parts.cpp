@@ -28,7 +28,8 @@ constexpr int patience = 3;
 constexpr std::size_t most_growth = 3, some_faults = 10;  // times the fewest faults, and more: that is harm
 constexpr std::size_t samples_for_one_fault = 10;         // with more faults it is hopeless
 constexpr std::size_t least_progress = 10;  // of that many faults one must go in a round, if they are so many
-constexpr int most_futile = 2;              // rounds in a row without that
+constexpr std::size_t samples_for_one_fixed = 10;  // if more are, the others find their places soon
+constexpr int most_futile = 2;                     // rounds in a row without that
 
 /// What a fault wants: spots, and by how much they lower the length.
 struct Wish {
@@ -222,6 +223,8 @@ std::unique_ptr<SurfaceDomain> make_room_for_thin_parts(std::unique_ptr<SurfaceD
   };
   OptimizeOptions once_more;
   once_more.max_iterations = options.iterations;
+  if (features.samples.size() * samples_for_one_fixed > best->num_samples())
+    once_more.least_gain = options.polishing_gain;
   for (int round = 0; round < options.rounds && !enough() && !did_harm(); ++round) {
     if (!room.lower(*last, dual)) break;
     look_at(room.optimized(*last, once_more));

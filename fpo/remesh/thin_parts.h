@@ -19,7 +19,8 @@ struct ThinPartOptions {
   int rounds = 6;                ///< at most; 0: only looks
   int iterations = 10;           ///< of farthest point optimization in each round
   int polishing = 40;            ///< at the end, at most
-  double polishing_gain = 1e-3;  ///< of mean delta in five of these, or they end
+  double polishing_gain = 1e-3;  ///< of mean delta in five of these, or they end; and those of rounds, too,
+                                 ///< if more than a tenth of the samples are on features
   SurfaceOptions diagram;        ///< of the domains
   Scope scope = Scope::global;   ///< of the polishing: samples are brought by global moves in any case
   const std::atomic<bool>* interrupted = nullptr;  ///< looked at before each move

@@ -73,8 +73,8 @@ void GeneralInsertion::find_circles(SiteId p) {
   std::ranges::sort(found_, circle_before);
 }
 
-/// Surely nobody else is as near to the place of j, which is on the surface but for rounding. The next site is
-/// found by rounded powers: another one may be nearer by a part of the bound.
+/// Surely nobody else is as near to the place of j, which is on the surface but for rounding. The next site
+/// is found by rounded powers: another one may be nearer by a part of the bound.
 bool GeneralInsertion::owns_its_place(SiteId j) const {
   const WeightedPoint3& site = state_.sites[j];
   if (!state_.home[j].valid()) return false;

@@ -110,8 +110,8 @@ TEST_CASE("local feature size: half the distance of two plates, whatever their o
   const TriMesh plate(v, f);
   for (const double distance : {0.05, 0.1, 0.2}) {
     const TriMesh both = of_both(plate, local_feature_size_mapped(plate, [=](const Vec3& x) {
-                                  return Vec3(x + Vec3(0, 0, distance));
-                                }));
+                                   return Vec3(x + Vec3(0, 0, distance));
+                                 }));
     const auto locations = random_locations(both, 300);
     const auto medial = medial_points(both, {.spacing = 0.02});
     const std::vector<double> size = local_feature_size(locations, medial);
