@@ -60,22 +60,24 @@ class FacetFrame {
 
 class Fitting {
  public:
-  Fitting(const TriMesh& mesh, const Sizing& sizing, const SplitFunction& function, const FitOptions& options)
-      : fine_(function.split), fine_values_(function.values), options_(options), positions_(mesh.vertices()) {
+  Fitting(const TriMesh& mesh, const Sizing& sizing, const SplitFunction& function, const FitOptions& options,
+          std::span<const SurfaceSample> samples)
+      : fine_(function.split),
+        fine_values_(function.values),
+        options_(options),
+        samples_(samples),
+        positions_(mesh.vertices()) {
     for (VertexId v(0); v.index() < mesh.num_vertices(); v = VertexId(v.value + 1)) {
       h_.push_back(sizing.at(v));
       values_.push_back(fine_values_[v]);
     }
     fine_h_ = fine_.h;
     if (fine_h_.empty()) fine_h_.assign(fine_.mesh.num_vertices(), sizing.at(VertexId(0)));
+    for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
+      pieces_.push_back({mesh.facet(t), {Place{0, 0}, {1, 0}, {0, 1}}, t, {}, {}, false});
     place_fine_parts(mesh);
-    for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
-      Piece whole{mesh.facet(t), {Place{0, 0}, {1, 0}, {0, 1}}, t, {}, false};
-      const auto [first, end] = std::equal_range(fine_.parents.begin(), fine_.parents.end(), t);
-      for (auto i = first; i < end; ++i)
-        whole.fine.emplace_back(static_cast<std::size_t>(i - fine_.parents.begin()));
-      pieces_.push_back(judged(std::move(whole)));
-    }
+    for (std::size_t i = 0; i < samples.size(); ++i) pieces_[samples[i].facet.index()].samples.push_back(i);
+    for (Piece& piece : pieces_) judge(piece);
   }
 
   /// Halves the longest edge of each piece that does not fit. False if all do.
@@ -93,7 +95,9 @@ class Fitting {
 
   std::size_t num_pieces() const { return pieces_.size(); }
 
-  FittedParts take(bool uniform) {
+  FittedParts take(bool uniform, std::span<SurfaceSample> samples) {
+    for (std::size_t t = 0; t < pieces_.size(); ++t)
+      for (const std::size_t i : pieces_[t].samples) samples[i].facet = FacetId(t);
     FittedParts result;
     Table<FacetId, TriMesh::Facet> facets;
     for (const Piece& piece : pieces_) {
@@ -111,7 +115,8 @@ class Fitting {
     TriMesh::Facet corners;
     Triangle at;  ///< on its parent
     FacetId parent;
-    std::vector<FacetId> fine;  ///< parts that meet it
+    std::vector<FacetId> fine;         ///< parts that meet it
+    std::vector<std::size_t> samples;  ///< in it
     bool fits;
   };
 
@@ -120,7 +125,8 @@ class Fitting {
       const FacetId parent = fine_.parents[t];
       const FacetFrame frame(mesh.corner(parent, 0), mesh.corner(parent, 1), mesh.corner(parent, 2));
       Triangle& at = fine_at_.emplace_back();
-      for (std::size_t i = 0; i < 3; ++i) at[i] = frame.place_of(fine_.mesh.position(fine_.mesh.facet(t)[i]));
+      for (std::size_t i = 0; i < 3; ++i) at[i] = frame.place_of(fine_.mesh.corner(t, i));
+      pieces_[parent.index()].fine.push_back(t);
     }
   }
 
@@ -136,11 +142,10 @@ class Fitting {
         edges, {}, [&](std::size_t e) { return std::pair(length2(piece, e), key(piece, e)); });
   }
 
-  Piece judged(Piece piece) const {
+  void judge(Piece& piece) const {
     const std::size_t e = longest_edge(piece, {0, 1, 2});
     const double h = std::min(h_[piece.corners[e]], h_[piece.corners[(e + 1) % 3]]);
     piece.fits = std::sqrt(length2(piece, e)) <= options_.longest * h || is_linear_on(piece);
-    return piece;
   }
 
   bool is_linear_on(const Piece& piece) const {
@@ -157,22 +162,23 @@ class Fitting {
     });
   }
 
-  /// The function, on the part that has the place inside, or nearly.
-  double value_at(const Piece& piece, const Place& place) const {
-    double best = -std::numeric_limits<double>::infinity(), value = 0;
+  /// The function in the middle of an edge, on the part that has that inside, or nearly.
+  double value_in_middle(const Piece& piece, std::size_t e) const {
+    const Place place = middle(piece.at[e], piece.at[(e + 1) % 3]);
+    double value = 0.5 * (values_[piece.corners[e]] + values_[piece.corners[(e + 1) % 3]]);
+    double best = -std::numeric_limits<double>::infinity();
     for (const FacetId t : piece.fine) {
       const std::array<double, 3> w = weights(fine_at_[t], place);
       const double inside = std::ranges::min(w);
       if (!(inside > best)) continue;
       best = inside;
-      double sum = 0;
-      value = 0;
+      double sum = 0, weighted = 0;
       for (std::size_t i = 0; i < 3; ++i) {
         const double share = std::max(0.0, w[i]);
         sum += share;
-        value += share * fine_values_[fine_.mesh.facet(t)[i]];
+        weighted += share * fine_values_[fine_.mesh.facet(t)[i]];
       }
-      value /= sum;
+      value = weighted / sum;
     }
     return value;
   }
@@ -186,13 +192,9 @@ class Fitting {
     const std::size_t e = longest_edge(piece, edges), next = (e + 1) % 3, last = (e + 2) % 3;
     const VertexId m = middle_of(piece, e);
     const Place at = middle(piece.at[e], piece.at[next]);
-    Piece one{
-        {piece.corners[e], m, piece.corners[last]}, {piece.at[e], at, piece.at[last]}, piece.parent, {}, {}};
-    Piece two{{m, piece.corners[next], piece.corners[last]},
-              {at, piece.at[next], piece.at[last]},
-              piece.parent,
-              {},
-              {}};
+    Piece one = piece_of(piece, {e, next, last}), two = one;
+    one.corners[1] = two.corners[0] = m;
+    one.at[1] = two.at[0] = at;
     const auto reaches = [&](FacetId t, double side) {
       return std::ranges::any_of(fine_at_[t],
                                  [&](const Place& x) { return side * cross(piece.at[last], at, x) > 0; });
@@ -202,9 +204,30 @@ class Fitting {
       if (reaches(t, side)) one.fine.push_back(t);
       if (reaches(t, -side)) two.fine.push_back(t);
     }
+    for (const std::size_t i : piece.samples)
+      (distance2(i, one) <= distance2(i, two) ? one : two).samples.push_back(i);
     piece = Piece();
-    cut(judged(std::move(one)), parts);
-    cut(judged(std::move(two)), parts);
+    for (Piece* half : {&one, &two}) {
+      judge(*half);
+      cut(std::move(*half), parts);
+    }
+  }
+
+  /// Its corners from some edge on, and nothing in it.
+  static Piece piece_of(const Piece& piece, const std::array<std::size_t, 3>& order) {
+    const auto& [a, b, c] = order;
+    return {{piece.corners[a], piece.corners[b], piece.corners[c]},
+            {piece.at[a], piece.at[b], piece.at[c]},
+            piece.parent,
+            {},
+            {},
+            false};
+  }
+
+  double distance2(std::size_t sample, const Piece& piece) const {
+    const auto& [a, b, c] = piece.corners;
+    return geom::closest_point(samples_[sample].position, {positions_[a], positions_[b], positions_[c]})
+        .distance2;
   }
 
   /// Of an edge that is halved, the same vertex for all pieces there.
@@ -215,14 +238,14 @@ class Fitting {
     const Vec3 p = positions_[std::min(a, b)], q = positions_[std::max(a, b)];
     positions_.push_back(geom::snapped(Vec3(0.5 * p + 0.5 * q)));
     h_.push_back(0.5 * h_[a] + 0.5 * h_[b]);
-    const double value = value_at(piece, middle(piece.at[e], piece.at[(e + 1) % 3]));
-    values_.push_back(geom::snapped(value, geom::coordinate_unit));
+    values_.push_back(geom::snapped(value_in_middle(piece, e), geom::coordinate_unit));
     return at->second;
   }
 
   const SplitSurface& fine_;
   const Table<VertexId, double>& fine_values_;
   FitOptions options_;
+  std::span<const SurfaceSample> samples_;
   VertexField fine_h_;
   Table<FacetId, Triangle> fine_at_;  ///< on their parents
   Table<VertexId, Vec3> positions_;
@@ -235,29 +258,13 @@ class Fitting {
 
 }  // namespace
 
-FittedParts fitted_parts(const TriMesh& mesh, const Sizing& sizing, const SplitFunction& function,
-                         const FitOptions& options) {
-  Fitting fitting(mesh, sizing, function, options);
-  while (fitting.refine()) {
-    const SplitSurface& split = function.split;
-    if (fitting.num_pieces() < split.mesh.num_facets()) continue;
-    return {{split.mesh, split.h, split.parents}, function.values};
-  }
-  return fitting.take(sizing.is_uniform());
-}
-
-void enter_parts(const SplitSurface& split, std::span<SurfaceSample> samples) {
-  for (SurfaceSample& x : samples) {
-    const auto parts = std::equal_range(split.parents.begin(), split.parents.end(), x.facet);
-    double least = std::numeric_limits<double>::infinity();
-    for (auto i = parts.first; i < parts.second; ++i) {
-      const FacetId t(static_cast<std::size_t>(i - split.parents.begin()));
-      const std::array<Vec3, 3> corners{split.mesh.corner(t, 0), split.mesh.corner(t, 1),
-                                        split.mesh.corner(t, 2)};
-      const double distance2 = geom::closest_point(x.position, corners).distance2;
-      if (distance2 < least) least = distance2, x.facet = t;
-    }
-  }
+std::optional<FittedParts> fitted_parts(const TriMesh& mesh, const Sizing& sizing,
+                                        const SplitFunction& function, const FitOptions& options,
+                                        std::span<SurfaceSample> samples) {
+  Fitting fitting(mesh, sizing, function, options, samples);
+  while (fitting.refine())
+    if (fitting.num_pieces() >= function.split.mesh.num_facets()) return {};
+  return fitting.take(sizing.is_uniform(), samples);
 }
 
 }  // namespace fpo

@@ -3,6 +3,7 @@
 // found on small facets, but are nearly linear over most of the surface; moves cost by the number of facets
 // that a cell meets.
 
+#include <optional>
 #include <span>
 
 #include "fpo/surface/split_facets.h"
@@ -28,14 +29,11 @@ struct FittedParts {
 /// The mesh that was split, its facets cut along the middles of their longest edges (Rivara 1984) until at
 /// each vertex of the split surface the function differs from its linear interpolation by no more than the
 /// tolerance, or edges are no longer than that. A neighbour is cut with them where they share an edge. The
-/// old vertices keep their ids; middles are rounded to the exact range (geom/mesh/scaling.h). It is the split
-/// surface itself if that has no more facets.
-/// O(parts log parts) of the split surface.
-FittedParts fitted_parts(const geom::TriMesh& mesh, const Sizing& sizing, const SplitFunction& function,
-                         const FitOptions& options);
-
-/// Samples of the old surface change to the facets of those parts that are nearest to them. O(parts of their
-/// facets).
-void enter_parts(const SplitSurface& split, std::span<SurfaceSample> samples);
+/// old vertices keep their ids; middles are rounded to the exact range (geom/mesh/scaling.h). Samples of the
+/// old surface change to the facets of those parts that they are on.
+/// Nothing if there would be no fewer parts than the split surface has. O(parts log parts) of that.
+std::optional<FittedParts> fitted_parts(const geom::TriMesh& mesh, const Sizing& sizing,
+                                        const SplitFunction& function, const FitOptions& options,
+                                        std::span<SurfaceSample> samples);
 
 }  // namespace fpo

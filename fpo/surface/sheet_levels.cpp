@@ -353,17 +353,23 @@ std::optional<SplitSurface> sheets_apart(const TriMesh& mesh, const Sizing& sizi
                                          std::span<SurfaceSample> samples, const SheetOptions& options) {
   const double most = static_cast<double>(mesh.num_facets()) + most_parts * num_samples(mesh, sizing);
   if (!(most < 1e9)) return {};
-  const SplitSurface split =
-      split_long_edges(mesh, sizing, options.longest, {}, static_cast<std::size_t>(most));
+  std::vector<SurfaceSample> on_split(samples.begin(), samples.end());
+  SplitSurface split =
+      split_long_edges(mesh, sizing, options.longest, on_split, static_cast<std::size_t>(most));
   if (static_cast<double>(split.mesh.num_facets()) > most) return {};
   std::vector<double> h(split.h.begin(), split.h.end());
   if (h.empty()) h.assign(split.mesh.num_vertices(), sizing.at(VertexId(0)));
-  const Table<VertexId, double> levels = SheetLevels(split.mesh, std::move(h), options).find();
+  Table<VertexId, double> levels = SheetLevels(split.mesh, std::move(h), options).find();
   if (levels.empty()) return {};
-  FittedParts fitted = fitted_parts(mesh, sizing, {split, levels}, {options.longest, options.tolerance});
-  fitted.surface.mesh = fitted.surface.mesh.with_levels(std::move(fitted.values));
-  enter_parts(fitted.surface, samples);
-  return std::move(fitted.surface);
+  if (std::optional<FittedParts> fitted =
+          fitted_parts(mesh, sizing, {split, levels}, {options.longest, options.tolerance}, samples)) {
+    split = std::move(fitted->surface);
+    levels = std::move(fitted->values);
+  } else {
+    std::ranges::copy(on_split, samples.begin());
+  }
+  split.mesh = split.mesh.with_levels(std::move(levels));
+  return split;
 }
 
 }  // namespace fpo
