@@ -223,8 +223,8 @@ std::unique_ptr<SurfaceDomain> make_room_for_thin_parts(std::unique_ptr<SurfaceD
   };
   OptimizeOptions once_more;
   once_more.max_iterations = options.iterations;
-  if (features.samples.size() * samples_for_one_fixed > best->num_samples())
-    once_more.least_gain = options.polishing_gain;
+  const bool has_many_fixed = features.samples.size() * samples_for_one_fixed > best->num_samples();
+  if (has_many_fixed) once_more.least_gain = options.polishing_gain;
   for (int round = 0; round < options.rounds && !enough() && !did_harm(); ++round) {
     if (!room.lower(*last, dual)) break;
     look_at(room.optimized(*last, once_more));
@@ -235,7 +235,8 @@ std::unique_ptr<SurfaceDomain> make_room_for_thin_parts(std::unique_ptr<SurfaceD
     dual = dual_of(*best, type, false, options.interrupted);
   }
   in_vain = 0;
-  for (int round = 0; round < stray_rounds && !enough() && !did_harm() && in_vain < patience; ++round) {
+  const int most_for_strays = has_many_fixed ? rounds_for_strays : stray_rounds;
+  for (int round = 0; round < most_for_strays && !enough() && !did_harm() && in_vain < patience; ++round) {
     if (round >= rounds_for_strays) room.lower(*last, dual);
     look_at(room.optimized(*last, once_more, true));
   }

@@ -145,7 +145,8 @@ class Fitting {
   void judge(Piece& piece) const {
     const std::size_t e = longest_edge(piece, {0, 1, 2});
     const double h = std::min(h_[piece.corners[e]], h_[piece.corners[(e + 1) % 3]]);
-    piece.fits = std::sqrt(length2(piece, e)) <= options_.longest * h || is_linear_on(piece);
+    const double length = std::sqrt(length2(piece, e));
+    piece.fits = length <= options_.longest * h || (length <= options_.largest * h && is_linear_on(piece));
   }
 
   bool is_linear_on(const Piece& piece) const {

@@ -16,9 +16,11 @@ struct SplitFunction {
   const geom::Table<geom::VertexId, double>& values;
 };
 
+/// In wanted lengths.
 struct FitOptions {
-  double longest;    ///< edge that is never halved, in wanted lengths
-  double tolerance;  ///< of the function, in wanted lengths
+  double longest;    ///< edge that is never halved
+  double largest;    ///< edge that is not halved where the function is linear
+  double tolerance;  ///< of the function
 };
 
 struct FittedParts {
@@ -28,7 +30,7 @@ struct FittedParts {
 
 /// The mesh that was split, its facets cut along the middles of their longest edges (Rivara 1984) until at
 /// each vertex of the split surface the function differs from its linear interpolation by no more than the
-/// tolerance, or edges are no longer than that. A neighbour is cut with them where they share an edge. The
+/// tolerance, or edges are short. A neighbour is cut with them where they share an edge. The
 /// old vertices keep their ids; middles are rounded to the exact range (geom/mesh/scaling.h). Samples of the
 /// old surface change to the facets of those parts that they are on.
 /// Nothing if there would be no fewer parts than the split surface has. O(parts log parts) of that.

@@ -361,8 +361,8 @@ std::optional<SplitSurface> sheets_apart(const TriMesh& mesh, const Sizing& sizi
   if (h.empty()) h.assign(split.mesh.num_vertices(), sizing.at(VertexId(0)));
   Table<VertexId, double> levels = SheetLevels(split.mesh, std::move(h), options).find();
   if (levels.empty()) return {};
-  if (std::optional<FittedParts> fitted =
-          fitted_parts(mesh, sizing, {split, levels}, {options.longest, options.tolerance}, samples)) {
+  if (std::optional<FittedParts> fitted = fitted_parts(
+          mesh, sizing, {split, levels}, {options.longest, options.largest, options.tolerance}, samples)) {
     split = std::move(fitted->surface);
     levels = std::move(fitted->values);
   } else {

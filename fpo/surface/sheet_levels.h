@@ -33,7 +33,8 @@ struct SheetOptions {
   double height = 1.4;     ///< between the levels of sheets
   double slope = 0.45;     ///< g
   double longest = 0.6;    ///< edge of the facets that levels are found on
-  double tolerance = 0.1;  ///< of levels that are linear on larger ones
+  double largest = 1;      ///< edge of those that they are kept on, if they are linear there
+  double tolerance = 0.1;  ///< but for this
 };
 
 /// The surface with levels, its facets parts of those of the old one; nothing if no places are in conflict,

@@ -136,7 +136,7 @@ void AabbTree::improve(const Item& item, const Vec3& x, Closest& best) {
 }
 
 // The tree is halved by count, so it has at most 32 levels, and each leaves one child on the stack.
-void AabbTree::search(const Vec3& x, Closest& best) const {
+void AabbTree::search(const Vec3& x, Closest& best, double enough) const {
   struct Waiting {
     std::size_t node;
     double distance2;
@@ -161,6 +161,7 @@ void AabbTree::search(const Vec3& x, Closest& best) const {
     for (std::int32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
       if (const Item& item = items_[static_cast<std::size_t>(k)]; distance2(item, x) <= best.distance2)
         improve(item, x, best);
+    if (best.distance2 < enough) return;
   }
 }
 
@@ -192,7 +193,7 @@ bool AabbTree::is_nearer(const Vec3& x, double distance2, FacetId hint) const {
   Closest best;
   best.distance2 = distance2;
   if (hint.valid()) improve(items_[slot_[hint]], x, best);
-  if (!(best.distance2 < distance2)) search(x, best);
+  if (!(best.distance2 < distance2)) search(x, best, distance2);
   return best.distance2 < distance2;
 }
 

@@ -61,7 +61,8 @@ class AabbTree {
   struct Ordering;
 
   void build(Ordering& ordering, std::size_t first, std::size_t last);
-  void search(const Vec3& x, Closest& best) const;
+  /// Ends when one is found whose squared distance is less than enough.
+  void search(const Vec3& x, Closest& best, double enough = -1) const;
   static double distance2(const Node& node, const Vec3& x);
   static double distance2(const Item& item, const Vec3& x);
   static void improve(const Item& item, const Vec3& x, Closest& best);

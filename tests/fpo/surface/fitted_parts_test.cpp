@@ -89,7 +89,7 @@ TEST_CASE("fitted parts: the same surface, and the function within its tolerance
     CAPTURE(surface.name);
     const TriMesh& mesh = surface.mesh;
     const double h = 0.05 * mesh.diagonal();
-    const FitOptions options{0.5, 0.1};
+    const FitOptions options{0.5, 1e9, 0.1};
     for (const bool adaptive : {false, true}) {
       VertexField lengths;
       for (const Vec3& p : mesh.vertices())
@@ -132,10 +132,24 @@ TEST_CASE("fitted parts: far fewer of a large facet whose function bends at one 
   const TriMesh mesh = fixtures::box(Vec3(1, 1, 1), 1);
   const Sizing sizing = Sizing::uniform(0.05);
   const SplitSurface fine = split_long_edges(mesh, sizing, 0.6, {});
-  const auto fitted = fitted_parts(mesh, sizing, {fine, values_at(fine.mesh, ridge)}, {0.6, 0.1}, {});
+  const auto fitted = fitted_parts(mesh, sizing, {fine, values_at(fine.mesh, ridge)}, {0.6, 1e9, 0.1}, {});
   REQUIRE(fitted);
   CHECK(fitted->surface.mesh.num_facets() > mesh.num_facets());
   CHECK(4 * fitted->surface.mesh.num_facets() < fine.mesh.num_facets());
+}
+
+TEST_CASE("fitted parts: no edge longer than the largest, wherever the function is linear") {
+  const TriMesh mesh = fixtures::box(Vec3(1, 1, 1), 1);
+  const Sizing sizing = Sizing::uniform(0.05);
+  const SplitSurface fine = split_long_edges(mesh, sizing, 0.6, {});
+  for (const double largest : {1.0, 4.0}) {
+    const auto fitted =
+        fitted_parts(mesh, sizing, {fine, values_at(fine.mesh, plane)}, {0.6, largest, 0.1}, {});
+    REQUIRE(fitted);
+    check_same_surface(mesh, fitted->surface);
+    CHECK_FALSE(has_long_edges(fitted->surface.mesh, sizing, largest));
+    CHECK(has_long_edges(fitted->surface.mesh, sizing, largest / 4));
+  }
 }
 
 TEST_CASE("fitted parts: samples come to the part of their facet that has them") {
@@ -147,7 +161,8 @@ TEST_CASE("fitted parts: samples come to the part of their facet that has them")
     const std::vector<SurfaceSample> before = random_samples(mesh, sizing, 200, 3);
     std::vector<SurfaceSample> samples = before;
     const SplitSurface fine = split_long_edges(mesh, sizing, 0.5, {});
-    const auto fitted = fitted_parts(mesh, sizing, {fine, values_at(fine.mesh, wave)}, {0.5, 0.02}, samples);
+    const auto fitted =
+        fitted_parts(mesh, sizing, {fine, values_at(fine.mesh, wave)}, {0.5, 1e9, 0.02}, samples);
     if (!fitted) {
       for (std::size_t i = 0; i < samples.size(); ++i) CHECK(samples[i].facet == before[i].facet);
       continue;
@@ -173,7 +188,7 @@ TEST_CASE("fitted parts: needles, and facets that share their sides") {
     const Sizing sizing = Sizing::uniform(1);
     const SplitSurface fine = split_long_edges(mesh, sizing, 0.6, {});
     for (const Function f : {ridge, wave, constant}) {
-      const auto fitted = fitted_parts(mesh, sizing, {fine, values_at(fine.mesh, f)}, {0.6, 0.1}, {});
+      const auto fitted = fitted_parts(mesh, sizing, {fine, values_at(fine.mesh, f)}, {0.6, 1e9, 0.1}, {});
       if (fitted) check_same_surface(mesh, fitted->surface);
       if (fitted)
         CHECK(fitted->surface.mesh.num_facets() < std::max(fine.mesh.num_facets(), mesh.num_facets() + 1));
