@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "fpo/surface/halved_edges.h"
 #include "geom/mesh/aabb_tree.h"
 #include "geom/mesh/scaling.h"
 
@@ -66,11 +67,9 @@ class Fitting {
         fine_values_(function.values),
         options_(options),
         samples_(samples),
-        positions_(mesh.vertices()) {
-    for (VertexId v(0); v.index() < mesh.num_vertices(); v = VertexId(v.value + 1)) {
-      h_.push_back(sizing.at(v));
+        edges_(mesh, sizing, options.longest) {
+    for (VertexId v(0); v.index() < mesh.num_vertices(); v = VertexId(v.value + 1))
       values_.push_back(fine_values_[v]);
-    }
     fine_h_ = fine_.h;
     if (fine_h_.empty()) fine_h_.assign(fine_.mesh.num_vertices(), sizing.at(VertexId(0)));
     for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
@@ -104,8 +103,8 @@ class Fitting {
       facets.push_back(piece.corners);
       result.surface.parents.push_back(piece.parent);
     }
-    result.surface.mesh = TriMesh(std::move(positions_), std::move(facets));
-    if (!uniform) result.surface.h = std::move(h_);
+    result.surface.mesh = TriMesh(edges_.take_positions(), std::move(facets));
+    if (!uniform) result.surface.h = edges_.take_lengths();
     result.values = std::move(values_);
     return result;
   }
@@ -131,11 +130,10 @@ class Fitting {
   }
 
   double length2(const Piece& piece, std::size_t e) const {
-    return (positions_[piece.corners[e]] - positions_[piece.corners[(e + 1) % 3]]).squaredNorm();
+    return edges_.length2(piece.corners[e], piece.corners[(e + 1) % 3]);
   }
   static std::uint64_t key(const Piece& piece, std::size_t e) {
-    const auto [low, high] = std::minmax(piece.corners[e], piece.corners[(e + 1) % 3]);
-    return static_cast<std::uint64_t>(low.value) << 32 | static_cast<std::uint64_t>(high.value);
+    return edge_key(piece.corners[e], piece.corners[(e + 1) % 3]);
   }
   std::size_t longest_edge(const Piece& piece, std::vector<std::size_t> edges) const {
     return *std::ranges::max_element(
@@ -143,10 +141,8 @@ class Fitting {
   }
 
   void judge(Piece& piece) const {
-    const std::size_t e = longest_edge(piece, {0, 1, 2});
-    const double h = std::min(h_[piece.corners[e]], h_[piece.corners[(e + 1) % 3]]);
-    const double length = std::sqrt(length2(piece, e));
-    piece.fits = length <= options_.longest * h || (length <= options_.largest * h && is_linear_on(piece));
+    const double excess = edges_.excess(piece.corners);  // over the longest
+    piece.fits = excess <= 1 || (excess * options_.longest <= options_.largest && is_linear_on(piece));
   }
 
   bool is_linear_on(const Piece& piece) const {
@@ -227,18 +223,16 @@ class Fitting {
 
   double distance2(std::size_t sample, const Piece& piece) const {
     const auto& [a, b, c] = piece.corners;
-    return geom::closest_point(samples_[sample].position, {positions_[a], positions_[b], positions_[c]})
-        .distance2;
+    const auto& at = edges_.positions();
+    return geom::closest_point(samples_[sample].position, {at[a], at[b], at[c]}).distance2;
   }
 
   /// Of an edge that is halved, the same vertex for all pieces there.
   VertexId middle_of(const Piece& piece, std::size_t e) {
-    const auto [at, is_new] = middles_.try_emplace(key(piece, e), positions_.next_id());
+    const auto [at, is_new] = middles_.try_emplace(key(piece, e), edges_.positions().next_id());
     if (!is_new) return at->second;
     const VertexId a = piece.corners[e], b = piece.corners[(e + 1) % 3];
-    const Vec3 p = positions_[std::min(a, b)], q = positions_[std::max(a, b)];
-    positions_.push_back(geom::snapped(Vec3(0.5 * p + 0.5 * q)));
-    h_.push_back(0.5 * h_[a] + 0.5 * h_[b]);
+    edges_.middle_within(std::min(a, b), std::max(a, b));
     values_.push_back(geom::snapped(value_in_middle(piece, e), geom::coordinate_unit));
     return at->second;
   }
@@ -249,8 +243,7 @@ class Fitting {
   std::span<const SurfaceSample> samples_;
   VertexField fine_h_;
   Table<FacetId, Triangle> fine_at_;  ///< on their parents
-  Table<VertexId, Vec3> positions_;
-  VertexField h_;
+  HalvedEdges edges_;
   Table<VertexId, double> values_;
   std::vector<Piece> pieces_;
   std::unordered_set<std::uint64_t> halved_;             ///< edges, by their ends

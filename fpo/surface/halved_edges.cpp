@@ -10,6 +10,11 @@ namespace fpo {
 using geom::Vec3;
 using geom::VertexId;
 
+std::uint64_t edge_key(VertexId a, VertexId b) {
+  const auto [low, high] = std::minmax(a, b);
+  return static_cast<std::uint64_t>(low.value) << 32 | static_cast<std::uint64_t>(high.value);
+}
+
 HalvedEdges::HalvedEdges(const geom::TriMesh& mesh, const Sizing& sizing, double most)
     : positions_(mesh.vertices()), most_(most) {
   for (VertexId v(0); v.index() < positions_.size(); v = VertexId(v.value + 1)) h_.push_back(sizing.at(v));
@@ -26,10 +31,8 @@ double HalvedEdges::excess(const geom::TriMesh::Facet& f) const {
 
 VertexId HalvedEdges::middle(VertexId a, VertexId b) {
   if (!is_long(a, b)) return {};
-  const auto [low, high] = std::minmax(a, b);
-  const auto key = static_cast<std::uint64_t>(low.value) << 32 | static_cast<std::uint64_t>(high.value);
-  const auto [at, is_new] = middles_.try_emplace(key, positions_.next_id());
-  if (is_new) middle_within(low, high);
+  const auto [at, is_new] = middles_.try_emplace(edge_key(a, b), positions_.next_id());
+  if (is_new) middle_within(std::min(a, b), std::max(a, b));
   return at->second;
 }
 

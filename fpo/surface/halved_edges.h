@@ -8,6 +8,9 @@
 
 namespace fpo {
 
+/// The same for both directions of an edge.
+std::uint64_t edge_key(geom::VertexId a, geom::VertexId b);
+
 /// Long: more than `most` times the smaller of the wanted lengths at the ends. Middles are rounded to the
 /// exact range (geom/mesh/scaling.h), and the wanted length there is the mean of those at the ends.
 class HalvedEdges {
