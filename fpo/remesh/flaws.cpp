@@ -23,6 +23,7 @@ constexpr double drift = 1e-9;     // penalty is a running sum
 constexpr std::array<double, 4> nudges = {0.01, 0.02, 0.04, 0.08};  // in units of h
 constexpr int directions = 12;
 constexpr double least_nudge_gain = 1e-3;  // of the penalty
+constexpr double as_good = 1e-9;           // of what a nudge must come below: which sums round off
 
 }  // namespace
 
@@ -208,6 +209,7 @@ bool LocalResampling::nudge(std::span<const SiteId> corners) {
 
 bool LocalResampling::nudge(std::span<const Trial> trials, const CostBelow& cost, double least) {
   remember_penalties();
+  const double same = as_good * least;
   std::optional<Backup> best;
   for (std::size_t i = 0; i < trials.size();) {
     const SiteId x = trials[i].sample;
@@ -216,7 +218,7 @@ bool LocalResampling::nudge(std::span<const Trial> trials, const CostBelow& cost
       move({x, trials[i].place, home.weight_share});
       const double now = cost(least);
       if (now >= least || !fits(x)) continue;
-      least = now;
+      least = now - same;  // of equals the first
       best = backup(x);
     }
     move(home);

@@ -31,7 +31,7 @@ bool CellProof::prove_inserted(const Place& place) {
   const Vec3& position = around_.site().position;
   reach_ = power_bound_at_corners();
   const double own = state.distance_at(reach_, around_.p);
-  if (!has_no_stranger(ampler * own)) return false;
+  if (!has_no_stranger(ampler * own, are_corners_level())) return false;
   const double all = state.distance_at(std::max(reach_, state.reach.largest()), around_.p);
   const bool is_all_near = around_.on_sheet && around_.sheet.covers(position, all);
   far_rivals_.clear();
@@ -94,11 +94,10 @@ bool CellProof::prove_present() {
   around_.see_rim();
   corners_.clear();
   for (const CircleId c : around_.rim.inside())
-    corners_.push_back(
-        {state.circles[c].facet, {state.circles[c].center, 2 * state.clipper.most_tolerance()}});
+    corners_.push_back({state.circles[c].facet, around_.on_surface(state.circles[c])});
   const double known = state.distance_at(state.reach[p], p);
   reach_ = power_bound_at_corners();
-  if (!has_no_stranger(ampler * state.distance_at(reach_, p))) return false;
+  if (!has_no_stranger(ampler * state.distance_at(reach_, p), are_corners_level())) return false;
   around_.on_sheet = known <= widest * state.distance_at(reach_, p) && around_.chart_around(known) &&
                      enclose_on_sheet(known);
   return around_.on_sheet || (trace(state.home[p]) && single_.is_all(reach_, known));
@@ -118,8 +117,8 @@ bool CellProof::find_corners() {
     const AxisPlace place =
         around_.meeting({around_.p, rim[j], rim[rim.next(j)]}, state.circles[rim.inner(j)].facet);
     if (!place.facet.valid()) return false;
-    const RoundedPoint& point = place.point;
-    around_.frame.evaluate(point.position - around_.frame.origin().position, point.tolerance, values);
+    const SurfacePoint point = around_.on_surface(place.facet, place.point);
+    around_.frame.evaluate(around_.frame.place_of(point), point.off, values);
     if (values.num_not_farther(p) > most_near) return false;
     corners_.push_back({place.facet, point});
   }
@@ -155,16 +154,14 @@ bool CellProof::may_beat_unreached() {
 
 /// Of p at the corners of its cell. Sets far2_.
 double CellProof::power_bound_at_corners() {
-  const Vec3& position = around_.site().position;
+  const WeightedPoint3& site = around_.site();
   double most = 0;
   far2_.clear();
   for (const Corner& corner : corners_) {
-    const double dx = corner.point.position[0] - position[0], dy = corner.point.position[1] - position[1],
-                 dz = corner.point.position[2] - position[2];
-    far2_.push_back(dx * dx + dy * dy + dz * dz);
+    far2_.push_back(around_.distance2(corner.point, site));
     most = std::max(most, far2_.back());
   }
-  return around_.with_tolerance(most) - around_.site().weight;
+  return around_.with_tolerance(most) - site.weight;
 }
 
 /// Those who may lose something farther from p than that, the farthest first.
@@ -223,10 +220,10 @@ bool CellProof::enclose_on_sheet(double distance) {
     return false;
   link_.clear();
   for (int j = 0; j < rim.size(); ++j)
-    link_.push_back({around_.frame.offset(j) - middle, Frame::constant(around_.site(j), site)});
+    link_.push_back({around_.frame.offset(j) - middle, Frame::seen(around_.site(j), site).c});
   if (!Sheets::has_one_component(around_.sheet, own, link_)) return false;
   reach_ = own2 - site.weight;
-  return (own <= kept_radius_ || has_no_stranger(own)) &&
+  return (own <= kept_radius_ || has_no_stranger(own, true)) &&
          around_.leaves_strangers_out({around_.spokes, rim.size(), 1}, radius);
 }
 
@@ -237,7 +234,7 @@ bool CellProof::trace(FacetId home) {
   around_.see_rim();
   facets_.clear();
   for (const Corner& corner : corners_) facets_.push_back(corner.facet);
-  if (!flood.trace(facets_, false) || !flood.facets().has(home) || !around_.is_flood_level()) return false;
+  if (!flood.trace(facets_, false) || !flood.facets().has(home)) return false;
   for (int j = 0; j < rim.size(); ++j) {
     const FacetId t = facets_[static_cast<std::size_t>(j)];
     if (!flood.add_end(t, j, Frame::none) || !flood.add_end(t, rim.next(j), Frame::none)) return false;
@@ -246,29 +243,34 @@ bool CellProof::trace(FacetId home) {
   const WeightedPoint3& site = around_.site();
   double radius2 = flood.radius2();
   for (const Corner& corner : corners_) {
-    const double far = (corner.point.position - site.position).norm() + corner.point.tolerance;
+    const double far = std::sqrt(around_.distance2(corner.point, site)) + corner.point.off;
     radius2 = std::max(radius2, far * far);
   }
   reach_ = radius2 * more - site.weight;
-  return has_no_stranger(std::sqrt(radius2 * more));
+  return has_no_stranger(std::sqrt(radius2 * more), around_.is_flood_level());
+}
+
+/// Are the corners in facets of the level that all sites of the frame have?
+bool CellProof::are_corners_level() const {
+  return !around_.state.has_levels ||
+         std::ranges::all_of(corners_, [&](const Corner& corner) { return around_.is_level(corner.facet); });
 }
 
 /// Are the sites beyond the rim farther at all corners of the cell, and at those of the flood? The cell is in
-/// that ball.
-bool CellProof::has_no_stranger(double radius) {
+/// that ball, and has one level or not.
+bool CellProof::has_no_stranger(double radius, bool is_level) {
   const WeightedPoint3& site = around_.site();
-  const Vec3& origin = around_.frame.origin().position;
+  const Frame& frame = around_.frame;
   Strangers& strangers = around_.strangers;
   kept_radius_ = radius;
   strangers.find_rivals(around_.p, site.position, radius);
-  strangers.keep_near(around_.frame, around_.p, around_.rim.sites(), {site.position - origin, radius},
-                      around_.self);
+  const Strangers::Ball ball{frame.place_of({site.position, site.level, 0}), radius, is_level};
+  strangers.keep_near(frame, around_.p, around_.rim.sites(), ball, around_.self);
   if (strangers.kept().empty()) return true;
-  const auto is_p_nearest = [&](const Vec3& z, double off) { return strangers.are_beyond(z, site, off); };
-  return std::ranges::all_of(
-             corners_, [&](const Corner& c) { return is_p_nearest(c.point.position, c.point.tolerance); }) &&
+  const auto is_p_nearest = [&](const SurfacePoint& z) { return strangers.are_beyond(z, site); };
+  return std::ranges::all_of(corners_, [&](const Corner& c) { return is_p_nearest(c.point); }) &&
          std::ranges::all_of(around_.flood.corners(),
-                             [&](const Flood::Corner& c) { return is_p_nearest(c.y + origin, c.tolerance); });
+                             [&](const Flood::Corner& c) { return is_p_nearest(around_.on_surface(c)); });
 }
 
 }  // namespace geom

@@ -21,7 +21,7 @@ class CellProof {
   /// A corner of the cell, between rim sites j and j + 1.
   struct Corner {
     FacetId facet;
-    RoundedPoint point;
+    SurfacePoint point;
   };
   /// The new place of around.p, which is not in the search there.
   struct Place {
@@ -50,7 +50,8 @@ class CellProof {
   double distance_to_search(double near, const WeightedPoint3& old);
   bool enclose_on_sheet(double distance);
   bool trace(FacetId home);
-  bool has_no_stranger(double radius);
+  bool are_corners_level() const;
+  bool has_no_stranger(double radius, bool is_level);
 
   Surroundings& around_;
   Losses losses_;

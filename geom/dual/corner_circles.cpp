@@ -52,12 +52,12 @@ bool CornerCircles::find_of_any(const Polygon& polygon, std::size_t corner, Empt
 }
 
 EmptyCircle CornerCircles::circle_of(const std::array<SiteId, 3>& sites, FacetId facet,
-                                     const RoundedPoint& place) const {
+                                     const Vec3& place) const {
   EmptyCircle circle;
   circle.facet = facet;
   circle.sites = sites;
   circle.sort_counterclockwise();
-  center(circle, place.position);
+  center(circle, place);
   return circle;
 }
 

@@ -33,7 +33,7 @@ class CornerCircles {
   /// The same whichever of its cells registers it; a B corner still in the smaller facet only.
   bool find_of_any(const Polygon& polygon, std::size_t corner, EmptyCircle& out) const;
   /// The circle of three sites, counterclockwise, at that place.
-  EmptyCircle circle_of(const std::array<SiteId, 3>& sites, FacetId facet, const RoundedPoint& place) const;
+  EmptyCircle circle_of(const std::array<SiteId, 3>& sites, FacetId facet, const Vec3& place) const;
   /// A circle as a corner of the cell of its first site. `tolerance`: of its center.
   CellCorner corner_of(const EmptyCircle& circle, double tolerance) const;
   /// Center and radius2 of a circle in the facet that touches the site. The corner is rounded; a site may

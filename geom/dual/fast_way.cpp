@@ -63,17 +63,16 @@ void FastWay::name_rim(DualChange& change) const {
 bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, DualChange& change) {
   const SiteId p = around_.p;
   const WeightedPoint3 old = state_.sites[p];
-  if (point.level != old.level || (point.weight != old.weight && state_.leeways.is_in_use())) return false;
+  if (point.weight != old.weight && state_.leeways.is_in_use()) return false;
   state_.search.allow(point.weight);
   Frame& frame = around_.frame;
   const Rim& rim = around_.rim;
   frame.add(point);
   around_.vertices.follow();
   around_.self = rim.size();
-  const Vec3 d = frame.offset(around_.self);
-  const double c = frame.constant(around_.self);
+  const Frame::Seen seen = frame.seen(around_.self);
   for (const Hole::Triangle& triangle : hole_.triangles())
-    if (!frame.difference(triangle.values, d, c, triangle.corners[0]).negative()) return false;
+    if (!frame.difference(triangle.values, seen, triangle.corners[0]).negative()) return false;
   state_.sites[p] = point;
   const FacetId home = hole_.triangles()[circle].facet;
   if (!prove_in_place(home, old)) {
@@ -101,10 +100,9 @@ bool FastWay::prove_in_place(FacetId home, const WeightedPoint3& old) {
   if (!around_.leeway && cell_.beats_outer_circle()) return false;
   hole_corners_.clear();
   for (const Flood::Corner& corner : around_.flood.corners())
-    hole_corners_.push_back(
-        {corner.y + old.position, around_.frame.power(corner.y, corner.site), corner.tolerance});
+    hole_corners_.push_back({around_.on_surface(corner), around_.frame.power(corner.at, corner.site)});
   around_.flood.clear();
-  const double way = around_.frame.offset(around_.self).norm();
+  const double way = around_.frame.offset(around_.self).norm() + std::abs(around_.frame.rise(around_.self));
   const double least_distance =
       (state_.distance_at(reach(), around_.p) + way) * more;  // the hole is in this ball
   return cell_.prove_new({home, old, least_distance});
@@ -119,7 +117,7 @@ void FastWay::raise_reaches(const WeightedPoint3& old) {
     const SiteId left = rim[j], right = rim[rim.next(j)];
     state_.reach.raise(left, around_.on_sheet ? cell_.arcs()[static_cast<std::size_t>(j)] : cell_.reach());
     const EmptyCircle& was = state_.circles[rim.inner(j)];
-    if (geom::power(was.center, site) <= was.radius2) continue;  // else the edge goes on inwards
+    if (around_.power_at(around_.on_surface(was), site) <= was.radius2) continue;  // else the edge goes on inwards
     const CellProof::Corner& is = cell_.corners()[static_cast<std::size_t>(j)];
     const Vec3 &start = was.center, &end = is.point.position;
     const WeightedPoint3 &of_left = state_.sites[left], &of_right = state_.sites[right];
@@ -135,10 +133,10 @@ void FastWay::raise_reaches(const WeightedPoint3& old) {
   }
   if (hole_.is_on_sheet()) return;
   double power = std::max(reach(), cell_.reach());
-  for (const auto& [z, without_p, off] : hole_corners_)
-    if (geom::power(z, site) > without_p) {
+  for (const auto& [z, without_p] : hole_corners_)
+    if (around_.power_at(z, site) > without_p) {
       const double weight = -old.weight;  // any will do: the power is turned into a distance and back
-      const double far = std::sqrt(std::max(0.0, without_p - weight)) + off;
+      const double far = std::sqrt(std::max(0.0, without_p - weight)) + z.off;
       power = std::max(power, far * far * more + weight);
     }
   for (const SiteId r : rim.sites()) state_.reach.raise(r, power);
@@ -156,7 +154,7 @@ bool FastWay::insert(SiteId p, const WeightedPoint3& point, FacetId home, Circle
   if (!around_.rim.find_conflict(state_, point, first)) return false;
   double far2 = 0;
   for (const CircleId c : around_.rim.inside())
-    far2 = std::max(far2, (state_.circles[c].center - point.position).squaredNorm());
+    far2 = std::max(far2, around_.distance2(around_.on_surface(state_.circles[c]), point));
   if (!cell_.prove_new({home, point, std::sqrt(around_.with_tolerance(far2))})) return false;
   erase_inside(change);
   make_star(change);
@@ -176,7 +174,7 @@ void FastWay::make_star(DualChange& change) {
   for (int j = 0; j < rim.size(); ++j) {
     const CellProof::Corner& corner = cell_.corners()[static_cast<std::size_t>(j)];
     change.circles_created.push_back(state_.circles.create(
-        state_.corners.circle_of({around_.p, rim[j], rim[rim.next(j)]}, corner.facet, corner.point)));
+        state_.corners.circle_of({around_.p, rim[j], rim[rim.next(j)]}, corner.facet, corner.point.position)));
   }
   const auto id = [&](int j) { return change.circles_created[created + static_cast<std::size_t>(j)]; };
   for (int j = 0; j < rim.size(); ++j) {

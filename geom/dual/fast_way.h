@@ -32,8 +32,8 @@
 //     two. That site has none on this border: irregular as well, and if it has no circle at all the general
 //     way is taken, which finds out whether it is hidden.)
 //
-// Where the surface has levels (levels.h) all facets and sites of this must have one; other sites are taken
-// as they are seen from there.
+// Where the surface has levels (levels.h) tracing takes four coordinates where it has three; by the shape of a
+// sheet is proven only what has one level, where other sites are taken as they are seen from there.
 //
 // False, from any of these, means: not certain, nothing is done.
 
@@ -98,8 +98,8 @@ class FastWay {
   CellProof cell_;
   bool had_leeway_ = false;
   struct HoleCorner {
-    Vec3 place;
-    double power, tolerance;
+    SurfacePoint place;
+    double power;
   };
   std::vector<HoleCorner> hole_corners_;  // workspace
 };

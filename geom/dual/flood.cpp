@@ -69,12 +69,17 @@ bool Flood::add_point(const FrameVertices::Vertex& u, const FrameVertices::Verte
   const double difference = std::abs(fu - fv), error = 4 * (u.error + v.error);
   if (!(difference > 4 * error)) return false;
   const double t = std::clamp(std::abs(fu) / difference, 0.0, 1.0);
-  const Vec3 along = v.y - u.y, y = u.y + t * along;
-  const double tolerance = (2 * error / difference + 0x1p-48) * along.lpNorm<1>() + 0x1p-48 * u.y.lpNorm<1>();
+  const Vec3 along = v.y - u.y;
+  const double rise = v.rise - u.rise;
+  const Frame::Place at{u.y + t * along, u.rise + t * rise};
+  const double off = (2 * error / difference + 0x1p-48) * (along.lpNorm<1>() + std::abs(rise)) +
+                     0x1p-48 * (u.y.lpNorm<1>() + std::abs(u.rise));
   const bool is_border = j == Frame::none;
-  if (is_border) radius2_ = std::max(radius2_, y.squaredNorm() + tolerance * (2 * y.lpNorm<1>() + tolerance));
+  if (is_border)
+    radius2_ =
+        std::max(radius2_, at.squaredNorm() + off * (2 * (at.y.lpNorm<1>() + std::abs(at.rise)) + off));
   if (is_border && division_) return true;
-  corners_.add({y, tolerance, is_border ? Frame::none : i});
+  corners_.add({at, off, is_border ? Frame::none : i});
   on_edge_.add({i, j, ends_.add_point()});
   return true;
 }
@@ -85,8 +90,8 @@ bool Flood::add_new_vertex(FrameVertices::Slot s) {
   const FrameVertices::Vertex& v = vertices_[s];
   const int nearest = division_ ? vertices_.nearest(v) : Frame::none;
   if (nearest < 0) return false;
-  radius2_ = std::max(radius2_, v.y.squaredNorm());
-  corners_.add({v.y, 0, nearest});
+  radius2_ = std::max(radius2_, v.squaredNorm());
+  corners_.add({v, 0, nearest});
   return true;
 }
 

@@ -60,9 +60,9 @@ class Flood {
   /// A corner on the surface's edges: a vertex, or a point on an edge. Of the division, if that was asked
   /// for, else of the cell.
   struct Corner {
-    Vec3 y;            ///< from the origin; for B rounded, off by at most
-    double tolerance;  ///< this
-    int site;          ///< nearest after removal; of a corner of the cell itself none
+    Frame::Place at;  ///< for B rounded
+    double off;       ///< at most so far is it off
+    int site;         ///< nearest after removal; of a corner of the cell itself none
   };
   std::span<const Corner> corners() const { return corners_.items(); }
   /// The farthest corner of the cell, B or A, squared; a bound, with room for rounding.

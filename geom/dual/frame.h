@@ -7,7 +7,8 @@
 //
 //     g_i(z) = Pi(z, p_i) - Pi(z, p) = c_i - 2 d_i.y,      c_i = |d_i|^2 - (w_i - w),
 //
-// affine in z. What decides is the sign of a g_i, of a difference of two, and of 2 x 2 determinants of such
+// affine in z. Where the surface has levels (levels.h) a location and a site have a fourth coordinate: what is
+// said here is of four, and `rise` is the fourth of y and of d_i. What decides is the sign of a g_i, of a difference of two, and of 2 x 2 determinants of such
 // values.
 //
 // Errors. Let u = 2^-53. The components of d and y are rounded differences of doubles, off by u relatively.
@@ -26,6 +27,10 @@
 //
 // A determinant M = a b' - a' b of values at two vertices, each off by at most E at the one and E' at the
 // other, is off by E (|b'| + |a'|) + E' (|a| + |b|) + 2 E E' + 3u (|a b'| + |a' b|) at most.
+//
+// With levels the rises are a fourth term of each sum: |d|^2 is off by 6u |d|^2 then, c by u (8 |d|^2 +
+// 2 |dw|), and twice the product of two rises by 6u of itself; subtracting it last adds u (|d|^2 + |dw| + 4 |d|
+// |y|). All is less than 1.5 e, which is taken where not all sites have one level.
 //
 // Underflow does not count: coordinates and weights are in the valid range of predicates.h, whose products of
 // two lengths do not underflow.
@@ -47,14 +52,29 @@ class Frame {
   /// They are numbered 0, 1, ... Values that are known already lack it.
   void add(const WeightedPoint3& site);
   int size() const { return size_; }
+  /// Have all sites the level of the origin? Then the rise of a location does not matter.
+  bool is_level() const { return is_level_; }
   /// d_i and c_i; beyond size(): no site, at infinity.
   struct Coefficients {
     alignas(64) double dx[most], dy[most], dz[most], c[most];
+    double rise[most];
+  };
+  /// A location, and a site, from the origin.
+  struct Place {
+    Place() = default;
+    Place(const Vec3& y, double rise = 0) : y(y), rise(rise) {}
+    Vec3 y;
+    double rise;
+    double squaredNorm() const { return y.squaredNorm() + rise * rise; }
+  };
+  struct Seen {
+    Vec3 d;
+    double c;
+    double rise = 0;
   };
 
-  /// The values g_i at a location y, and their error e.
-  struct Values {
-    Vec3 y;
+  /// The values g_i at a location, and their error e.
+  struct Values : Place {
     double error;
     int size;            ///< of the frame
     double g[most + 1];  ///< of no site: very much; the last one is that of the origin: 0
@@ -74,34 +94,39 @@ class Frame {
   };
   /// The number of the origin as a site, and that of no site.
   static constexpr int none = most, nobody = -1;
-  void evaluate(const Vec3& y, double off, Values& out) const;
-  /// Is a site given by its d and c surely farther than one of these in all of the ball? `first`: the one
-  /// that is tried first, if any; it may be the origin.
-  bool is_behind(const Vec3& d, double c, const Vec3& center, double radius, int first) const;
+  void evaluate(const Place& at, double off, Values& out) const;
+  /// Is a site surely farther than one of these in all of the ball? `first`: the one that is tried first, if
+  /// any; it may be the origin.
+  bool is_behind(const Seen& site, const Place& center, double radius, int first) const;
   /// The same, of each location of the ball, by the nearer one of two sites with successive numbers.
-  bool is_behind_two(const Vec3& d, double c, const Vec3& center, double radius) const;
-  /// Of a site given by its d and c.
-  Sure difference(const Values& at, const Vec3& d, double c, int j) const;
+  bool is_behind_two(const Seen& site, const Place& center, double radius) const;
+  Sure difference(const Values& at, const Seen& site, int j) const;
 
-  /// d_i, c_i, and the power of the location y to site i.
+  /// d_i, c_i, and the power of the location to site i.
   Vec3 offset(int i) const { return i == none ? Vec3(0, 0, 0) : Vec3(of_.dx[i], of_.dy[i], of_.dz[i]); }
   double constant(int i) const { return i == none ? 0 : of_.c[i]; }
-  static Vec3 offset(const WeightedPoint3& site, const WeightedPoint3& origin) {
-    return site.position - origin.position;
+  double rise(int i) const { return i == none ? 0 : of_.rise[i]; }
+  Seen seen(int i) const { return {offset(i), constant(i), rise(i)}; }
+  static Seen seen(const WeightedPoint3& site, const WeightedPoint3& origin) {
+    const Vec3 d = site.position - origin.position;
+    const double rise = site.level - origin.level;
+    return {d, d.squaredNorm() + rise * rise - (site.weight - origin.weight), rise};
   }
-  static double constant(const WeightedPoint3& site, const WeightedPoint3& origin) {
-    return (site.position - origin.position).squaredNorm() - (site.weight - origin.weight);
+  Place place_of(const SurfacePoint& z) const {
+    return {z.position - origin_.position, z.level - origin_.level};
   }
-  double power(const Vec3& y, int i) const {
-    return y.squaredNorm() - origin_.weight + (constant(i) - 2 * offset(i).dot(y));
+  double power(const Place& at, int i) const {
+    return at.squaredNorm() - origin_.weight +
+           (constant(i) - 2 * (offset(i).dot(at.y) + rise(i) * at.rise));
   }
   const WeightedPoint3& origin() const { return origin_; }
 
  private:
-  double error_at(const Vec3& twice_y) const;
+  double error_at(const Vec3& twice_y, double twice_rise) const;
 
   WeightedPoint3 origin_{{0, 0, 0}, 0};
   int size_ = 0;
+  bool is_level_ = true;
   double largest2_ = 0, largest_ = 0, heaviest_ = 0;  ///< |d|^2, |d|, |dw|
   Coefficients of_;
 };

@@ -7,7 +7,7 @@ namespace geom {
 
 void FrameVertices::follow() {
   for (std::size_t k = 0; k < vertices_.size(); ++k) {
-    frame_.evaluate(vertices_[k].y, 0, vertices_[k]);
+    frame_.evaluate(Frame::Place(vertices_[k]), 0, vertices_[k]);
     vertices_[k].has_signs = false;
   }
 }
@@ -17,7 +17,7 @@ FrameVertices::Slot FrameVertices::evaluate(VertexId v) {
   slot_of_[v] = slot;
   Vertex& out = vertices_.add();
   out.id = v;
-  frame_.evaluate(mesh_.position(v) - frame_.origin().position, 0, out);
+  frame_.evaluate(frame_.place_of({mesh_.position(v), mesh_.level(v), 0}), 0, out);
   out.has_signs = false;
   return slot;
 }

@@ -24,7 +24,7 @@ bool Hole::plan() {
     const auto& [a, b, c] = triangle.corners;
     const Rim& rim = around_.rim;
     circles_.push_back(
-        around_.state.corners.circle_of({rim[a], rim[b], rim[c]}, triangle.facet, triangle.point));
+        around_.state.corners.circle_of({rim[a], rim[b], rim[c]}, triangle.facet, triangle.point.position));
     max_radius2_ = std::max(max_radius2_, circles_.back().radius2);
   }
   return true;
@@ -49,10 +49,9 @@ void Hole::cancel() {
 bool Hole::chart_star() {
   const DualState& state = around_.state;
   const SiteId p = around_.p;
-  const WeightedPoint3& site = around_.site();
   double range = state.reach[p];  // that the new cell will do with, too
   for (const SiteId r : around_.rim.sites()) range = std::max(range, state.reach[r]);
-  const Sheet* sheet = around_.sheets.around(p, {site.position, site.level}, state.distance_at(range, p));
+  const Sheet* sheet = around_.sheet_around(state.distance_at(range, p));
   if (!sheet) return false;
   around_.chart_sites(*sheet);
   return true;
@@ -96,7 +95,7 @@ bool Hole::prove_with_leeway() {
   const double own = state.distance_at(reach_, around_.p);
   max_radius2_ = std::max(reach_, around_.leeway->power);
   const auto is_proven = [&](const Triangle& t) {
-    return t.values.y.squaredNorm() <= own * own &&
+    return t.values.squaredNorm() <= own * own &&
            around_.are_kept_beyond(t.point, around_.site(t.corners[0]));
   };
   if (own <= room && std::ranges::all_of(triangles(), is_proven)) return true;
@@ -150,7 +149,7 @@ bool Hole::bound_on_sheet() {
   const double own = state.distance_at(reach_, around_.p);
   if (!around_.sheet.covers(site.position, own)) return false;
   for (const Triangle& triangle : triangles())
-    if (!(triangle.values.y.squaredNorm() <= own * own)) return false;
+    if (!(triangle.values.squaredNorm() <= own * own)) return false;
   const Chart::Gain most = around_.chart.most_gain(rim.size(), own, site.weight, state.search.heaviest());
   max_radius2_ = std::max(reach_, most.power);
   range_ = most.range;
@@ -164,7 +163,7 @@ bool Hole::trace() {
   Flood& flood = around_.flood;
   facets_.clear();
   for (const CircleId c : rim.inside()) facets_.push_back(state.circles[c].facet);
-  if (!flood.trace(facets_, true) || !around_.is_flood_level()) return false;
+  if (!flood.trace(facets_, true)) return false;
   for (const Triangle& triangle : triangles()) {
     const auto& [a, b, c] = triangle.corners;
     if (!flood.add_end(triangle.facet, a, b) || !flood.add_end(triangle.facet, b, c) ||
@@ -177,15 +176,15 @@ bool Hole::trace() {
   const WeightedPoint3& site = around_.site();
   double radius2 = flood.radius2();
   for (const CircleId c : rim.inside())
-    radius2 = std::max(radius2, (state.circles[c].center - site.position).squaredNorm());
+    radius2 = std::max(radius2, around_.distance2(around_.on_surface(state.circles[c]), site));
   reach_ = radius2 * more - site.weight;
   max_radius2_ = reach_;
   for (const Triangle& triangle : triangles())
-    max_radius2_ = std::max(max_radius2_, power(triangle.point.position, around_.site(triangle.corners[0])));
+    max_radius2_ = std::max(max_radius2_, around_.power_at(triangle.point, around_.site(triangle.corners[0])));
   for (const Flood::Corner& corner : flood.corners()) {
     const double weight = around_.site(corner.site).weight;
     const double far =
-        std::sqrt(std::max(0.0, around_.frame.power(corner.y, corner.site) + weight)) + corner.tolerance;
+        std::sqrt(std::max(0.0, around_.frame.power(corner.at, corner.site) + weight)) + corner.off;
     max_radius2_ = std::max(max_radius2_, far * far * more - weight);
   }
   return true;
@@ -198,17 +197,16 @@ bool Hole::has_no_stranger() {
   const double radius = around_.state.distance_at(reach_, around_.p);
   const Vacancy hole{around_.p, site.position, radius, max_radius2_ + 1e-9 * std::abs(max_radius2_)};
   strangers.find_heirs(hole, around_.on_sheet ? range_ : infinity);
-  strangers.keep_near(around_.frame, around_.p, around_.rim.sites(), {Vec3(0, 0, 0), radius}, Frame::nobody);
+  const Strangers::Ball ball{Vec3(0, 0, 0), radius, around_.on_sheet || around_.is_flood_level()};
+  strangers.keep_near(around_.frame, around_.p, around_.rim.sites(), ball, Frame::nobody);
   if (strangers.kept().empty()) return true;
-  const auto is_empty = [&](const Vec3& z, int nearest, double off) {
-    return strangers.are_beyond(z, around_.site(nearest), off);
+  const auto is_empty = [&](const SurfacePoint& z, int nearest) {
+    return strangers.are_beyond(z, around_.site(nearest));
   };
   return std::ranges::all_of(triangles(),
-                             [&](const Triangle& t) {
-                               return is_empty(t.point.position, t.corners[0], t.point.tolerance);
-                             }) &&
+                             [&](const Triangle& t) { return is_empty(t.point, t.corners[0]); }) &&
          std::ranges::all_of(around_.flood.corners(), [&](const Flood::Corner& corner) {
-           return is_empty(corner.y + site.position, corner.site, corner.tolerance);
+           return is_empty(around_.on_surface(corner), corner.site);
          });
 }
 

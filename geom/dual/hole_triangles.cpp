@@ -131,9 +131,8 @@ bool HoleTriangles::find_circle(Triangle& triangle, FacetId start) {
   const AxisPlace place = around_.meeting({around_.rim[a], around_.rim[b], around_.rim[c]}, start);
   if (!place.facet.valid()) return false;
   triangle.facet = place.facet;
-  triangle.point = place.point;
-  around_.frame.evaluate(triangle.point.position - around_.frame.origin().position, triangle.point.tolerance,
-                         triangle.values);
+  triangle.point = around_.on_surface(place.facet, place.point);
+  around_.frame.evaluate(around_.frame.place_of(triangle.point), triangle.point.off, triangle.values);
   return true;
 }
 

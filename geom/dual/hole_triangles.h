@@ -18,7 +18,7 @@ class HoleTriangles {
     /// Opposite to each corner: a triangle of the hole, or -1 - the edge of the rim from that place on.
     std::array<int, 3> beyond;
     FacetId facet;
-    RoundedPoint point;
+    SurfacePoint point;
     Frame::Values values;  ///< there
   };
 

@@ -30,6 +30,12 @@ inline Sure lead_of(const WeightedPoint3& owner, const WeightedPoint3& other, co
               off * (3 * std::sqrt(both2) + 4 * off)};
 }
 
+/// A location of the surface and its level, which is off by so much at most, in four coordinates.
+struct SurfacePoint {
+  Vec3 position;
+  double level, off;
+};
+
 /// A site as it is seen from locations of one level, of which it need not be: its weight is less by the
 /// square of the difference, and rounded up.
 inline WeightedPoint3 seen_from(double level, const WeightedPoint3& site) {
@@ -49,6 +55,13 @@ inline Sure lead_of(const WeightedPoint3& owner, const WeightedPoint3& other, co
   lead.bound += 0x1p-49 * (here * here + there * there + std::abs(owner.weight) + std::abs(other.weight)) +
                 2 * level_off * (here + there + level_off);
   return lead;
+}
+
+/// The same, whether or not they have.
+inline Sure lead_of(const WeightedPoint3& owner, const WeightedPoint3& other, const SurfacePoint& z) {
+  return owner.level == other.level
+             ? lead_of(owner, other, z.position, z.off)
+             : lead_of(owner, other, Location3(z.position, z.level), z.off, z.off);
 }
 
 }  // namespace geom

@@ -103,8 +103,9 @@ bool LeewayProof::find_watched(Leeway& leeway) {
     if (distance > leeway.watch * (1 + 1e-9)) continue;
     const double lead_off = 2 * off * (2 * leeway.radius + distance + std::sqrt(most2) + off);
     const auto is_behind = [&] {
-      return frame.is_behind(d, d2 - lead_off, Vec3(0, 0, 0), leeway.radius, Frame::nobody) ||
-             frame.is_behind_two(d, d2 - lead_off, Vec3(0, 0, 0), leeway.radius);
+      const Frame::Seen seen{d, d2 - lead_off};
+      return frame.is_behind(seen, Vec3(0, 0, 0), leeway.radius, Frame::nobody) ||
+             frame.is_behind_two(seen, Vec3(0, 0, 0), leeway.radius);
     };
     if (distance > range_ + off || is_behind()) {
       others_.push_back(watched(s, d));

@@ -14,7 +14,8 @@ bool Losses::hang_together(SiteId s, const Newcomer& p, std::span<const CircleId
   const Sheet* sheet = sheets_.around(s, {site.position, site.level}, radius);
   if (!sheet) return false;
   const auto add = [&](const WeightedPoint3& other) {
-    chart_.add(Frame::offset(other, site), Frame::constant(other, site));
+    const Frame::Seen seen = Frame::seen(other, site);
+    chart_.add(seen.d, seen.c);
   };
   chart_.begin(*sheet);
   add(site);

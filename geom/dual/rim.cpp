@@ -9,7 +9,6 @@ bool Rim::open_star(const DualState& state, SiteId p) {
   const std::size_t n = own.size();
   clear();
   if (n < 3 || n > most) return false;
-  const double level = state.sites[p].level;
   CircleId c = own.front();
   SiteId first = SiteId();  // of the next circle
   for (std::size_t j = 0; j < n; ++j) {
@@ -20,7 +19,7 @@ bool Rim::open_star(const DualState& state, SiteId p) {
     first = circle.sites[3 - i - after];
     bool is_new = true;
     for (std::size_t k = 0; k < j; ++k) is_new &= sites_[k] != site;
-    if (!is_new || !circle.beyond[i].valid() || !state.is_level(circle, level)) return false;
+    if (!is_new || !circle.beyond[i].valid()) return false;
     sites_[j] = site;
     inner_[j] = inside_[j] = c;
     outer_[j] = circle.beyond[i];
@@ -40,7 +39,6 @@ bool Rim::find_conflict(const DualState& state, const WeightedPoint3& point, Cir
   if (!state.lead_at(state.circles[first], point).negative()) return false;
   for (std::size_t n = 0; n < num_inside_; ++n) {
     const EmptyCircle circle = state.circles[inside_[n]];
-    if (!state.is_level(circle, point.level)) return false;
     for (std::size_t i = 0; i < 3; ++i) {
       const CircleId other = circle.beyond[i];
       if (!other.valid()) return false;

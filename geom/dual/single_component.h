@@ -19,11 +19,12 @@ class SingleComponent {
 
  private:
   bool owns_nothing_of(FacetId t, double distance);
-  bool keep_part(const Vec3& d, double c, double size);
+  bool is_lost(const Frame::Place& center, double radius) const;
+  bool keep_part(const Frame::Seen& site, double size);
 
   Surroundings& around_;
   // Workspaces.
-  std::vector<Vec3> part_, clipped_;
+  std::vector<Frame::Place> part_, clipped_;
   std::vector<SiteId> others_;
   std::vector<FacetId> facets_;
   std::vector<Sheets::Neighbour> link_;

@@ -71,18 +71,17 @@ void Strangers::keep_near(const Frame& frame, SiteId p, std::span<const SiteId> 
   const double within2 = within_ * within_ * beyond;
   for (const SiteId s : found_) {
     if (mark_[s] == calls_ || !((state_.sites[s].position - around_).squaredNorm() <= within2)) continue;
-    const WeightedPoint3 seen = seen_from(origin.level, state_.sites[s]);
-    const Vec3 d = Frame::offset(seen, origin);
-    const double c = Frame::constant(seen, origin);
-    if (!frame.is_behind(d, c, ball.center, ball.radius, first) &&
-        !frame.is_behind_two(d, c, ball.center, ball.radius))
-      kept_.push_back({s, d, c});
+    const WeightedPoint3& site = state_.sites[s];
+    const Frame::Seen seen = Frame::seen(ball.is_level ? seen_from(origin.level, site) : site, origin);
+    if (!frame.is_behind(seen, ball.center, ball.radius, first) &&
+        !frame.is_behind_two(seen, ball.center, ball.radius))
+      kept_.push_back({seen, s});
   }
 }
 
-bool Strangers::are_beyond(const Vec3& point, const WeightedPoint3& owner, double off) const {
+bool Strangers::are_beyond(const SurfacePoint& point, const WeightedPoint3& owner) const {
   return std::ranges::all_of(kept_, [&](const Stranger& stranger) {
-    return lead_of(owner, seen_from(owner.level, state_.sites[stranger.site]), point, off).positive();
+    return lead_of(owner, state_.sites[stranger.site], point).positive();
   });
 }
 

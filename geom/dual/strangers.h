@@ -28,21 +28,20 @@ class Strangers {
   /// that.
   void find_rivals_beyond(double power, SiteId p, std::vector<SiteId>& out) const;
 
-  struct Stranger {
+  struct Stranger : Frame::Seen {
     SiteId site;
-    Vec3 d;  ///< from the frame's origin
-    double c;
   };
   /// Keeps those who, somewhere in the ball, may be nearer than all sites of the frame, which are the rim and
   /// perhaps p. `first`: the number there of the one that is most likely nearer, or Frame::nobody.
   struct Ball {
-    Vec3 center;  ///< from the frame's origin
+    Frame::Place center;
     double radius;
+    bool is_level = false;  ///< what it has of the surface has the level of the frame's origin
   };
   void keep_near(const Frame& frame, SiteId p, std::span<const SiteId> rim, const Ball& ball, int first);
   std::span<const Stranger> kept() const { return kept_; }
-  /// Is the owner nearer to the point than all of them? `off`: at most so far is the point off.
-  bool are_beyond(const Vec3& point, const WeightedPoint3& owner, double off) const;
+  /// Is the owner nearer to the point than all of them?
+  bool are_beyond(const SurfacePoint& point, const WeightedPoint3& owner) const;
 
  private:
   bool knows(const Vec3& x, double distance) const {

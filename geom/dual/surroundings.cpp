@@ -37,24 +37,22 @@ void Surroundings::chart_sites(const Sheet& found) {
 }
 
 bool Surroundings::chart_around(double distance) {
-  const auto& [place, weight, level] = site();
-  if (on_sheet && sheet.covers(place, distance)) {
+  if (on_sheet && sheet.covers(site().position, distance)) {
     chart.replace(rim.size(), frame.offset(self), frame.constant(self));
     return true;
   }
-  const Sheet* found = sheets.around(p, {place, level}, distance);
+  const Sheet* found = sheet_around(distance);
   if (found) chart_sites(*found);
   return on_sheet = found;
 }
 
 bool Surroundings::is_level(FacetId t) const {
-  return state.clipper.levels().is_flat_at(t, frame.origin().level);
+  return frame.is_level() && state.clipper.levels().is_flat_at(t, frame.origin().level);
 }
 
 bool Surroundings::is_flood_level() const {
-  for (std::size_t i = 0; state.has_levels && i < flood.facets().size(); ++i)
-    if (!is_level(flood.facets()[i].id)) return false;
-  return true;
+  return !state.has_levels || std::ranges::all_of(flood.facets().items(),
+                                                  [&](const auto& facet) { return is_level(facet.id); });
 }
 
 /// Circles may be off: each end by as much, and their distance by twice that.
@@ -90,9 +88,9 @@ bool Surroundings::has_one_component(double distance) const {
   return true;
 }
 
-bool Surroundings::are_kept_beyond(const RoundedPoint& point, const WeightedPoint3& owner) const {
+bool Surroundings::are_kept_beyond(const SurfacePoint& point, const WeightedPoint3& owner) const {
   return std::ranges::all_of(leeway->kept(), [&](const Leeway::Watched& stranger) {
-    return lead_of(owner, state.sites[stranger.site], point.position, point.tolerance).positive();
+    return lead_of(owner, state.sites[stranger.site], point).positive();
   });
 }
 
@@ -119,18 +117,12 @@ double Surroundings::farthest2(const Edge& edge, double enough) const {
 bool Surroundings::leaves_strangers_out(const Division& division, double radius) {
   return std::ranges::all_of(strangers.kept(), [&](const Strangers::Stranger& stranger) {
     const int number = chart.size();
-    chart.add(stranger.d, stranger.c);
+    chart.add(stranger.d, stranger.c);  // on a sheet: its level counts in c
     bool is_out = chart.meets_axes_once(number, division.edges, radius);
     for (int i = 0; is_out && i < division.count; ++i) is_out = chart.is_monotone(division.first + i, number);
     chart.take_back();
     return is_out;
   });
-}
-
-AxisPlace Surroundings::meeting(const std::array<SiteId, 3>& sites, FacetId start) const {
-  AxisPlace place = walk_to_axis(state.mesh, state.clipper, sites, start);
-  if (place.facet.valid() && !is_level(place.facet)) place.facet = FacetId();
-  return place;
 }
 
 }  // namespace geom

@@ -35,8 +35,12 @@ struct Surroundings {
   void chart_sites(const Sheet& found);
   /// The same on a sheet that covers that distance around p, if there is one; sets on_sheet.
   bool chart_around(double distance);
+  /// The sheet about p that covers that distance: only where all sites of the frame have one level.
+  const Sheet* sheet_around(double distance) {
+    return frame.is_level() ? sheets.around(p, {site().position, site().level}, distance) : nullptr;
+  }
 
-  /// Has all of the facet the level of the frame's origin? Have all facets that were traced?
+  /// Have all sites of the frame, and that facet, or all that were traced, the level of its origin?
   bool is_level(FacetId t) const;
   bool is_flood_level() const;
 
@@ -46,6 +50,26 @@ struct Surroundings {
   /// A bound of the power, to that site, along an edge of its cell between these circles with slopes of at
   /// most `steepest` (chart.h). Infinite if a closer look is worth while.
   double power_along(const WeightedPoint3& own, const Vec3& from, const Vec3& to, double steepest) const;
+  /// A location of that facet with its level; that of a circle.
+  SurfacePoint on_surface(FacetId t, const RoundedPoint& point) const {
+    const FacetLevels& levels = state.clipper.levels();
+    return {point.position, levels.at(t, point.position),
+            point.tolerance + levels.off(t, point.tolerance)};
+  }
+  SurfacePoint on_surface(const EmptyCircle& circle) const {
+    return on_surface(circle.facet, {circle.center, 2 * state.clipper.most_tolerance()});
+  }
+  SurfacePoint on_surface(const Flood::Corner& corner) const {
+    return {corner.at.y + frame.origin().position, corner.at.rise + frame.origin().level, corner.off};
+  }
+  /// The squared distance; of four coordinates a bound.
+  double distance2(const SurfacePoint& z, const WeightedPoint3& to) const {
+    const double in_space = (z.position - to.position).squaredNorm();
+    if (!state.has_levels) return in_space;
+    const double rise = std::abs(z.level - to.level) + z.off;
+    return in_space + rise * rise;
+  }
+  double power_at(const SurfacePoint& z, const WeightedPoint3& of) const { return distance2(z, of) - of.weight; }
   /// A bound of the squared distance where circles may be off.
   double with_tolerance(double distance2) const {
     const double off = 2 * state.clipper.most_tolerance();
@@ -73,15 +97,17 @@ struct Surroundings {
   /// only if it is not near enough.
   double farthest2_with_leeway(int other, const TracedEdge& edge, double enough) const;
   /// Are the strangers that are kept farther from the point than its owner?
-  bool are_kept_beyond(const RoundedPoint& point, const WeightedPoint3& owner) const;
+  bool are_kept_beyond(const SurfacePoint& point, const WeightedPoint3& owner) const;
   /// Has the cell of p one component, if it is that near to p? (sheets.h)
   bool has_one_component(double distance) const;
   /// So near to a place is all that is spoken of.
   double room_around(const Vec3& place) const {
     return leeway->radius - (place - leeway->origin).norm() * margin::more;
   }
-  /// Where the axis of three sites meets the surface, in facets of the level of the frame's origin.
-  AxisPlace meeting(const std::array<SiteId, 3>& sites, FacetId start) const;
+  /// Where the axis of three sites meets the surface.
+  AxisPlace meeting(const std::array<SiteId, 3>& sites, FacetId start) const {
+    return walk_to_axis(state.mesh, state.clipper, sites, start);
+  }
 
   DualState& state;
   SiteId p;

@@ -64,7 +64,7 @@ TEST_CASE("axis walk: from a circle's facet it finds the circle, in whatever ord
           const AxisPlace place = walk(scene, sites, circle.facet);
           if (place.facet != circle.facet) continue;
           ++found;
-          const EmptyCircle same = scene.state.corners.circle_of(sites, place.facet, place.point);
+          const EmptyCircle same = scene.state.corners.circle_of(sites, place.facet, place.point.position);
           CHECK(same.center == circle.center);
           CHECK(same.radius2 == circle.radius2);
         }

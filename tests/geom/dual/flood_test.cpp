@@ -12,6 +12,7 @@
 #include "geom/shapes/shapes.h"
 #include "tests/fixtures/effort.h"
 #include "tests/fixtures/hard_surfaces.h"
+#include "tests/fixtures/levels.h"
 #include "tests/fixtures/placed_samples.h"
 #include "tests/oracle/restricted_dual_oracle.h"
 
@@ -74,6 +75,7 @@ std::optional<Task> task_of(const TriMesh& mesh, const Clipper::Sites& sites, st
   const oracle::BruteDiagram with(mesh, sites, few), without(mesh, sites, task.rim);
   std::set<std::tuple<FacetId, int, SiteId>> points;
   std::vector<End> old_corners;
+  const Clipper clipper(mesh, sites, extent_of(mesh));
   for (const auto& [key, polygon] : with.polygons()) {
     if (key.second != p) continue;
     const FacetId t = polygon.facet;
@@ -88,8 +90,9 @@ std::optional<Task> task_of(const TriMesh& mesh, const Clipper::Sites& sites, st
         old_corners.push_back({t, std::min(i, j), std::max(i, j)});
         continue;
       }
-      task.radius2 =
-          std::max(task.radius2, (polygon.corners[k].point.position - sites[p].position).squaredNorm());
+      const Vec3& z = polygon.corners[k].point.position;
+      const Location3 location(z, clipper.levels().at(t, z));
+      task.radius2 = std::max(task.radius2, power(location, {sites[p].position, 0, sites[p].level}));
       if (!before.is_site() && !after.is_site()) {
         task.vertices.insert(mesh.facet(t)[static_cast<std::size_t>(after.edge())]);
       } else {
@@ -103,7 +106,6 @@ std::optional<Task> task_of(const TriMesh& mesh, const Clipper::Sites& sites, st
   task.num_points = points.size();
   if (task.starts.empty()) return {};
   task.hole = old_corners;
-  Clipper clipper(mesh, sites, extent_of(mesh));
   for (const auto& [key, polygon] : without.polygons())
     for (std::size_t k = 0; k < polygon.corners.size(); ++k) {
       const EdgeLabel before = polygon.edge_before(k), after = polygon.corners[k].edge;
@@ -178,15 +180,16 @@ void check_task(const TriMesh& mesh, const Clipper::Sites& sites, const Task& ta
       CHECK(flood.facets().size() == met);  // no other facet
       double farthest2 = 0;
       for (const Flood::Corner& corner : flood.corners()) {
-        const Vec3 z = sites[task.p].position + corner.y;
-        const double slack = 1e-9 + 4 * corner.tolerance;
+        const Vec3 place = sites[task.p].position + corner.at.y;
+        const Location3 z(place, sites[task.p].level + corner.at.rise);
+        const double slack = 1e-9 + 4 * corner.off;
         double least = std::numeric_limits<double>::infinity();
         for (const SiteId s : task.rim) least = std::min(least, power(z, sites[s]));
         CHECK(power(z, sites[task.p]) <= least + slack);  // in the cell
         if (division)
           CHECK(power(z, sites[task.rim[static_cast<std::size_t>(corner.site)]]) <= least + slack);
         if (!division) CHECK(corner.site == Frame::none);
-        farthest2 = std::max(farthest2, corner.y.squaredNorm());
+        farthest2 = std::max(farthest2, corner.at.squaredNorm());
       }
       CHECK(farthest2 <= flood.radius2() * (1 + 1e-12));
       if (met == task.facets.size()) {
@@ -226,8 +229,11 @@ std::vector<SiteId> first_ids(std::size_t n) {
 }
 
 Count check_surface(const TriMesh& mesh, std::size_t n, Weights weights, std::uint64_t seed) {
-  const std::vector<WeightedPoint3> points = points_of(fixtures::placed_samples(mesh, n, n, weights, seed));
-  const Clipper::Sites sites(points.begin(), points.end());
+  const FacetLevels levels(mesh);
+  Clipper::Sites sites;
+  for (const fixtures::Placed& placed : fixtures::placed_samples(mesh, n, n, weights, seed))
+    sites.push_back({placed.point.position, placed.point.weight,
+                     levels.at(placed.home, placed.point.position)});
   Rng rng(seed);
   Count count;
   for (std::size_t p = 0; p < n; p += 1 + n / fixtures::effort<std::size_t>(7, 12))
@@ -254,6 +260,24 @@ TEST_CASE(
         all.refused += count.refused;
       }
   CHECK(all.refused > fixtures::effort<std::size_t>(500, 1000));
+}
+
+TEST_CASE("flood: on surfaces with levels, steep or not, cells and holes are traced in four coordinates") {
+  Count all;
+  for (const TriMesh& flat : {make_shape("sphere", 4), fixtures::torus(1, 0.4, {20, 12, true, true, 0.3})})
+    for (const fixtures::Levels kind : fixtures::all_levels)
+      for (const double height : {0.1, 0.6})
+        for (const Weights weights : {Weights::none, Weights::gentle}) {
+          CAPTURE(static_cast<int>(kind));
+          CAPTURE(height);
+          const Count count = check_surface(fixtures::with_levels(flat, kind, height), 150, weights, 5);
+          all.tasks += count.tasks, all.traced += count.traced, all.cells += count.cells,
+              all.holes += count.holes, all.refused += count.refused;
+        }
+  CHECK(all.traced == 2 * all.tasks);
+  CHECK(10 * all.cells >= 8 * all.tasks);
+  CHECK(10 * all.holes >= 8 * all.tasks);
+  CHECK(all.refused > fixtures::effort<std::size_t>(300, 600));
 }
 
 TEST_CASE("flood: on hard surfaces what is accepted is so") {

@@ -22,10 +22,11 @@ namespace {
 
 constexpr int none = Frame::none;
 
-Rational exact_power(const Vec3& z, const WeightedPoint3& p) {
-  Rational sum = Rational(0.0) - Rational(p.weight);
+Rational exact_power(const Location3& z, const WeightedPoint3& p) {
+  const Rational rise = Rational(z.level) - Rational(p.level);
+  Rational sum = rise * rise - Rational(p.weight);
   for (int k = 0; k < 3; ++k) {
-    const Rational d = Rational(z[k]) - Rational(p.position[k]);
+    const Rational d = Rational(z.position[k]) - Rational(p.position[k]);
     sum = sum + d * d;
   }
   return sum;
@@ -33,7 +34,7 @@ Rational exact_power(const Vec3& z, const WeightedPoint3& p) {
 
 /// The values of the frame at some location, exactly.
 struct Exact {
-  Exact(const Vec3& z, const WeightedPoint3& origin, const std::vector<WeightedPoint3>& sites) {
+  Exact(const Location3& z, const WeightedPoint3& origin, const std::vector<WeightedPoint3>& sites) {
     const Rational own = exact_power(z, origin);
     for (const WeightedPoint3& s : sites) g.push_back(exact_power(z, s) - own);
   }
@@ -58,10 +59,20 @@ struct FrameCount {
               unsure_determinants = 0;  // determinants: but those that vanish
 };
 
-/// Everything a frame tells of these sites, the first the origin, at these vertices.
-void check_frame(const std::vector<WeightedPoint3>& points, const std::vector<Vec3>& places, Rng& rng,
-                 FrameCount& count) {
-  const TriMesh mesh = fixtures::with_vertices(places);
+/// Gives points levels, as far apart as they are at most; often the same.
+void raise(std::vector<WeightedPoint3>& points, Rng& rng) {
+  double size = 0;
+  for (const WeightedPoint3& p : points) size = std::max(size, (p.position - points[0].position).norm());
+  for (WeightedPoint3& p : points) p.level = rng.below(3) == 0 ? size : size * rng.uniform();
+}
+
+/// Everything a frame tells of these sites, the first the origin, at these vertices, which may have levels.
+void check_frame(const std::vector<WeightedPoint3>& points, const std::vector<WeightedPoint3>& locations,
+                 Rng& rng, FrameCount& count) {
+  std::vector<Vec3> places;
+  Table<VertexId, double> levels;
+  for (const WeightedPoint3& z : locations) places.push_back(z.position), levels.push_back(z.level);
+  const TriMesh mesh = fixtures::with_vertices(places).with_levels(levels);
   Frame frame;
   FrameVertices vertices(mesh, frame);
   const std::vector<WeightedPoint3> sites(points.begin() + 1, points.end());
@@ -73,7 +84,7 @@ void check_frame(const std::vector<WeightedPoint3>& points, const std::vector<Ve
   std::vector<FrameVertices::Slot> slots;
   for (std::size_t v = 0; v < places.size(); ++v) {
     slots.push_back(vertices.with_signs(VertexId(v)));
-    exact.emplace_back(places[v], points[0], sites);
+    exact.emplace_back(Location3(places[v], locations[v].level), points[0], sites);
   }
   for (std::size_t v = 0; v < places.size(); ++v) {
     CHECK(vertices.with_signs(VertexId(v)) == slots[v]);
@@ -119,7 +130,8 @@ void check_frame(const std::vector<WeightedPoint3>& points, const std::vector<Ve
 }
 
 /// A location, and another one that is not more than that away. Not all sites are at one place.
-void check_lead(const std::vector<WeightedPoint3>& points, const Vec3& z, Rng& rng) {
+void check_lead(const std::vector<WeightedPoint3>& points, const Location3& location, Rng& rng) {
+  const Vec3& z = location.position;
   Frame frame;
   const std::vector<WeightedPoint3> sites(points.begin() + 1, points.end() - 1);
   const WeightedPoint3& stranger = points.back();
@@ -132,18 +144,19 @@ void check_lead(const std::vector<WeightedPoint3>& points, const Vec3& z, Rng& r
       z + 0.999 * tolerance * direction;  // the true location; z, rounded, is what is known of it
   const Vec3 y = z - points[0].position;
   // The difference, too, is rounded: what counts is off from origin + y.
-  const double known_within = tolerance == 0 ? 0 : tolerance + 4e-16 * (y.norm() + z.norm());
-  const Vec3& truth = tolerance == 0 ? z : off;
+  const double level_off = rng.below(2) == 0 ? 0 : tolerance;
+  const double known_within =
+      tolerance == 0 ? 0 : tolerance + level_off + 4e-16 * (y.norm() + z.norm() + std::abs(location.level));
+  const Location3 truth(tolerance == 0 ? z : off, location.level + 0.999 * rng.uniform(-1, 1) * level_off);
   const Exact exact(truth, points[0], sites);
   const Rational of_stranger = exact_power(truth, stranger) - exact_power(truth, points[0]);
   Frame::Values values;
-  frame.evaluate(y, known_within, values);
+  frame.evaluate({y, location.level - points[0].level}, known_within, values);
   std::vector<int> numbers{none};
   for (int i = 0; i < frame.size(); ++i) numbers.push_back(i);
   for (const int i : numbers) {
-    const Vec3 d = Frame::offset(stranger, points[0]);
-    const double c = Frame::constant(stranger, points[0]);
-    CHECK(within(frame.difference(values, d, c, i), of_stranger - exact(i)));
+    const Frame::Seen seen = Frame::seen(stranger, points[0]);
+    CHECK(within(frame.difference(values, seen, i), of_stranger - exact(i)));
     for (const int j : numbers) CHECK(within(values.difference(j, i), exact(j) - exact(i)));
   }
 }
@@ -159,13 +172,12 @@ TEST_CASE(
     FrameCount count;
     for (int draw = 0; draw < 60; ++draw) {
       const int sites = 1 + static_cast<int>(rng.below(Frame::most));
-      const std::vector<WeightedPoint3> points = fixtures::draw(hardship, sites + 7, rng.below(4) == 0, rng);
-      std::vector<Vec3> places;
-      for (std::size_t i = static_cast<std::size_t>(sites) + 1; i < points.size(); ++i)
-        places.push_back(points[i].position);
-      const Vec3 middle = (points[0].position + points[1].position) / 2;  // as near to both, almost
-      places.push_back(middle);
-      places.push_back(points[0].position);
+      std::vector<WeightedPoint3> points = fixtures::draw(hardship, sites + 7, rng.below(4) == 0, rng);
+      if (rng.below(2) == 0) raise(points, rng);
+      std::vector<WeightedPoint3> places(points.begin() + sites + 1, points.end());
+      places.push_back({(points[0].position + points[1].position) / 2, 0,
+                        (points[0].level + points[1].level) / 2});  // as near to both, almost
+      places.push_back(points[0]);
       check_frame({points.begin(), points.begin() + sites + 1}, places, rng, count);
     }
     CHECK(count.values > 300);
@@ -185,7 +197,7 @@ TEST_CASE("frame: bounds where everything nearly ties, and far away") {
     const Vec3 base(rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1));
     const int n = 2 + static_cast<int>(rng.below(Frame::most - 1));
     std::vector<WeightedPoint3> points;
-    std::vector<Vec3> places;
+    std::vector<WeightedPoint3> places;
     const Vec3 center = base + size * fixtures::random_vector(rng);
     const double radius = size * rng.uniform(0.1, 1);
     for (int i = 0; i <= n; ++i) {  // all on one sphere about a place, up to rounding
@@ -193,11 +205,20 @@ TEST_CASE("frame: bounds where everything nearly ties, and far away") {
       const double distance = std::sqrt(radius * radius + more);
       points.push_back({center + distance * fixtures::random_vector(rng).normalized(), more});
     }
-    places.push_back(center);
+    const bool has_levels = rng.below(2) == 0;
+    const double level = has_levels ? rng.uniform(-1, 1) : 0;
+    for (WeightedPoint3& p : points) {  // the fourth coordinate takes from the others
+      p.level = level;
+      if (!has_levels || rng.below(2) == 0) continue;
+      const Vec3 d = p.position - center;
+      p.position = center + 0.8 * d;
+      p.level += 0.6 * d.norm();
+    }
+    places.push_back({center, 0, level});
     for (int i = 0; i < 5; ++i) {
       Vec3 place = center;
       for (double& c : place) c = fixtures::one_ulp_off(c, rng);
-      places.push_back(rng.below(2) == 0 ? place : base + size * fixtures::random_vector(rng));
+      places.push_back({rng.below(2) == 0 ? place : base + size * fixtures::random_vector(rng), 0, level});
     }
     check_frame(points, places, rng, count);
   }
@@ -211,10 +232,11 @@ TEST_CASE("frame: the lead at a location known within a tolerance, of sites in t
     CAPTURE(std::string(fixtures::name_of(hardship)));
     for (int draw = 0; draw < 150; ++draw) {
       const int n = 3 + static_cast<int>(rng.below(8));
-      const std::vector<WeightedPoint3> points = fixtures::draw(hardship, n + 1, rng.below(4) == 0, rng);
+      std::vector<WeightedPoint3> points = fixtures::draw(hardship, n + 1, rng.below(4) == 0, rng);
+      if (rng.below(2) == 0) raise(points, rng);
       const auto elsewhere = [&](const WeightedPoint3& s) { return s.position != points[0].position; };
       if (std::any_of(points.begin() + 1, points.begin() + n - 1, elsewhere))
-        check_lead({points.begin(), points.begin() + n}, points.back().position, rng);
+        check_lead({points.begin(), points.begin() + n}, {points.back().position, points.back().level}, rng);
     }
   }
 }
@@ -223,16 +245,19 @@ TEST_CASE("frame: the power of a location is that to the site, up to rounding") 
   Rng rng(2);
   Frame frame;
   for (int draw = 0; draw < 100; ++draw) {
-    const std::vector<WeightedPoint3> points = fixtures::draw(fixtures::Hardship::none, 9, false, rng);
+    std::vector<WeightedPoint3> points = fixtures::draw(fixtures::Hardship::none, 9, false, rng);
+    if (draw % 2 == 0) raise(points, rng);
     frame.begin(points[0]);
     for (int i = 1; i < 8; ++i) frame.add(points[static_cast<std::size_t>(i)]);
-    const Vec3 z = points[8].position, y = z - points[0].position;
-    CHECK(frame.power(y, none) == doctest::Approx(power(z, points[0])).epsilon(1e-12).scale(1));
+    const Location3 z(points[8].position, points[8].level);
+    const Frame::Place at = frame.place_of({z.position, z.level, 0});
+    CHECK(frame.power(at, none) == doctest::Approx(power(z, points[0])).epsilon(1e-12).scale(1));
     for (int i = 0; i < 7; ++i) {
       const WeightedPoint3& site = points[static_cast<std::size_t>(i) + 1];
-      CHECK(frame.power(y, i) == doctest::Approx(power(z, site)).epsilon(1e-12).scale(1));
-      CHECK(frame.offset(i) == Frame::offset(site, points[0]));
-      CHECK(frame.constant(i) == Frame::constant(site, points[0]));
+      CHECK(frame.power(at, i) == doctest::Approx(power(z, site)).epsilon(1e-12).scale(1));
+      CHECK(frame.offset(i) == Frame::seen(site, points[0]).d);
+      CHECK(frame.constant(i) == Frame::seen(site, points[0]).c);
+      CHECK(frame.rise(i) == Frame::seen(site, points[0]).rise);
     }
   }
 }
@@ -253,7 +278,8 @@ TEST_CASE("frame: who is behind others in a ball is nearest nowhere there, by ex
     CAPTURE(std::string(fixtures::name_of(hardship)));
     for (int draw = 0; draw < 150; ++draw) {
       const int n = 1 + static_cast<int>(rng.below(Frame::most));
-      const std::vector<WeightedPoint3> points = fixtures::draw(hardship, n + 2, rng.below(3) == 0, rng);
+      std::vector<WeightedPoint3> points = fixtures::draw(hardship, n + 2, rng.below(3) == 0, rng);
+      if (rng.below(2) == 0) raise(points, rng);
       const std::vector<WeightedPoint3> sites(points.begin() + 1, points.begin() + n + 1);
       const WeightedPoint3 &origin = points.front(), &stranger = points.back();
       Frame frame;
@@ -263,18 +289,20 @@ TEST_CASE("frame: who is behind others in a ball is nearest nowhere there, by ex
       const int first =
           rng.below(2) == 0 ? Frame::nobody : static_cast<int>(rng.below(static_cast<std::uint64_t>(n)));
       const bool with_origin = rng.below(2) == 0;
-      const Vec3 d = Frame::offset(stranger, origin);
-      const double c = Frame::constant(stranger, origin);
-      const bool behind_one = frame.is_behind(d, c, Vec3(0, 0, 0), radius, with_origin ? none : first);
-      const bool behind_two = frame.is_behind_two(d, c, Vec3(0, 0, 0), radius);
+      const Frame::Seen seen = Frame::seen(stranger, origin);
+      const bool behind_one = frame.is_behind(seen, Vec3(0, 0, 0), radius, with_origin ? none : first);
+      const bool behind_two = frame.is_behind_two(seen, Vec3(0, 0, 0), radius);
       if (!behind_one && !behind_two) {
         ++not_behind;
         continue;
       }
       ++behind;
       for (int sample = 0; sample < 12; ++sample) {
-        const Vec3 z =
-            origin.position + 0.999 * radius * rng.uniform() * fixtures::random_vector(rng).normalized();
+        const double turned = rng.uniform(-1.57, 1.57), far = 0.999 * radius * rng.uniform();
+        const bool is_level = std::ranges::all_of(points, [](const WeightedPoint3& p) { return p.level == 0; });
+        const Vec3 place = origin.position + far * (is_level ? 1 : std::cos(turned)) *
+                                                 fixtures::random_vector(rng).normalized();
+        const Location3 z(place, is_level ? 0 : origin.level + far * std::sin(turned));
         const Exact exact(z, origin, sites);
         Rational least = with_origin && !behind_two ? Rational(0.0) : exact(0);
         for (int i = 0; i < n; ++i)
@@ -302,10 +330,11 @@ TEST_CASE("frame: who is behind two sites, but behind neither alone, is nearest 
     Frame frame;
     frame.begin(origin);
     for (const WeightedPoint3& s : sites) frame.add(s);
-    const Vec3 d = Frame::offset(stranger, origin), center = 0.1 * fixtures::random_vector(rng);
-    const double c = Frame::constant(stranger, origin), radius = rng.uniform(0.4, 0.8);
-    if (frame.is_behind(d, c, center, radius, Frame::nobody)) continue;
-    if (!frame.is_behind_two(d, c, center, radius)) {
+    const Frame::Seen seen = Frame::seen(stranger, origin);
+    const Vec3 center = 0.1 * fixtures::random_vector(rng);
+    const double radius = rng.uniform(0.4, 0.8);
+    if (frame.is_behind(seen, center, radius, Frame::nobody)) continue;
+    if (!frame.is_behind_two(seen, center, radius)) {
       ++not_behind;
       continue;
     }

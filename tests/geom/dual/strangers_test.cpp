@@ -49,8 +49,8 @@ void check_kept(const Scene& scene, SiteId p, const Kept& asked, Rng& rng, std::
   told.insert(p);
   for (const Strangers::Stranger& s : scene.strangers.kept()) {
     CHECK(told.insert(s.site).second);
-    CHECK(s.d == Frame::offset(scene.state.sites[s.site], asked.origin));
-    CHECK(s.c == Frame::constant(scene.state.sites[s.site], asked.origin));
+    CHECK(s.d == Frame::seen(scene.state.sites[s.site], asked.origin).d);
+    CHECK(s.c == Frame::seen(scene.state.sites[s.site], asked.origin).c);
   }
   dropped += scene.present.size() - told.size();
   for (int sample = 0; sample < 60; ++sample) {
@@ -110,7 +110,7 @@ TEST_CASE("strangers: who is not kept owns nothing near a site, at its place or 
       if (rng.below(2) == 0) scene.strangers.forget();
       scene.strangers.find_rivals(p, center, radius);
       const int self = has_moved ? frame.size() - 1 : Frame::none;
-      scene.strangers.keep_near(frame, p, rim, {center - old.position, radius}, self);
+      scene.strangers.keep_near(frame, p, rim, {{center - old.position}, radius}, self);
       kept += scene.strangers.kept().size();
       all.push_back(p);
       check_kept(scene, p, {old, all, center, radius, infinity}, rng, dropped);
@@ -180,14 +180,14 @@ TEST_CASE("strangers: none is said to be beyond a location who is as near") {
         double least = infinity;
         for (const Strangers::Stranger& s : scene.strangers.kept())
           least = std::min(least, scene.power_to(s.site, truth));
-        const bool says = scene.strangers.are_beyond(known, scene.state.sites[owner], off);
+        const bool says = scene.strangers.are_beyond({known, 0, off}, scene.state.sites[owner]);
         beyond += says;
         if (says) CHECK(least > scene.power_to(owner, truth));
         if (least == infinity) continue;
         // As near as that, or nearer.
         ++ties;
         const auto are_beyond = [&](double power) {
-          return scene.strangers.are_beyond(truth, {truth, -power}, 0);
+          return scene.strangers.are_beyond({truth, 0, 0}, {truth, -power});
         };
         CHECK(!are_beyond(least));
         CHECK(!are_beyond(least + std::abs(least)));
@@ -214,14 +214,14 @@ TEST_CASE("strangers: a heavy owner's power is not known to the last bit") {
   const std::vector<SiteId> rim{owner, SiteId(2), SiteId(3)};
   for (const SiteId r : rim) frame.add(scene.state.sites[r]);
   scene.strangers.find_rivals(p, scene.state.sites[p].position, 0.5);
-  scene.strangers.keep_near(frame, p, rim, {z - scene.state.sites[p].position, 0.01}, Frame::nobody);
+  scene.strangers.keep_near(frame, p, rim, {{z - scene.state.sites[p].position}, 0.01}, Frame::nobody);
   REQUIRE(scene.strangers.kept().size() == 1);
   Rng rng(5);
   for (int sample = 0; sample < 1000; ++sample) {
     const double off = 1e-4 * rng.uniform();
     const Vec3 known = z + 1e-3 * Vec3(rng.uniform(-1, 1), rng.uniform(-1, 1), 0);
     const Vec3 truth = known + 0.999 * off * Vec3(rng.uniform(-1, 1), rng.uniform(-1, 1), 0).normalized();
-    if (scene.strangers.are_beyond(known, scene.state.sites[owner], off))
+    if (scene.strangers.are_beyond({known, 0, off}, scene.state.sites[owner]))
       CHECK(scene.power_to(stranger, truth) > scene.power_to(owner, truth));
   }
 }
