@@ -36,7 +36,7 @@ double CellClipper::clip(SiteId p, double power, std::span<const SiteId> around,
   if (!(radius > 0)) return -infinity;
   begin(p, around);
   near_.clear();
-  state_.facets.near(state_.sites[p].position, radius, near_);
+  state_.facets.near({state_.sites[p].position, state_.sites[p].level}, radius, near_);
   return clip_near(p, power, radius, out);
 }
 

@@ -62,7 +62,7 @@ const Sheet* Sheets::around(SiteId site, const Location3& at, double distance) {
       (x - known.failed_at).norm() < nearly_there * distance)
     return nullptr;
   gathered_.clear();
-  facets_.near(x, radii[0] * distance * ample, gathered_);
+  facets_.near(at, radii[0] * distance * ample, gathered_);
   for (const double factor : radii) {
     const Sheet found = sheet_among_gathered(at, factor * distance);
     if (!found.covers(x, distance)) continue;
@@ -91,7 +91,7 @@ bool Sheets::has_one_component(const Sheet& sheet, double radius, std::span<cons
 
 Sheet Sheets::sheet_in(const Location3& center, double radius) {
   gathered_.clear();
-  facets_.near(center.position, radius * ample, gathered_);
+  facets_.near(center, radius * ample, gathered_);
   return sheet_among_gathered(center, radius);
 }
 

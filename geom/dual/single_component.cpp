@@ -18,21 +18,22 @@ bool SingleComponent::is_all(double cell_reach, double distance) {
                                           : nullptr;
   if (sheet && sheet->covers(p, distance) && Sheets::has_one_component(*sheet, own, link_)) return true;
   others_.clear();
+  const double level = frame.origin().level;
   facets_.clear();
-  if (frame.is_level())  // else it counts how high it is there
-    state.facets.near_but(
-        p, distance, [&](const Vec3& center, double radius) { return is_lost({center - p}, radius); },
-        facets_);
-  else
-    state.facets.near(p, distance, facets_);
+  state.facets.near_but(
+      {p, level}, distance,
+      [&](const Location3& center, double radius) {
+        return is_lost({center.position - p, center.level - level}, radius);
+      },
+      facets_);
   const auto is_facet_lost = [&](FacetId t) {
     const double radius = state.clipper.radius(t), half = levels.half(t);
-    return is_lost({state.clipper.middle(t) - p, levels.middle(t) - frame.origin().level},
+    return is_lost({state.clipper.middle(t) - p, levels.middle(t) - level},
                    frame.is_level() ? radius : std::sqrt(radius * radius + half * half) * margin::more);
   };
   return std::ranges::all_of(facets_, [&](FacetId t) {
     return around_.flood.facets().has(t) || !state.clipper.comes_near(t, p, distance) ||
-           levels.gap(t, frame.origin().level) > distance || is_facet_lost(t) || owns_nothing_of(t, distance);
+           levels.gap(t, level) > distance || is_facet_lost(t) || owns_nothing_of(t, distance);
   });
 }
 

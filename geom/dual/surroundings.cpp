@@ -125,4 +125,13 @@ bool Surroundings::leaves_strangers_out(const Division& division, double radius)
   });
 }
 
+AxisPlace Surroundings::meeting(const std::array<SiteId, 3>& sites, FacetId start) const {
+  AxisPlace place = walk_to_axis(state.mesh, state.clipper, sites, start);
+  for (const CircleId c : rim.inside()) {
+    if (place.facet.valid()) break;
+    place = walk_to_axis(state.mesh, state.clipper, sites, state.circles[c].facet);
+  }
+  return place;
+}
+
 }  // namespace geom

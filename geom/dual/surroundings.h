@@ -104,10 +104,9 @@ struct Surroundings {
   double room_around(const Vec3& place) const {
     return leeway->radius - (place - leeway->origin).norm() * margin::more;
   }
-  /// Where the axis of three sites meets the surface.
-  AxisPlace meeting(const std::array<SiteId, 3>& sites, FacetId start) const {
-    return walk_to_axis(state.mesh, state.clipper, sites, start);
-  }
+  /// Where the axis of three sites meets the surface: one such place, found from there, or else from a circle
+  /// inside the rim. Across folds the first walk may lose its way.
+  AxisPlace meeting(const std::array<SiteId, 3>& sites, FacetId start) const;
 
   DualState& state;
   SiteId p;

@@ -10,6 +10,7 @@
 #include "geom/power/facet_cells.h"
 #include "geom/rng.h"
 #include "tests/fixtures/hard_surfaces.h"
+#include "tests/fixtures/levels.h"
 #include "tests/fixtures/weighted_points.h"
 
 using namespace geom;
@@ -61,6 +62,34 @@ TEST_CASE(
       for (const double distance : {0.0, touching, mesh.diagonal() * std::pow(10, rng.uniform(-8, 1))})
         for (const FacetTree* const tree : {&along, &shuffled}) check_near(mesh, *tree, x, distance);
     }
+  }
+}
+
+// A facet is in four dimensions then, and so is its distance.
+TEST_CASE("facet tree: where there are levels they count, and what is on another one is left out") {
+  Rng rng(11);
+  for (const fixtures::Levels kind : fixtures::all_levels) {
+    CAPTURE(static_cast<int>(kind));
+    const TriMesh mesh = fixtures::with_levels(fixtures::blob(10), kind, 0.7);
+    const FacetTree tree(mesh, facets_along_curve(mesh)),
+        flat(mesh.with_levels({}), facets_along_curve(mesh));
+    std::size_t left_out = 0;
+    for (int query = 0; query < 2000; ++query) {
+      const FacetId t(static_cast<std::size_t>(rng.below(mesh.num_facets())));
+      const double a = rng.uniform(), b = (1 - a) * rng.uniform(), c = 1 - a - b;
+      const auto [u, v, w] = mesh.facet(t);
+      const Vec3 z = a * mesh.position(u) + b * mesh.position(v) + c * mesh.position(w);
+      const double height = a * mesh.level(u) + b * mesh.level(v) + c * mesh.level(w);
+      const Vec3 x = z + 0.2 * fixtures::random_vector(rng);
+      const double level = height + rng.uniform(-0.2, 0.2);
+      const double distance = std::sqrt((x - z).squaredNorm() + (level - height) * (level - height));
+      std::vector<FacetId> found, in_space;
+      tree.near({x, level}, distance * (1 + 1e-12), found);
+      CHECK(std::ranges::find(found, t) != found.end());
+      flat.near(x, distance, in_space);
+      left_out += in_space.size() > found.size();
+    }
+    CHECK(left_out > 300);
   }
 }
 
@@ -130,7 +159,7 @@ TEST_CASE("facet tree: only facets in balls that are of no use are left out") {
       const auto height = [&](const Vec3& z) { return normal.dot(z - x); };
       std::vector<FacetId> found;
       tree.near_but(
-          x, distance, [&](const Vec3& z, double radius) { return height(z) > radius; }, found);
+          x, distance, [&](const Location3& z, double radius) { return height(z.position) > radius; }, found);
       std::ranges::sort(found);
       CHECK(std::ranges::adjacent_find(found) == found.end());
       std::size_t above = 0;
