@@ -21,7 +21,7 @@ bool CellProof::prove_new(const Place& place) {
 }
 
 bool CellProof::prove_inserted(const Place& place) {
-  if (may_beat_unreached()) return false;
+  if (may_beat_unreached(place.old)) return false;
   if (around_.leeway) {
     if (prove_with_leeway(place.old)) return true;
     around_.leeway = nullptr;
@@ -132,8 +132,8 @@ bool CellProof::beats_outer_circle() const {
   });
 }
 
-/// May p beat circles that are not reached? They would be of an irregular site.
-bool CellProof::may_beat_unreached() {
+/// May p beat circles that are not reached, or hide a site without circles? They would be of an irregular one.
+bool CellProof::may_beat_unreached(const WeightedPoint3& old) {
   DualState& state = around_.state;
   if (state.shapes.not_regular().empty()) return false;
   const WeightedPoint3& point = around_.site();
@@ -145,11 +145,21 @@ bool CellProof::may_beat_unreached() {
     if (s == around_.p || (state.sites[s].position - point.position).squaredNorm() > far * far * more)
       return false;
     const std::span<const CircleId> circles = state.circles.of_site(s);
-    return circles.empty() || std::ranges::any_of(circles, [&](CircleId c) {
-             return std::ranges::find(reached, c) == reached.end() &&
-                    !state.lead_at(state.circles[c], point).positive();
-           });
+    if (circles.empty()) return !keeps_its_place(s, old);
+    return std::ranges::any_of(circles, [&](CircleId c) {
+      return std::ranges::find(reached, c) == reached.end() &&
+             !state.lead_at(state.circles[c], point).positive();
+    });
   });
+}
+
+/// Is s surely the nearest to its own place still? In the search p may be where it was.
+bool CellProof::keeps_its_place(SiteId s, const WeightedPoint3& old) const {
+  const DualState& state = around_.state;
+  const WeightedPoint3& site = state.sites[s];
+  const SiteId next = state.nearest({site.position, site.level}, s).site;
+  return next.valid() && state.leads_at_its_place(s, around_.site()) &&
+         state.leads_at_its_place(s, next == around_.p ? old : state.sites[next]);
 }
 
 /// Of p at the corners of its cell. Sets far2_.

@@ -73,18 +73,11 @@ void GeneralInsertion::find_circles(SiteId p) {
   std::ranges::sort(found_, circle_before);
 }
 
-/// Surely nobody else is as near to the place of j, which is on the surface but for rounding. The next site
-/// is found by rounded powers: another one may be nearer by a part of the bound.
+/// Surely nobody else is as near to the place of j.
 bool GeneralInsertion::owns_its_place(SiteId j) const {
   const WeightedPoint3& site = state_.sites[j];
-  if (!state_.home[j].valid()) return false;
-  const Location3 place(site.position, site.level);
-  const SiteId next = state_.nearest(place, j).site;
-  if (!next.valid()) return false;
-  const double off = 2 * state_.clipper.most_tolerance();
-  const Sure lead =
-      lead_of(site, state_.sites[next], place, off, state_.clipper.levels().off(state_.home[j], off));
-  return lead.value > 4 * lead.bound;
+  const SiteId next = state_.nearest({site.position, site.level}, j).site;
+  return next.valid() && state_.leads_at_its_place(j, state_.sites[next]);
 }
 
 /// Rivals that have no circle any more: p may have hidden them. Not those that have their places still, or a

@@ -104,6 +104,15 @@ void DualState::irregular_rivals(SiteId p, std::vector<SiteId>& out) {
   out.erase(std::remove_if(out.begin() + old, out.end(), is_regular), out.end());
 }
 
+bool DualState::leads_at_its_place(SiteId j, const WeightedPoint3& other) const {
+  if (!home[j].valid()) return false;
+  const WeightedPoint3& site = sites[j];
+  const double off = 2 * clipper.most_tolerance();
+  const Sure lead =
+      lead_of(site, other, {site.position, site.level, off + clipper.levels().off(home[j], off)});
+  return lead.value > 4 * lead.bound;  // others may be nearer by a part of the bound
+}
+
 double DualState::distance_at(double power) const {
   const double distance2 = power + search.heaviest() + 1e-9 * (std::abs(power) + search.heaviest());
   return distance2 > 0 ? std::sqrt(distance2) * (1 + 1e-9) : 0;
