@@ -117,7 +117,8 @@ void FastWay::raise_reaches(const WeightedPoint3& old) {
     const SiteId left = rim[j], right = rim[rim.next(j)];
     state_.reach.raise(left, around_.on_sheet ? cell_.arcs()[static_cast<std::size_t>(j)] : cell_.reach());
     const EmptyCircle& was = state_.circles[rim.inner(j)];
-    if (around_.power_at(around_.on_surface(was), site) <= was.radius2) continue;  // else the edge goes on inwards
+    if (around_.power_at(around_.on_surface(was), site) <= was.radius2)
+      continue;  // else the edge goes on inwards
     const CellProof::Corner& is = cell_.corners()[static_cast<std::size_t>(j)];
     const Vec3 &start = was.center, &end = is.point.position;
     const WeightedPoint3 &of_left = state_.sites[left], &of_right = state_.sites[right];
@@ -173,8 +174,8 @@ void FastWay::make_star(DualChange& change) {
   const std::size_t created = change.circles_created.size();
   for (int j = 0; j < rim.size(); ++j) {
     const CellProof::Corner& corner = cell_.corners()[static_cast<std::size_t>(j)];
-    change.circles_created.push_back(state_.circles.create(
-        state_.corners.circle_of({around_.p, rim[j], rim[rim.next(j)]}, corner.facet, corner.point.position)));
+    change.circles_created.push_back(state_.circles.create(state_.corners.circle_of(
+        {around_.p, rim[j], rim[rim.next(j)]}, corner.facet, corner.point.position)));
   }
   const auto id = [&](int j) { return change.circles_created[created + static_cast<std::size_t>(j)]; };
   for (int j = 0; j < rim.size(); ++j) {

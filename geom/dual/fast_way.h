@@ -30,11 +30,11 @@
 //     with circles on each: it is irregular, and the circles of irregular sites that may lose something are
 //     looked at one by one. (If the surrounded cell is that of a single site there is no circle between the
 //     two. That site has none on this border: irregular as well. If it has no circle at all it loses all or
-//     nothing, for it has nothing in the new cell. Unless it surely is the nearest to its own place still, the
-//     general way is taken, which finds out whether it is hidden.)
+//     nothing, for it has nothing in the new cell. Unless it surely is the nearest to its own place still,
+//     the general way is taken, which finds out whether it is hidden.)
 //
-// Where the surface has levels (levels.h) tracing takes four coordinates where it has three; by the shape of a
-// sheet is proven only what has one level, where other sites are taken as they are seen from there.
+// Where the surface has levels (levels.h) tracing takes four coordinates where it has three. By the shape of
+// a sheet is proven only what has one level; other sites are taken as they are seen from there.
 //
 // False, from any of these, means: not certain, nothing is done.
 

@@ -103,8 +103,7 @@ bool Frame::is_behind(const Seen& site, const Place& center, double radius, int 
     const double apart = site.rise - other.rise;
     if (lead * std::abs(lead) > limit2 * ((site.d - other.d).squaredNorm() + apart * apart)) return true;
   }
-  if (!is_level_ || site.rise != 0)
-    return is_behind_one_of<most, true>(of_, site, base, center, limit2);
+  if (!is_level_ || site.rise != 0) return is_behind_one_of<most, true>(of_, site, base, center, limit2);
   return size_ <= few ? is_behind_one_of<few, false>(of_, site, base, center, limit2)
                       : is_behind_one_of<most, false>(of_, site, base, center, limit2);
 }
@@ -120,8 +119,7 @@ bool Frame::is_behind_two(const Seen& site, const Place& center, double radius) 
     const int j = i + 1 == size_ ? 0 : i + 1;
     const Vec3 mean = 0.5 * (offset(i) + offset(j));
     const double rise = 0.5 * (of_.rise[i] + of_.rise[j]), apart = site.rise - rise;
-    const double lead =
-        base - (0.5 * (of_.c[i] + of_.c[j]) - 2 * (mean.dot(center.y) + rise * center.rise));
+    const double lead = base - (0.5 * (of_.c[i] + of_.c[j]) - 2 * (mean.dot(center.y) + rise * center.rise));
     if (lead * std::abs(lead) > limit2 * ((site.d - mean).squaredNorm() + apart * apart)) return true;
   }
   return false;

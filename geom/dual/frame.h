@@ -7,9 +7,9 @@
 //
 //     g_i(z) = Pi(z, p_i) - Pi(z, p) = c_i - 2 d_i.y,      c_i = |d_i|^2 - (w_i - w),
 //
-// affine in z. Where the surface has levels (levels.h) a location and a site have a fourth coordinate: what is
-// said here is of four, and `rise` is the fourth of y and of d_i. What decides is the sign of a g_i, of a difference of two, and of 2 x 2 determinants of such
-// values.
+// affine in z. Where the surface has levels (levels.h) a location and a site have a fourth coordinate: what
+// is said here is of four, and `rise` is the fourth of y and of d_i. What decides is the sign of a g_i, of a
+// difference of two, and of 2 x 2 determinants of such values.
 //
 // Errors. Let u = 2^-53. The components of d and y are rounded differences of doubles, off by u relatively.
 // Hence |d|^2 is off by 5u |d|^2 (2 for the difference squared, 1 for the product, 2 sums), the difference of
@@ -29,8 +29,8 @@
 // other, is off by E (|b'| + |a'|) + E' (|a| + |b|) + 2 E E' + 3u (|a b'| + |a' b|) at most.
 //
 // With levels the rises are a fourth term of each sum: |d|^2 is off by 6u |d|^2 then, c by u (8 |d|^2 +
-// 2 |dw|), and twice the product of two rises by 6u of itself; subtracting it last adds u (|d|^2 + |dw| + 4 |d|
-// |y|). All is less than 1.5 e, which is taken where not all sites have one level.
+// 2 |dw|), and twice the product of two rises by 6u of itself; subtracting it last adds u (|d|^2 + |dw| +
+// 4 |d| |y|). All is less than 1.5 e, which is taken where not all sites have one level.
 //
 // Underflow does not count: coordinates and weights are in the valid range of predicates.h, whose products of
 // two lengths do not underflow.
@@ -116,8 +116,7 @@ class Frame {
     return {z.position - origin_.position, z.level - origin_.level};
   }
   double power(const Place& at, int i) const {
-    return at.squaredNorm() - origin_.weight +
-           (constant(i) - 2 * (offset(i).dot(at.y) + rise(i) * at.rise));
+    return at.squaredNorm() - origin_.weight + (constant(i) - 2 * (offset(i).dot(at.y) + rise(i) * at.rise));
   }
   const WeightedPoint3& origin() const { return origin_; }
 

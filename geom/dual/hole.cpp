@@ -180,7 +180,8 @@ bool Hole::trace() {
   reach_ = radius2 * more - site.weight;
   max_radius2_ = reach_;
   for (const Triangle& triangle : triangles())
-    max_radius2_ = std::max(max_radius2_, around_.power_at(triangle.point, around_.site(triangle.corners[0])));
+    max_radius2_ =
+        std::max(max_radius2_, around_.power_at(triangle.point, around_.site(triangle.corners[0])));
   for (const Flood::Corner& corner : flood.corners()) {
     const double weight = around_.site(corner.site).weight;
     const double far =

@@ -59,9 +59,8 @@ inline Sure lead_of(const WeightedPoint3& owner, const WeightedPoint3& other, co
 
 /// The same, whether or not they have.
 inline Sure lead_of(const WeightedPoint3& owner, const WeightedPoint3& other, const SurfacePoint& z) {
-  return owner.level == other.level
-             ? lead_of(owner, other, z.position, z.off)
-             : lead_of(owner, other, Location3(z.position, z.level), z.off, z.off);
+  return owner.level == other.level ? lead_of(owner, other, z.position, z.off)
+                                    : lead_of(owner, other, Location3(z.position, z.level), z.off, z.off);
 }
 
 }  // namespace geom

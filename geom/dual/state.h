@@ -61,8 +61,8 @@ struct DualState {
   }
   /// Do the facet and the sites of a circle have this level?
   bool is_level(const EmptyCircle& circle, double level) const;
-  /// Is j surely nearer to its own place, which is on the surface but for rounding, than another site? So much
-  /// nearer that it is than all others, too, if that one is the nearest of them by rounded powers.
+  /// Is j surely nearer to its own place, which is on the surface but for rounding, than another site? So
+  /// much nearer that it is than all others, too, if that one is the nearest of them by rounded powers.
   bool leads_at_its_place(SiteId j, const WeightedPoint3& other) const;
   /// An upper bound of the distance from the site, of that power.
   double distance_at(double power, SiteId p) const;

@@ -51,8 +51,8 @@ bool Surroundings::is_level(FacetId t) const {
 }
 
 bool Surroundings::is_flood_level() const {
-  return !state.has_levels || std::ranges::all_of(flood.facets().items(),
-                                                  [&](const auto& facet) { return is_level(facet.id); });
+  return !state.has_levels ||
+         std::ranges::all_of(flood.facets().items(), [&](const auto& facet) { return is_level(facet.id); });
 }
 
 /// Circles may be off: each end by as much, and their distance by twice that.

@@ -53,8 +53,7 @@ struct Surroundings {
   /// A location of that facet with its level; that of a circle.
   SurfacePoint on_surface(FacetId t, const RoundedPoint& point) const {
     const FacetLevels& levels = state.clipper.levels();
-    return {point.position, levels.at(t, point.position),
-            point.tolerance + levels.off(t, point.tolerance)};
+    return {point.position, levels.at(t, point.position), point.tolerance + levels.off(t, point.tolerance)};
   }
   SurfacePoint on_surface(const EmptyCircle& circle) const {
     return on_surface(circle.facet, {circle.center, 2 * state.clipper.most_tolerance()});
@@ -69,7 +68,9 @@ struct Surroundings {
     const double rise = std::abs(z.level - to.level) + z.off;
     return in_space + rise * rise;
   }
-  double power_at(const SurfacePoint& z, const WeightedPoint3& of) const { return distance2(z, of) - of.weight; }
+  double power_at(const SurfacePoint& z, const WeightedPoint3& of) const {
+    return distance2(z, of) - of.weight;
+  }
   /// A bound of the squared distance where circles may be off.
   double with_tolerance(double distance2) const {
     const double off = 2 * state.clipper.most_tolerance();

@@ -38,8 +38,8 @@ class FacetTree {
   template <class Skip>
   void search(double limit2, const Location3& x, const Skip& is_of_no_use, std::vector<FacetId>& out) const;
   template <class Skip>
-  void descend(std::size_t level, std::size_t node, double limit2, const Location3& x, const Skip& is_of_no_use,
-               std::vector<FacetId>& out) const;
+  void descend(std::size_t level, std::size_t node, double limit2, const Location3& x,
+               const Skip& is_of_no_use, std::vector<FacetId>& out) const;
 
   std::vector<FacetId> order_;
   std::vector<std::vector<Box>> levels_;  ///< of runs of 4, 16, 64, ... facets; the last one has one box

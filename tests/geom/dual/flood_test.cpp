@@ -232,8 +232,8 @@ Count check_surface(const TriMesh& mesh, std::size_t n, Weights weights, std::ui
   const FacetLevels levels(mesh);
   Clipper::Sites sites;
   for (const fixtures::Placed& placed : fixtures::placed_samples(mesh, n, n, weights, seed))
-    sites.push_back({placed.point.position, placed.point.weight,
-                     levels.at(placed.home, placed.point.position)});
+    sites.push_back(
+        {placed.point.position, placed.point.weight, levels.at(placed.home, placed.point.position)});
   Rng rng(seed);
   Count count;
   for (std::size_t p = 0; p < n; p += 1 + n / fixtures::effort<std::size_t>(7, 12))

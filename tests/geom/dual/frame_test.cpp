@@ -299,7 +299,8 @@ TEST_CASE("frame: who is behind others in a ball is nearest nowhere there, by ex
       ++behind;
       for (int sample = 0; sample < 12; ++sample) {
         const double turned = rng.uniform(-1.57, 1.57), far = 0.999 * radius * rng.uniform();
-        const bool is_level = std::ranges::all_of(points, [](const WeightedPoint3& p) { return p.level == 0; });
+        const bool is_level =
+            std::ranges::all_of(points, [](const WeightedPoint3& p) { return p.level == 0; });
         const Vec3 place = origin.position + far * (is_level ? 1 : std::cos(turned)) *
                                                  fixtures::random_vector(rng).normalized();
         const Location3 z(place, is_level ? 0 : origin.level + far * std::sin(turned));
