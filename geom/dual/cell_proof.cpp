@@ -132,7 +132,7 @@ bool CellProof::beats_outer_circle() const {
   });
 }
 
-/// May p beat circles that are not reached, or hide a site without circles? They would be of an irregular one.
+/// May p beat circles that are not reached, or hide a site that has none? That would be an irregular one.
 bool CellProof::may_beat_unreached(const WeightedPoint3& old) {
   DualState& state = around_.state;
   if (state.shapes.not_regular().empty()) return false;
