@@ -452,3 +452,50 @@ TEST_CASE("restricted dual: without homes, and with all corners, no fast way is 
     CHECK(ways.general_insertions >= ways.general_removals);
   }
 }
+
+//         q            q has the tip of a spike, an island in the cell of p, without any circle. x comes to the
+//        /|            other side and takes what is around the tip from p; q's tip, too, if x is heavy.
+//  __x__/  \__p__
+TEST_CASE("restricted dual: who has no circle is hidden, or not, by who comes beside it") {
+  const TriMesh spike = fixtures::sheet(
+      48, 1, [](double x, double y) { return std::max(0.0, 1 - 10 * std::hypot(x - 0.5, y - 0.5)); });
+  Placed tip;
+  const auto placed = [&](double x, double y, double weight) {
+    Placed best;
+    double least = infinity;
+    for (FacetId t(0); t.index() < spike.num_facets(); t = FacetId(t.value + 1)) {
+      const Vec3 z = (spike.corner(t, 0) + spike.corner(t, 1) + spike.corner(t, 2)) / 3;
+      const double far = std::hypot(z.x() - x, z.y() - y);
+      if (far < least) least = far, best = {{z, weight}, t};
+      for (int i = 0; i < 3; ++i)
+        if (spike.corner(t, i).z() == 1) tip = {{spike.corner(t, i), -0.9}, t};
+    }
+    return best;
+  };
+  std::vector<Placed> samples{placed(0.62, 0.5, 0.1), tip};
+  const SiteId p(0), q(1), x(18);
+  for (int i = 0; i < 16; ++i) {  // eight around them, and eight at the border
+    const double angle = 0.785398 * i + 0.03 * std::cos(3 * i), far = i < 8 ? 0.38 : 0.66;
+    const auto at = [&](double d) { return std::clamp(0.5 + far * d, 0.0, 1.0); };
+    samples.push_back(placed(at(std::cos(angle)), at(std::sin(angle)), 0.1));
+  }
+  struct Case {
+    Placed x;
+    bool keeps;
+  };
+  for (const auto& [newcomer, keeps] :
+       {Case{placed(0.75, 0.51, 0.1), true}, Case{placed(0.38, 0.5, 0.15), false}}) {
+    CAPTURE(keeps);
+    MirroredDual d(spike, true, CornerTypes::c_only);
+    d.build(samples, 1);
+    REQUIRE(d.dual().has_cell(q));
+    REQUIRE(d.dual().circles_of(q).empty());
+    d.insert(x, newcomer);
+    CHECK(d.dual().has_cell(p));
+    CHECK(d.dual().has_cell(x));
+    CHECK(d.dual().has_cell(q) == keeps);
+    CHECK(d.dual().ways().fast_insertions == (keeps ? 1 : 0));
+    CHECK(circles_if_built(d, 1) == d.known_circles());
+    check_by_brute_force(d);
+  }
+}
