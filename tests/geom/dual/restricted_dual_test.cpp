@@ -453,8 +453,8 @@ TEST_CASE("restricted dual: without homes, and with all corners, no fast way is 
   }
 }
 
-//         q            q has the tip of a spike, an island in the cell of p, without any circle. x comes to the
-//        /|            other side and takes what is around the tip from p; q's tip, too, if x is heavy.
+//         q            q has the tip of a spike, an island in the cell of p, without any circle. x comes to
+//        /|            the other side and takes what is around the tip from p; q's tip, too, if x is heavy.
 //  __x__/  \__p__
 TEST_CASE("restricted dual: who has no circle is hidden, or not, by who comes beside it") {
   const TriMesh spike = fixtures::sheet(
