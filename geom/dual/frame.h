@@ -28,9 +28,13 @@
 // A determinant M = a b' - a' b of values at two vertices, each off by at most E at the one and E' at the
 // other, is off by E (|b'| + |a'|) + E' (|a| + |b|) + 2 E E' + 3u (|a b'| + |a' b|) at most.
 //
-// With levels the rises are a fourth term of each sum: |d|^2 is off by 6u |d|^2 then, c by u (8 |d|^2 +
-// 2 |dw|), and twice the product of two rises by 6u of itself; subtracting it last adds u (|d|^2 + |dw| +
-// 4 |d| |y|). All is less than 1.5 e, which is taken where not all sites have one level.
+// With levels the rises are a fourth term: |d|^2 is off by 6u |d|^2 then, c by u (7 |d|^2 + 2 |dw|), twice
+// the product of two rises by 6u of itself, less than the 10u |d_k y_k| of the other terms, and subtracting it
+// last adds u (|d|^2 + |dw| + 4 |d| |y|):
+//
+//     |computed g_i - g_i| <= u (9 |d|^2 + 4 |dw| + 16 |d| |y|)   to first order,
+//
+// which the code takes as 1.5 e, where not all sites have one level.
 //
 // Underflow does not count: coordinates and weights are in the valid range of predicates.h, whose products of
 // two lengths do not underflow.

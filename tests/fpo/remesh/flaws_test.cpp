@@ -111,3 +111,25 @@ TEST_CASE("flaws: what is tried in vain leaves samples as they were, and fixed o
     domain.check();
   }
 }
+
+// Sums are off by rounding, and by another one if circles have come in another order.
+TEST_CASE("flaws: of nudges that are equally good but for rounding the first is taken, of others the best") {
+  const TriMesh sphere = geom::make_shape("sphere", 4);
+  for (const double gain : {1e-13, 1e-3}) {
+    CAPTURE(gain);
+    SurfaceDomain domain = flaws_domain_of(sphere, 80);
+    Flaws flaws(domain, [](const geom::EmptyCircle&) { return 0.0; });
+    LocalResampling resampling(domain, {&flaws}, 0);
+    const SiteId x(7);
+    const SurfaceSample home = domain.sample(x);
+    const auto towards = [&](int corner) {
+      const Vec3 z = home.position + 1e-3 * (sphere.corner(home.facet, corner) - home.position);
+      return Trial{x, {z, home.facet}};
+    };
+    const std::vector<Trial> trials{towards(0), towards(1), towards(2)};
+    int asked = 0;
+    const auto cost = [&](double) { return 1 - gain * asked++; };
+    REQUIRE(resampling.nudge(trials, cost, 2));
+    CHECK(domain.sample(x).position == trials[gain < 1e-9 ? 0 : 2].place.position);
+  }
+}
