@@ -29,8 +29,8 @@
 // other, is off by E (|b'| + |a'|) + E' (|a| + |b|) + 2 E E' + 3u (|a b'| + |a' b|) at most.
 //
 // With levels the rises are a fourth term: |d|^2 is off by 6u |d|^2 then, c by u (7 |d|^2 + 2 |dw|), twice
-// the product of two rises by 6u of itself, less than the 10u |d_k y_k| of the other terms, and subtracting it
-// last adds u (|d|^2 + |dw| + 4 |d| |y|):
+// the product of two rises by 6u of itself, less than the 10u |d_k y_k| of the others. Subtracting it last
+// adds u (|d|^2 + |dw| + 4 |d| |y|):
 //
 //     |computed g_i - g_i| <= u (9 |d|^2 + 4 |dw| + 16 |d| |y|)   to first order,
 //
