@@ -7,7 +7,6 @@
 #include <set>
 
 #include "geom/disjoint_sets.h"
-#include "geom/mesh/half_edges.h"
 #include "geom/mesh/surface_type.h"
 
 namespace fpo {
@@ -165,7 +164,7 @@ class Faults {
   /// A vertex of the surface, or each of its sheets, that is not on the border is inside the cell with it.
   void count_inner_vertices() {
     const TriMesh& mesh = diagram_.mesh();
-    geom::DisjointSets sheets = geom::sheets_at_vertices(mesh, geom::sorted_half_edges(mesh.facets()));
+    geom::DisjointSets sheets = geom::sheets_at_vertices(mesh);
     const auto sheet = [&](FacetId t, int corner) {
       return sheets.find(3 * t.index() + static_cast<std::size_t>(corner));
     };

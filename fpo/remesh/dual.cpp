@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <span>
@@ -18,6 +20,7 @@ using geom::VertexId;
 
 std::vector<SurfaceSample> samples_of(const SurfaceDomain& domain) {
   std::vector<SurfaceSample> samples;
+  samples.reserve(domain.num_samples());
   for (std::size_t i = 0; i < domain.num_samples(); ++i) samples.push_back(domain.sample(SiteId(i)));
   return samples;
 }
@@ -66,7 +69,7 @@ Dual dual_of(const SurfaceDomain& domain, const geom::SurfaceType& type, bool ke
 namespace {
 
 /// The edges opposite a vertex in its triangles.
-using Link = std::vector<std::array<VertexId, 2>>;
+using Link = std::span<const std::array<VertexId, 2>>;
 
 /// Whether the link is one path or one cycle; if a vertex on it has more than two edges, which.
 struct LinkShape {
@@ -74,7 +77,7 @@ struct LinkShape {
   VertexId branching;
 };
 
-LinkShape shape_of(const Link& link) {
+LinkShape shape_of(Link link) {
   if (link.empty()) return {false, VertexId()};
   using Side = std::array<VertexId, 2>;
   std::vector<Side> sides;  // both ways, those that begin at a vertex next to each other
@@ -102,12 +105,17 @@ LinkShape shape_of(const Link& link) {
 }  // namespace
 
 std::vector<Defect> find_defects(const TriMesh& mesh) {
-  geom::Table<VertexId, Link> links(mesh.num_vertices());
+  std::vector<std::uint32_t> end(mesh.num_vertices() + 1, 0);  // of each link, among all of them
   for (const TriMesh::Facet& f : mesh.facets())
-    for (std::size_t i = 0; i < 3; ++i) links[f[i]].push_back({f[(i + 1) % 3], f[(i + 2) % 3]});
+    for (const VertexId v : f) ++end[v.index() + 1];
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<std::array<VertexId, 2>> links(3 * mesh.num_facets());
+  for (const TriMesh::Facet& f : mesh.facets())  // end: so far
+    for (std::size_t i = 0; i < 3; ++i) links[end[f[i].index()]++] = {f[(i + 1) % 3], f[(i + 2) % 3]};
   std::vector<Defect> defects;
   for (std::size_t v = 0; v < mesh.num_vertices(); ++v) {
-    const LinkShape shape = shape_of(links[VertexId(v)]);
+    const std::size_t begin = v == 0 ? 0 : end[v - 1];
+    const LinkShape shape = shape_of(Link(links).subspan(begin, end[v] - begin));
     if (!shape.fan_or_disk) defects.push_back({SiteId(v), SiteId(shape.branching.value)});
   }
   return defects;

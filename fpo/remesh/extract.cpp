@@ -24,33 +24,37 @@ void for_each_fragment(const geom::RestrictedPower& diagram, Visit visit) {
       visit(fragments.site(f), t, fragments.corners(f, buffer));
 }
 
-using Triangle = std::array<SiteId, 3>;
+/// Of samples, which are the vertices.
+using Triangles = geom::Table<FacetId, geom::TriMesh::Facet>;
+
+geom::VertexId vertex_of(SiteId s) { return geom::VertexId(s.value); }
 
 /// Sorted, each once. `position(s)`: of a sample.
 template <class Position>
-geom::TriMesh mesh_of(std::vector<Triangle> triangles, std::size_t num_samples, const Position& position) {
+geom::TriMesh mesh_of(Triangles triangles, std::size_t num_samples, const Position& position) {
   geom::require(!triangles.empty(), std::to_string(num_samples) +
                                         (num_samples == 1 ? " sample is" : " samples are") +
                                         " too few: their diagram has no triangle");
-  std::ranges::sort(triangles);
-  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  std::sort(triangles.begin(), triangles.end());
+  const auto last = std::unique(triangles.begin(), triangles.end());
+  triangles.resize(static_cast<std::size_t>(last - triangles.begin()));
   geom::Table<geom::VertexId, geom::Vec3> vertices;
+  vertices.reserve(num_samples);
   for (std::size_t i = 0; i < num_samples; ++i) vertices.push_back(position(SiteId(i)));
-  geom::Table<FacetId, geom::TriMesh::Facet> facets;
-  for (const auto& [i, j, k] : triangles)
-    facets.push_back({geom::VertexId(i.value), geom::VertexId(j.value), geom::VertexId(k.value)});
-  return geom::TriMesh(std::move(vertices), std::move(facets));
+  return geom::TriMesh(std::move(vertices), std::move(triangles));
 }
 
 }  // namespace
 
 geom::TriMesh extract(const SurfaceDomain& domain) {
-  std::vector<Triangle> triangles;
+  Triangles triangles;
+  triangles.reserve(2 * domain.num_samples());  // nearly, on a closed surface
   for (std::size_t s = 0; s < domain.num_samples(); ++s)
     for (const geom::CircleId c : domain.dual().circles_of(SiteId(s))) {
       const geom::EmptyCircle& circle = domain.dual().circle(c);
       if (!circle.is_triangle() || circle.sites[0] != SiteId(s)) continue;
-      triangles.push_back({circle.sites[0], circle.sites[circle.after(0)], circle.sites[circle.before(0)]});
+      triangles.push_back({vertex_of(circle.sites[0]), vertex_of(circle.sites[circle.after(0)]),
+                           vertex_of(circle.sites[circle.before(0)])});
     }
   return mesh_of(std::move(triangles), domain.num_samples(),
                  [&](SiteId s) { return domain.sample(s).position; });
@@ -67,14 +71,15 @@ geom::TriMesh extract(const geom::RestrictedPower& diagram, std::size_t num_samp
     const auto found = owners.find(diagram.fragments().find(s, t));
     return found == owners.end() ? s : found->second;
   };
-  std::vector<Triangle> triangles;
+  Triangles triangles;
   for_each_fragment(diagram, [&](SiteId i, FacetId t, std::span<const PolygonCorner> corners) {
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const geom::EdgeLabel before = corners[k == 0 ? corners.size() - 1 : k - 1].edge,
                             after = corners[k].edge;
       if (!before.is_site() || !after.is_site()) continue;
       if (!(i < before.site() && i < after.site())) continue;
-      Triangle triangle{owner_of(i, t), owner_of(before.site(), t), owner_of(after.site(), t)};
+      geom::TriMesh::Facet triangle{vertex_of(owner_of(i, t)), vertex_of(owner_of(before.site(), t)),
+                                    vertex_of(owner_of(after.site(), t))};
       std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
       if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
         triangles.push_back(triangle);

@@ -54,20 +54,22 @@ CircleId CircleHeap::top() {
 }
 
 void CircleHeap::refill() {
-  scratch_.clear();
-  for (const CircleId c : dual_.circles())
-    if (const EmptyCircle& circle = dual_.circle(c); is_offered(circle))
-      scratch_.push_back({priority_(circle), c});
+  std::vector<CircleId> circles = dual_.circles();
+  std::erase_if(circles, [&](CircleId c) { return !is_offered(dual_.circle(c)); });
+  std::vector<double> key_of;
+  key_of.reserve(circles.size());
+  for (const CircleId c : circles) key_of.push_back(priority_(dual_.circle(c)));
+  std::vector<double> keys = key_of;
   bar_ = all;
-  if (scratch_.size() >= few) {
-    const auto nth = scratch_.begin() + static_cast<std::ptrdiff_t>(scratch_.size() / share);
-    std::ranges::nth_element(scratch_, nth, std::greater<>(), &Heap::Entry::key);
-    if (nth->key < none) bar_ = nth->key;
+  if (keys.size() >= few) {
+    const auto nth = keys.begin() + static_cast<std::ptrdiff_t>(keys.size() / share);
+    std::ranges::nth_element(keys, nth, std::greater<>());
+    if (*nth < none) bar_ = *nth;
   }
   heap_ = Heap(Order{&dual_});
-  for (const auto& [key, c] : scratch_)
-    if (key >= bar_) heap_.push(c, key);
-  most_ = std::max(2 * heap_.size(), scratch_.size() / 2 + few);
+  for (std::size_t i = 0; i < circles.size(); ++i)
+    if (key_of[i] >= bar_) heap_.push(circles[i], key_of[i]);
+  most_ = std::max(2 * heap_.size(), keys.size() / 2 + few);
 }
 
 CircleId CircleHeap::first_on(std::span<const SiteId> cells) const {

@@ -71,10 +71,9 @@ class CircleHeap {
   const geom::RestrictedDual& dual_;
   SurfacePriority priority_;
   const MoveGuard* guard_;
-  Heap heap_;                         ///< all that are offered with priority >= bar_
-  double bar_ = none;                 ///< at first nobody has asked for the top
-  std::size_t most_ = 0;              ///< more entries than these call for a higher bar
-  std::vector<Heap::Entry> scratch_;  ///< workspace
+  Heap heap_;             ///< all that are offered with priority >= bar_
+  double bar_ = none;     ///< at first nobody has asked for the top
+  std::size_t most_ = 0;  ///< more entries than these call for a higher bar
 };
 
 }  // namespace fpo

@@ -23,6 +23,7 @@ const DualChange& DualUpdates::build(std::span<const WeightedPoint3> points, std
                                      std::span<const KnownCell> known) {
   ensure(state_.search.size() == 0 && !points.empty(), "restricted dual: built once, of some sites");
   begin();
+  state_.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     state_.admit(SiteId(i), points[i]);
     state_.home[SiteId(i)] = homes[i];

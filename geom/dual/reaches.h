@@ -14,6 +14,7 @@ class Reaches {
   /// Keeps a reference; that search knows the bounds of the sites that are in.
   explicit Reaches(SiteSearch& search) : search_(search) {}
 
+  void reserve(std::size_t num_sites) { bounds_.reserve(num_sites); }
   /// Cells of further sites are empty.
   void resize(std::size_t num_sites) { bounds_.resize(num_sites, of_nothing); }
   /// Of an empty cell of_nothing.

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double radii[] = {1.6, 1.25, 1.08};  // R, in distances that are to be covered: one after the other
 constexpr double nearly_there = 0.3, nearly_so = 0.85;  // of a distance for which there is no sheet
-constexpr double ample = 1 + 1e-6;
+constexpr double ample = 1 + 2e-6;   // a millionth more than the bounds say, after rounding to float
 constexpr double steepest = 0.7075;  // cosine: a slope less than 1
 constexpr double flat_enough = 0.98;
 constexpr int axis_rounds = 8;
@@ -58,8 +58,8 @@ const Sheet* Sheets::around(SiteId site, const Location3& at, double distance) {
   if (site.index() >= of_site_.size()) of_site_.resize(site.index() + 1);
   OfSite& known = of_site_[site];
   if (known.sheet.level == at.level && known.sheet.covers(x, distance)) return &known.sheet;
-  if (at.level == known.failed_level && distance > nearly_so * known.failed &&
-      (x - known.failed_at).norm() < nearly_there * distance)
+  if (static_cast<float>(at.level) == known.failed_level && distance > nearly_so * double{known.failed} &&
+      (x - known.failed_at.cast<double>()).norm() < nearly_there * distance)
     return nullptr;
   gathered_.clear();
   facets_.near(at, radii[0] * distance * ample, gathered_);
@@ -67,12 +67,12 @@ const Sheet* Sheets::around(SiteId site, const Location3& at, double distance) {
     const Sheet found = sheet_among_gathered(at, factor * distance);
     if (!found.covers(x, distance)) continue;
     known.sheet = found;
-    known.failed = std::numeric_limits<double>::infinity();
+    known.failed = std::numeric_limits<float>::infinity();
     return &known.sheet;
   }
-  known.failed = distance;
-  known.failed_at = x;
-  known.failed_level = at.level;
+  known.failed = static_cast<float>(distance);
+  known.failed_at = x.cast<float>();
+  known.failed_level = static_cast<float>(at.level);
   return nullptr;
 }
 
@@ -194,13 +194,13 @@ void Sheets::find_slopes(Sheet& sheet, double radius) {
     most_height = std::max({most_height, std::min(foot + rise, plane + slope * radius),
                             -std::max(foot - rise, plane - slope * radius)});
   }
-  sheet.slope_u = most_u;
-  sheet.slope_v = most_v;
-  sheet.slope = std::sqrt(most2);
-  sheet.height = most_height;
-  for (double* value : {&sheet.slope_u, &sheet.slope_v, &sheet.slope}) *value = ample * *value + 1e-9;
-  sheet.height = ample * sheet.height + 1e-9 * radius;
-  sheet.width = sheet.height < radius ? std::sqrt(radius * radius - sheet.height * sheet.height) / ample : -1;
+  const auto bound = [](double value, double tiny) { return static_cast<float>(ample * value + tiny); };
+  sheet.slope_u = bound(most_u, 1e-9);
+  sheet.slope_v = bound(most_v, 1e-9);
+  sheet.slope = bound(std::sqrt(most2), 1e-9);
+  sheet.height = bound(most_height, 1e-9 * radius);
+  const double height = sheet.height, width2 = radius * radius - height * height;
+  sheet.width = width2 > 0 ? static_cast<float>(std::sqrt(width2) / ample) : -1;
 }
 
 /// Premises (2) and (3) for the facets in near_.

@@ -48,25 +48,25 @@
 
 namespace geom {
 
-/// The surface in the ball about a location on it.
+/// The surface in the ball about a location on it. There is one for each site: bounds are floats.
 struct Sheet {
   Vec3 center{0, 0, 0};  ///< p0
   Vec3 axis{0, 0, 1};
-  Vec3 u{1, 0, 0};                  ///< across, the direction of most slopes
-  double slope = 0;                 ///< s
-  double slope_u = 0, slope_v = 0;  ///< the components of the gradient along u and m x u are at most that
-  double height = 0;                ///< H
-  double level = 0;   ///< of all facets of the ball; those whose levels are R away are not in it (levels.h)
-  double width = -1;  ///< W; negative: the surface is no sheet there
+  Vec3 u{1, 0, 0};   ///< across, the direction of most slopes
+  double level = 0;  ///< of all facets of the ball; those whose levels are R away are not in it (levels.h)
+  float slope = 0;   ///< s
+  float slope_u = 0, slope_v = 0;  ///< the components of the gradient along u and m x u are at most that
+  float height = 0;                ///< H
+  float width = -1;                ///< W; negative: the surface is no sheet there
 
   /// Does what was said of D hold for p?
   bool covers(const Vec3& p, double distance) const {
     return width > 0 && (distance + (p - center).norm()) * (1 + 1e-6) < width;
   }
   /// A bound of R, if this is a sheet.
-  double radius() const { return std::sqrt(width * width + height * height) * (1 + 4e-6); }
+  double radius() const { return std::hypot(double{width}, double{height}) * (1 + 4e-6); }
   /// The largest such D, nearly.
-  double distance_from(const Vec3& p) const { return width / (1 + 2e-6) - (p - center).norm(); }
+  double distance_from(const Vec3& p) const { return double{width} / (1 + 2e-6) - (p - center).norm(); }
 };
 
 /// Sheets, made where they are asked for and kept, one for each site.
@@ -100,9 +100,9 @@ class Sheets {
  private:
   struct OfSite {
     Sheet sheet;
-    double failed = std::numeric_limits<double>::infinity();  ///< a distance for which there was none
-    Vec3 failed_at{0, 0, 0};
-    double failed_level = 0;
+    float failed = std::numeric_limits<float>::infinity();  ///< a distance for which there was none
+    Eigen::Vector3f failed_at{0, 0, 0};
+    float failed_level = 0;
   };
   Sheet sheet_among_gathered(const Location3& center, double radius);
   bool keep_near(const Location3& center, double radius);

@@ -15,6 +15,10 @@ enum class CellShape : char { regular, irregular, unknown };
 
 class SiteShapes {
  public:
+  void reserve(std::size_t num_sites) {
+    shape_.reserve(num_sites);
+    place_of_.reserve(num_sites);
+  }
   /// Sites are regular at first.
   void resize(std::size_t num_sites) {
     shape_.resize(num_sites, CellShape::regular);

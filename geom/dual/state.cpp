@@ -38,6 +38,13 @@ DualState::DualState(const TriMesh& surface, CornerTypes types, NeighbourOracle*
   ensure(!paper || !has_levels, "restricted dual: the regular triangulation knows no levels");
 }
 
+void DualState::reserve(std::size_t num_sites) {
+  sites.reserve(num_sites);
+  reach.reserve(num_sites);
+  home.reserve(num_sites);
+  shapes.reserve(num_sites);
+}
+
 void DualState::admit(SiteId p, const WeightedPoint3& point) {
   ensure(point.position.lpNorm<Eigen::Infinity>() <= extent,
          "restricted dual: a site outside the mesh's box");

@@ -39,6 +39,8 @@ struct DualState {
   DualState(const TriMesh& surface, CornerTypes types, NeighbourOracle* source);
   DualState(const DualState&) = delete;
 
+  /// So many sites are going to be admitted.
+  void reserve(std::size_t num_sites);
   /// Sets the point of a site that is not in.
   void admit(SiteId p, const WeightedPoint3& point);
   /// A site comes in, at its point, or goes out.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -25,33 +26,33 @@ struct HalfEdge {
   VertexId to() const { return ascending ? high : low; }
 };
 
+inline HalfEdge half_edge(const Table<FacetId, std::array<VertexId, 3>>& facets, FacetId t, int e) {
+  const VertexId a = facets[t][static_cast<std::size_t>(e)],
+                 b = facets[t][static_cast<std::size_t>(e == 2 ? 0 : e + 1)];
+  return {std::min(a, b), std::max(a, b), t, static_cast<std::int8_t>(e), a < b};
+}
+
 /// All half-edges, those of one edge next to each other, in order of facets. O(F), and for each vertex its
 /// higher neighbours sorted.
 inline std::vector<HalfEdge> sorted_half_edges(const Table<FacetId, std::array<VertexId, 3>>& facets) {
-  const auto half_edge = [&](FacetId t, int e) -> HalfEdge {
-    const VertexId a = facets[t][static_cast<std::size_t>(e)],
-                   b = facets[t][static_cast<std::size_t>(e == 2 ? 0 : e + 1)];
-    return {std::min(a, b), std::max(a, b), t, static_cast<std::int8_t>(e), a < b};
-  };
   const auto for_each = [&](auto visit) {
     for (FacetId t(0); t.index() < facets.size(); t = FacetId(t.value + 1))
-      for (int e = 0; e < 3; ++e) visit(half_edge(t, e));
+      for (int e = 0; e < 3; ++e) visit(half_edge(facets, t, e));
   };
-  std::vector<std::size_t> first;  // of each lower end
+  std::vector<std::uint32_t> end;  // of those of each lower end
   for_each([&](const HalfEdge& h) {
-    if (h.low.index() + 2 > first.size()) first.resize(h.low.index() + 2, 0);
-    ++first[h.low.index() + 1];
+    if (h.low.index() + 2 > end.size()) end.resize(h.low.index() + 2, 0);
+    ++end[h.low.index() + 1];
   });
-  for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
+  std::partial_sum(end.begin(), end.end(), end.begin());
   std::vector<HalfEdge> result(3 * facets.size());
-  std::vector<std::size_t> next = first;
-  for_each([&](const HalfEdge& h) { result[next[h.low.index()]++] = h; });
-  for (std::size_t v = 0; v + 1 < first.size(); ++v) {
-    const auto begin = result.begin() + static_cast<std::ptrdiff_t>(first[v]),
-               end = result.begin() + static_cast<std::ptrdiff_t>(first[v + 1]);
-    std::sort(begin, end, [](const HalfEdge& a, const HalfEdge& b) {
+  for_each([&](const HalfEdge& h) { result[end[h.low.index()]++] = h; });
+  std::uint32_t begin = 0;
+  for (const std::uint32_t e : end) {
+    std::sort(result.begin() + begin, result.begin() + e, [](const HalfEdge& a, const HalfEdge& b) {
       return std::tuple(a.high, a.facet, a.edge) < std::tuple(b.high, b.facet, b.edge);
     });
+    begin = e;
   }
   return result;
 }

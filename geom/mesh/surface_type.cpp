@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <utility>
 
+#include "geom/mesh/edges.h"
+
 namespace geom {
 namespace {
 
 /// Which parts have a way round after which left is right: a facet and its mirror image, two nodes each, are
 /// joined across edges of two facets as these run; where both come together the part is one-sided.
-void find_one_sided(const std::vector<HalfEdge>& half_edges, SurfaceType& type) {
+void find_one_sided(const TriMesh& mesh, SurfaceType& type) {
   const std::size_t count = type.part_of.size();
   DisjointSets sides(2 * count);
-  for_each_edge(half_edges, [&](auto first, auto last) {
+  for_each_edge(mesh, [&](auto first, auto last) {
     if (last - first != 2) return;
     const std::size_t a = first[0].facet.index(), b = first[1].facet.index();
     const std::size_t turned = first[0].ascending == first[1].ascending ? count : 0;
@@ -28,11 +30,11 @@ std::size_t corner_at(const TriMesh& mesh, FacetId t, VertexId v) {
 }
 
 /// Vertices and their borders, counted once for each sheet.
-void count_at_vertices(const TriMesh& mesh, const std::vector<HalfEdge>& half_edges, SurfaceType& type) {
+void count_at_vertices(const TriMesh& mesh, SurfaceType& type) {
   const std::size_t num_corners = 3 * mesh.num_facets();
-  DisjointSets sheets = sheets_at_vertices(mesh, half_edges), loops(num_corners);
+  DisjointSets sheets = sheets_at_vertices(mesh), loops(num_corners);
   std::vector<char> on_border(num_corners, 0);
-  for_each_edge(half_edges, [&](auto first, auto last) {
+  for_each_edge(mesh, [&](auto first, auto last) {
     type.branches |= last - first > 2;
     if (last - first != 1) return;
     const std::size_t a = sheets.find(corner_at(mesh, first->facet, first->low)),
@@ -54,9 +56,9 @@ void count_at_vertices(const TriMesh& mesh, const std::vector<HalfEdge>& half_ed
 
 }  // namespace
 
-DisjointSets sheets_at_vertices(const TriMesh& mesh, const std::vector<HalfEdge>& half_edges) {
+DisjointSets sheets_at_vertices(const TriMesh& mesh) {
   DisjointSets sheets(3 * mesh.num_facets());
-  for_each_edge(half_edges, [&](auto first, auto last) {
+  for_each_edge(mesh, [&](auto first, auto last) {
     for (auto h = first + 1; h != last; ++h)
       for (const VertexId v : {h->low, h->high})
         sheets.merge(corner_at(mesh, first->facet, v), corner_at(mesh, h->facet, v));
@@ -76,11 +78,11 @@ PartType SurfaceType::whole() const {
 
 SurfaceType surface_type(const TriMesh& mesh) {
   SurfaceType type;
-  const std::vector<HalfEdge> half_edges = sorted_half_edges(mesh.facets());
   DisjointSets joined(mesh.num_facets());
-  for_each_edge(half_edges, [&](auto first, auto last) {
+  for_each_edge(mesh, [&](auto first, auto last) {
     for (auto h = first + 1; h != last; ++h) joined.merge_to_least(first->facet.index(), h->facet.index());
   });
+  type.part_of.reserve(mesh.num_facets());
   for (std::size_t t = 0; t < mesh.num_facets(); ++t) {
     const std::size_t first = joined.find(t);
     const bool is_new = first == t;
@@ -88,9 +90,9 @@ SurfaceType surface_type(const TriMesh& mesh) {
     if (is_new) type.parts.emplace_back();
     ++type.parts[type.part_of.back()].euler;
   }
-  for_each_edge(half_edges, [&](auto first, auto) { --type.parts[type.part_of[first->facet]].euler; });
-  count_at_vertices(mesh, half_edges, type);
-  find_one_sided(half_edges, type);
+  for_each_edge(mesh, [&](auto first, auto) { --type.parts[type.part_of[first->facet]].euler; });
+  count_at_vertices(mesh, type);
+  find_one_sided(mesh, type);
   return type;
 }
 

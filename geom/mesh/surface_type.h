@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "geom/disjoint_sets.h"
-#include "geom/mesh/half_edges.h"
 #include "geom/mesh/trimesh.h"
 
 namespace geom {
@@ -32,9 +31,9 @@ struct SurfaceType {
 };
 
 /// Of corner i of facet t, at 3 t + i: the corners joined to it by edges at their common vertex are one set.
-DisjointSets sheets_at_vertices(const TriMesh& mesh, const std::vector<HalfEdge>& half_edges);
+DisjointSets sheets_at_vertices(const TriMesh& mesh);
 
-/// O(F log F).
+/// O(F).
 SurfaceType surface_type(const TriMesh& mesh);
 
 }  // namespace geom

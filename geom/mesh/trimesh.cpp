@@ -5,7 +5,7 @@
 
 #include "geom/check.h"
 #include "geom/disjoint_sets.h"
-#include "geom/mesh/half_edges.h"
+#include "geom/mesh/edges.h"
 
 namespace geom {
 namespace {
@@ -95,7 +95,7 @@ Topology topology(const TriMesh& mesh) {
   };
   std::vector<char> used(v_count, 0), on_boundary(v_count, 0), bad(v_count, 0);
 
-  for_each_edge(sorted_half_edges(mesh.facets()), [&](auto first, auto last) {
+  for_each_edge(mesh, [&](auto first, auto last) {
     ++result.edges;
     const VertexId low = first->low, high = first->high;
     used[low.index()] = used[high.index()] = 1;

@@ -422,7 +422,7 @@ TEST_CASE("chart: what sites all around leave on the worst surface there may be"
     for (std::size_t j = 0; j < sites.size(); ++j) {
       const double next = j + 1 < angles.size() ? angles[j + 1] : angles[0] + 2 * std::numbers::pi;
       const double angle = 0.5 * (angles[j] + next) + rng.uniform(-0.05, 0.05);
-      for (const double height : {-sheet.slope, 0.0, sheet.slope}) {
+      for (const double height : {-sheet.slope, 0.0f, sheet.slope}) {
         const Vec3 z = radius * Vec3(std::cos(angle), std::sin(angle), height).normalized();
         double power = std::numeric_limits<double>::infinity();
         for (const Site& s : sites) power = std::min(power, z.squaredNorm() - weight + s.at(z));

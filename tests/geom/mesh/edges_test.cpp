@@ -1,6 +1,9 @@
 #include "geom/mesh/edges.h"
 
+#include <algorithm>
 #include <set>
+#include <tuple>
+#include <vector>
 
 #include "doctest.h"
 #include "tests/fixtures/hard_surfaces.h"
@@ -15,5 +18,24 @@ TEST_CASE("edges: each once, ascending, as a set of all sides of facets has them
     for (const TriMesh::Facet& f : mesh.facets())
       for (std::size_t e = 0; e < 3; ++e) expected.insert(mesh_edge(f[e], f[(e + 1) % 3]));
     CHECK(edges_of(mesh) == std::vector<MeshEdge>(expected.begin(), expected.end()));
+  }
+}
+
+TEST_CASE("edges: visited by what is across they come with the half-edges that sorting finds") {
+  const auto key = [](const HalfEdge& h) { return std::tuple(h.ends(), h.facet, h.edge, h.ascending); };
+  for (const auto& surface : fixtures::hard_surfaces()) {
+    CAPTURE(surface.name);
+    using Edge = std::vector<decltype(key(HalfEdge{}))>;
+    std::vector<Edge> expected, found;
+    const auto collect = [&](std::vector<Edge>& edges) {
+      return [&](auto first, auto last) {
+        Edge& edge = edges.emplace_back();
+        for (auto h = first; h != last; ++h) edge.push_back(key(*h));
+      };
+    };
+    for_each_edge(sorted_half_edges(surface.mesh.facets()), collect(expected));
+    for_each_edge(surface.mesh, collect(found));
+    std::ranges::sort(found);
+    CHECK(found == expected);
   }
 }
