@@ -17,7 +17,9 @@ class RememberedSamples {
   void put_back(SurfaceDomain& domain) const;
 
  private:
-  std::vector<SampleState> states_;
+  std::vector<geom::Vec3> positions_;
+  std::vector<geom::FacetId> facets_;
+  std::vector<double> weight_shares_;  ///< or none, if all are 1
 };
 
 }  // namespace fpo

@@ -8,7 +8,7 @@
 namespace geom {
 namespace {
 
-constexpr std::size_t leaf_size = 3;
+constexpr std::size_t leaf_size = 4;
 
 /// In this order of summation here and for boxes: rounding is monotone, so a box is never farther than a
 /// point in it.
@@ -80,12 +80,13 @@ AabbTree::AabbTree(const TriMesh& mesh) {
     ordering.middle.push_back(box.center());
     ordering.facets.push_back(t);
   }
-  nodes_.reserve(mesh.num_facets());
   build(ordering, 0, mesh.num_facets());
+  nodes_.shrink_to_fit();
+  ordering.middle = {};
   slot_.resize(mesh.num_facets());
   items_.reserve(mesh.num_facets());
   for (const FacetId t : ordering.facets) {
-    slot_[t] = items_.size();
+    slot_[t] = static_cast<std::uint32_t>(items_.size());
     items_.push_back({{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, t});
   }
 }
@@ -100,8 +101,8 @@ void AabbTree::build(Ordering& ordering, std::size_t first, std::size_t last) {
   }
   const std::size_t node = nodes_.size();
   const bool leaf = last - first <= leaf_size;
-  nodes_.push_back({box.min(), box.max(), static_cast<std::int32_t>(first),
-                    leaf ? static_cast<std::int32_t>(last - first) : 0, 0});
+  nodes_.push_back({box.min(), box.max(), leaf ? static_cast<std::int32_t>(last - first) : 0,
+                    static_cast<std::int32_t>(first)});
   if (leaf) return;
   Eigen::Index axis = 0;
   middles.sizes().maxCoeff(&axis);
@@ -110,7 +111,7 @@ void AabbTree::build(Ordering& ordering, std::size_t first, std::size_t last) {
   const auto at = [&](std::size_t k) { return ordering.facets.begin() + static_cast<std::ptrdiff_t>(k); };
   std::nth_element(at(first), at(half), at(last), [&](FacetId s, FacetId t) { return key(s) < key(t); });
   build(ordering, first, half);
-  nodes_[node].second_child = static_cast<std::int32_t>(nodes_.size());
+  nodes_[node].next = static_cast<std::int32_t>(nodes_.size());
   build(ordering, half, last);
 }
 
@@ -148,7 +149,7 @@ void AabbTree::search(const Vec3& x, Closest& best, double enough) const {
     Waiting at = stack[--height];
     if (at.distance2 > best.distance2) continue;
     while (nodes_[at.node].count == 0) {
-      Waiting near{at.node + 1, 0}, far{static_cast<std::size_t>(nodes_[at.node].second_child), 0};
+      Waiting near{at.node + 1, 0}, far{static_cast<std::size_t>(nodes_[at.node].next), 0};
       near.distance2 = distance2(nodes_[near.node], x);
       far.distance2 = distance2(nodes_[far.node], x);
       if (far.distance2 < near.distance2) std::swap(near, far);
@@ -158,7 +159,7 @@ void AabbTree::search(const Vec3& x, Closest& best, double enough) const {
     }
     if (at.distance2 > best.distance2) continue;
     const Node& leaf = nodes_[at.node];
-    for (std::int32_t k = leaf.first; k < leaf.first + leaf.count; ++k)
+    for (std::int32_t k = leaf.next; k < leaf.next + leaf.count; ++k)
       if (const Item& item = items_[static_cast<std::size_t>(k)]; distance2(item, x) <= best.distance2)
         improve(item, x, best);
     if (best.distance2 < enough) return;
@@ -178,10 +179,10 @@ void AabbTree::overlapping(const Box3& box, std::vector<FacetId>& facets) const 
     if (!meets(node.low, node.high)) continue;
     if (node.count == 0) {
       stack[height++] = at + 1;
-      stack[height++] = static_cast<std::size_t>(node.second_child);
+      stack[height++] = static_cast<std::size_t>(node.next);
       continue;
     }
-    for (std::int32_t k = node.first; k < node.first + node.count; ++k) {
+    for (std::int32_t k = node.next; k < node.next + node.count; ++k) {
       const auto& [corners, facet] = items_[static_cast<std::size_t>(k)];
       const auto& [a, b, c] = corners;
       if (meets(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c))) facets.push_back(facet);
@@ -192,14 +193,14 @@ void AabbTree::overlapping(const Box3& box, std::vector<FacetId>& facets) const 
 bool AabbTree::is_nearer(const Vec3& x, double distance2, FacetId hint) const {
   Closest best;
   best.distance2 = distance2;
-  if (hint.valid()) improve(items_[slot_[hint]], x, best);
+  if (hint.valid()) improve(item(hint), x, best);
   if (!(best.distance2 < distance2)) search(x, best, distance2);
   return best.distance2 < distance2;
 }
 
 AabbTree::Closest AabbTree::closest(const Vec3& x, FacetId hint) const {
   Closest best;
-  if (hint.valid()) improve(items_[slot_[hint]], x, best);
+  if (hint.valid()) improve(item(hint), x, best);
   search(x, best);
   return best;
 }

@@ -45,14 +45,14 @@ class AabbTree {
   /// Adds the facets whose boxes meet this one, in no order. O(log F + their number) typically.
   void overlapping(const Box3& box, std::vector<FacetId>& facets) const;
 
-  const std::array<Vec3, 3>& triangle(FacetId t) const { return items_[slot_[t]].corners; }
+  const std::array<Vec3, 3>& triangle(FacetId t) const { return item(t).corners; }
 
  private:
   /// Nodes are in preorder: the first child of an inner node follows it.
   struct Node {
     Vec3 low, high;
-    std::int32_t first = 0, count = 0;  ///< leaf: items_[first, first + count); inner: 0 items
-    std::int32_t second_child = 0;
+    std::int32_t count = 0;  ///< leaf: of its items; inner: 0
+    std::int32_t next = 0;   ///< leaf: its first item; inner: its second child
   };
   struct Item {
     std::array<Vec3, 3> corners;
@@ -67,9 +67,11 @@ class AabbTree {
   static double distance2(const Item& item, const Vec3& x);
   static void improve(const Item& item, const Vec3& x, Closest& best);
 
+  const Item& item(FacetId t) const { return items_[slot_[t]]; }
+
   std::vector<Node> nodes_;
   std::vector<Item> items_;  ///< those of a leaf next to each other
-  Table<FacetId, std::size_t> slot_;
+  Table<FacetId, std::uint32_t> slot_;
 };
 
 }  // namespace geom
