@@ -9,6 +9,7 @@
 #include <span>
 #include <tuple>
 
+#include "fpo/farthest_move.h"
 #include "geom/check.h"
 
 namespace fpo {
@@ -159,6 +160,14 @@ std::set<SiteId> neighbourhood(SurfaceDomain& domain, const std::vector<SiteId>&
 
 constexpr double closest = 0.2;  // no sample is brought nearer to another one, in units of h
 
+/// Would a sample there be far enough from that other one, which is the nearest, and have a cell of its own?
+bool has_room(const SurfaceDomain& domain, const SurfaceSample& place, SiteId nearest) {
+  const geom::WeightedPoint3& other = domain.dual().site(nearest);
+  const double least = closest * domain.sizing().at(place);
+  const double distance2 = (other.position - place.position).squaredNorm();
+  return distance2 >= std::max(least * least, other.weight - domain.samples().weight_at(place));
+}
+
 }  // namespace
 
 std::size_t refine_at(SurfaceDomain& domain, const std::vector<Defect>& defects) {
@@ -167,6 +176,7 @@ std::size_t refine_at(SurfaceDomain& domain, const std::vector<Defect>& defects)
   std::vector<SiteId> all;
   std::set<SiteId> taken;
   for (const Defect& defect : defects) {
+    if (!domain.dual().has_cell(defect.at)) continue;
     all.push_back(defect.at);
     if (taken.contains(defect.at)) continue;
     places.push_back(defect);
@@ -175,9 +185,11 @@ std::size_t refine_at(SurfaceDomain& domain, const std::vector<Defect>& defects)
 
   std::vector<std::pair<double, SiteId>> donors;
   std::set<SiteId> kept = neighbourhood(domain, all, 2);
-  for (std::size_t i = 0; i < domain.num_samples(); ++i)
-    if (!kept.contains(SiteId(i)) && !domain.is_fixed(SiteId(i)))
-      donors.emplace_back(domain.normalized_spacing(SiteId(i)), SiteId(i));
+  for (SiteId x(0); x.index() < domain.num_samples(); x = SiteId(x.value + 1)) {
+    if (domain.is_fixed(x) || kept.contains(x)) continue;
+    const bool is_missed = domain.dual().has_cell(x);
+    donors.emplace_back(is_missed ? domain.normalized_spacing(x) : 0, x);
+  }
   std::ranges::sort(donors);
 
   std::size_t brought = 0;
@@ -188,10 +200,8 @@ std::size_t refine_at(SurfaceDomain& domain, const std::vector<Defect>& defects)
     if (next == donors.end()) break;
     const SiteId donor = next->second;
     const SurfaceSample target = farthest_corner(domain, place);
-    const double least = closest * domain.sizing().at(target);
     const double level = domain.dual().level_at(target.facet, target.position);
-    const SiteId nearest = domain.dual().nearest({target.position, level}, SiteId()).site;
-    if ((domain.sample(nearest).position - target.position).norm() < least) continue;
+    if (!has_room(domain, target, domain.dual().nearest({target.position, level}, SiteId()).site)) continue;
     domain.neighbours(donor, around);
     kept.merge(neighbourhood(domain, {donor}, 2));  // no second hole near this one
     domain.remove(donor);
@@ -200,6 +210,8 @@ std::size_t refine_at(SurfaceDomain& domain, const std::vector<Defect>& defects)
       if (!domain.is_fixed(x)) domain.move(x, Scope::two_ring);
     ++brought;
   }
+  for (SiteId x(0); x.index() < domain.num_samples(); x = SiteId(x.value + 1))
+    if (!domain.is_fixed(x) && !domain.dual().has_cell(x)) brought += move_to_farthest(domain, x);
   return brought;
 }
 

@@ -49,8 +49,10 @@ std::vector<Defect> find_defects(const geom::TriMesh& mesh);
 
 /// Brings a sample to each place with defects, to where the cell reaches farthest from its sample; it is
 /// taken from the place, far from all of these, where samples are closest together. The samples around the
-/// hole that it leaves are moved once to their farthest points nearby. The number of samples stays. Returns
-/// the number of samples brought. Deterministic.
+/// hole that it leaves are moved once to their farthest points nearby. Samples without a cell are taken
+/// first, and those that are left, but for fixed ones, go to the farthest points of all; none is brought to
+/// where it would have none. The number of samples stays. Returns the number of samples brought.
+/// Deterministic.
 std::size_t refine_at(SurfaceDomain& domain, const std::vector<Defect>& defects);
 
 }  // namespace fpo

@@ -17,9 +17,10 @@ using geom::Vec3;
 namespace {
 
 constexpr int rounds = 10;
-constexpr int futile_rounds = 2;  // in a row, with no edge less to miss
-constexpr double most_share = 8;  // of the usual weight: larger disks would swallow all around them
-constexpr double crowded = 0.5;   // wanted lengths to the next sample of the features
+constexpr int futile_rounds = 2;   // in a row, with no edge less to miss
+constexpr double most_share = 8;   // of the usual weight: larger disks would swallow all around them
+constexpr double crowded = 0.5;    // wanted lengths to the next sample of the features
+constexpr double least_own = 0.5;  // of a squared distance: a larger difference of weights hides a sample
 
 using Edge = std::pair<SiteId, SiteId>;
 
@@ -70,16 +71,35 @@ std::size_t lower_weights(SurfaceDomain& domain, const std::vector<double>& room
   return lowered;
 }
 
-/// So that its disk reaches the middle of an edge of this length. False if it does already or never may.
-bool raise_weight(SurfaceDomain& domain, SiteId x, double length2) {
-  const double share = 1 + length2 / 4 / domain.samples().full_weight(x);
-  if (!(share > domain.weight_share(x)) || share > most_share) return false;
-  return change_weight(domain, x, share);
+/// Would no other sample of the features lose its own place to x, or nearly, had x so much more weight?
+bool leaves_others(const SurfaceDomain& domain, std::size_t num_features, SiteId x, double more) {
+  const geom::WeightedPoint3& site = domain.dual().site(x);
+  for (SiteId y(0); y.index() < num_features; y = SiteId(y.value + 1)) {
+    const geom::WeightedPoint3& other = domain.dual().site(y);
+    const double distance2 = (other.position - site.position).squaredNorm();
+    if (y != x && site.weight + more - other.weight > least_own * distance2) return false;
+  }
+  return true;
 }
 
-bool move_away_from(SurfaceDomain& domain, const geom::Location3& middle) {
-  const SiteId x = domain.dual().nearest(middle, SiteId()).site;
+/// So that its disk reaches the middle of an edge of this length. False if it does already or never may.
+bool raise_weight(SurfaceDomain& domain, std::size_t num_features, SiteId x, double length2) {
+  const double full = domain.samples().full_weight(x), has = domain.weight_share(x);
+  const double share = 1 + length2 / 4 / full;
+  if (!(share > has) || share > most_share) return false;
+  return leaves_others(domain, num_features, x, (share - has) * full) && change_weight(domain, x, share);
+}
+
+/// The sample that owns the place, unless it is fixed.
+bool move_away_from(SurfaceDomain& domain, const geom::Location3& place) {
+  const SiteId x = domain.dual().nearest(place, SiteId()).site;
   return !domain.is_fixed(x) && move_to_farthest(domain, x);
+}
+
+/// The place of a sample.
+geom::Location3 place_of(const SurfaceDomain& domain, SiteId x) {
+  const geom::WeightedPoint3& site = domain.dual().site(x);
+  return {site.position, site.level};
 }
 
 }  // namespace
@@ -102,13 +122,17 @@ Protection protect_chains(SurfaceDomain& domain, const FeatureSamples& features,
       bool raised = false;
       if (room[a.index()] == 1 && room[b.index()] == 1)
         for (const SiteId x : {a, b})
-          if (raise_weight(domain, x, (to - from).squaredNorm())) {
+          if (raise_weight(domain, room.size(), x, (to - from).squaredNorm())) {
             weighted.insert(x);
             raised = true;
           }
+      bool moved = false;
+      for (const SiteId x : {a, b})  // who hides an end of it goes
+        if (!raised && !moved && !domain.dual().has_cell(x))
+          moved = move_away_from(domain, place_of(domain, x));
       const Vec3 middle = (from + to) / 2;
       const double level = (domain.dual().site(a).level + domain.dual().site(b).level) / 2;
-      const bool moved = !raised && move_away_from(domain, {middle, level});
+      if (!raised && !moved) moved = move_away_from(domain, {middle, level});
       result.moved += moved;
       changed |= raised || moved;
     }

@@ -32,6 +32,11 @@ double WeightedSamples::full_weight(SiteId x) const {
   return radius * radius;
 }
 
+double WeightedSamples::weight_at(const SurfaceSample& place) const {
+  const double radius = factor_ * sizing_.at(place);
+  return equal_ ? 0 : geom::snapped(radius * radius, weight_unit);
+}
+
 /// Equal weights are 0, whatever they are. A smaller one is negative then.
 double WeightedSamples::weight(SiteId x) const {
   if (equal_ && shares_[x] == 1) return 0;

@@ -30,6 +30,8 @@ class WeightedSamples {
   double share(SiteId x) const { return shares_[x]; }
   /// What the sizing gives x: (c h)^2, also if it is uniform.
   double full_weight(SiteId x) const;
+  /// What a sample with all of its weight would have in the diagram there.
+  double weight_at(const SurfaceSample& place) const;
   /// What x has in the diagram: its share of that, less what all have.
   double weight(SiteId x) const;
   /// All weights are and have always been 0.

@@ -88,3 +88,28 @@ TEST_CASE("dual: refinement keeps the number of samples and the diagram sound") 
   MESSAGE("spike: ", before, " defects, at best ", least, " after refinement");
   CHECK(domain.num_samples() == 40);
 }
+
+TEST_CASE("dual: refinement gives samples without a cell another place, and brings none where it has none") {
+  const TriMesh mesh = fixtures::surfaces().front().mesh;
+  SurfaceDomain domain(mesh, random_samples(mesh, 120, 3));
+  OptimizeOptions options;
+  options.max_iterations = 5;
+  optimize(domain, options);
+  const SiteId heavy(7);
+  std::vector<SiteId> link;
+  domain.neighbours(heavy, link);
+  double far2 = 0;
+  for (const SiteId y : link)
+    far2 = std::max(far2, (domain.sample(y).position - domain.sample(heavy).position).squaredNorm());
+  const SurfaceSample place = domain.sample(heavy);
+  domain.remove(heavy);
+  domain.insert_at(heavy, place, 1 + 1.1 * far2 / domain.samples().full_weight(heavy));
+  const std::size_t hidden = domain.num_hidden();
+  REQUIRE(hidden >= 3);
+  const geom::SurfaceType type = geom::surface_type(mesh);
+  const Dual dual = dual_of(domain, type, false);
+  REQUIRE(dual.defects.size() >= hidden);
+  CHECK(refine_at(domain, dual.defects) >= hidden);
+  CHECK(domain.num_hidden() == 0);
+  domain.check();
+}
