@@ -69,6 +69,10 @@ bool is_left_behind(const ThinParts& thin_parts, std::size_t n, const RemeshResu
          thin_parts.faults_after * samples_for_one_unmended > n;
 }
 
-bool is_better(const RemeshResult& a, const RemeshResult& b) { return rank(a) > rank(b); }
+bool is_better(const RemeshResult& a, const RemeshResult& b) {
+  const auto faults = [](const RemeshResult& r) { return r.advice.places.size() + r.broken_feature_edges; };
+  if (!a.type.ok() && !b.type.ok() && faults(a) != faults(b)) return faults(a) < faults(b);
+  return rank(a) > rank(b);
+}
 
 }  // namespace fpo

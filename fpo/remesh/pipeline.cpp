@@ -364,11 +364,12 @@ RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const Reme
     return std::move(*with_strong);
   WithCreases with{{}, with_strong.has_value()};
   RemeshResult& result = with.result;
-  if (with_strong && with_strong->type.ok() && take_most_samples(surface, all.features, options)) {
+  if (with_strong && (with_strong->type.ok() ? take_most_samples(surface, all.features, options)
+                                             : is_in_ruins(*with_strong) && !may_be_faced(*with_strong))) {
     result = std::move(*with_strong);
   } else {
     result = remesh_sheets(surface, all, options);
-    if (with_strong && with_strong->type.ok()) take_if_better(std::move(with_strong), result);
+    take_if_better(std::move(with_strong), result);
   }
   if (result.crease_curves == 0 || !options.features->yielding || options.method != Method::fpo ||
       result.stood_in || interrupted(options) || geom::topology(surface).nonmanifold_edges > 0 ||
@@ -376,7 +377,8 @@ RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const Reme
     return std::move(result);
   const bool has_few_on_curves = 2 * result.feature_samples < options.num_samples;
   const bool has_other_ways = may_be_smoothed(options) && is_folded(surface);
-  if (is_hopeless(result) && (has_few_on_curves || has_other_ways)) return std::move(result);
+  if ((is_hopeless(result) || is_in_ruins(result)) && (has_few_on_curves || has_other_ways))
+    return std::move(result);
   return remesh_with_fewer_creases(surface, std::move(with), options);
 }
 

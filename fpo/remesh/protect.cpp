@@ -71,23 +71,38 @@ std::size_t lower_weights(SurfaceDomain& domain, const std::vector<double>& room
   return lowered;
 }
 
-/// Would no other sample of the features lose its own place to x, or nearly, had x so much more weight?
-bool leaves_others(const SurfaceDomain& domain, std::size_t num_features, SiteId x, double more) {
+/// Weights raised in one round, with what they were.
+using Raised = std::vector<std::pair<SiteId, double>>;
+
+/// So that its disk reaches the middle of an edge of this length. False if it does already or never may.
+bool raise_weight(SurfaceDomain& domain, SiteId x, double length2, Raised& raised) {
+  const double share = 1 + length2 / 4 / domain.samples().full_weight(x);
+  if (!(share > domain.weight_share(x)) || share > most_share) return false;
+  raised.emplace_back(x, domain.weight_share(x));
+  return change_weight(domain, x, share);
+}
+
+/// Does each other sample of the features own its own place, and some more, for all that x can?
+bool leaves_others(const SurfaceDomain& domain, std::size_t num_features, SiteId x) {
   const geom::WeightedPoint3& site = domain.dual().site(x);
   for (SiteId y(0); y.index() < num_features; y = SiteId(y.value + 1)) {
     const geom::WeightedPoint3& other = domain.dual().site(y);
     const double distance2 = (other.position - site.position).squaredNorm();
-    if (y != x && site.weight + more - other.weight > least_own * distance2) return false;
+    if (y != x && site.weight - other.weight > least_own * distance2) return false;
   }
   return true;
 }
 
-/// So that its disk reaches the middle of an edge of this length. False if it does already or never may.
-bool raise_weight(SurfaceDomain& domain, std::size_t num_features, SiteId x, double length2) {
-  const double full = domain.samples().full_weight(x), has = domain.weight_share(x);
-  const double share = 1 + length2 / 4 / full;
-  if (!(share > has) || share > most_share) return false;
-  return leaves_others(domain, num_features, x, (share - has) * full) && change_weight(domain, x, share);
+/// Takes back what does not leave others their places, when all are raised. Who that was is not raised again.
+void take_back(SurfaceDomain& domain, std::size_t num_features, Raised& raised, std::set<SiteId>& not_again) {
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (auto& [x, share] : raised) {
+      if (!(share < domain.weight_share(x)) || leaves_others(domain, num_features, x)) continue;
+      changed = change_weight(domain, x, share);
+      not_again.insert(x);
+    }
+  }
 }
 
 /// The sample that owns the place, unless it is fixed.
@@ -111,18 +126,19 @@ Protection protect_chains(SurfaceDomain& domain, const FeatureSamples& features,
   if (missing.empty()) return result;
   const std::vector<double> room = room_at(domain, features);
   if (lower_weights(domain, room) > 0) missing = missing_edges(domain, features);
-  std::set<SiteId> weighted;
+  std::set<SiteId> weighted, not_again;
   std::size_t fewest = missing.size();
   int futile = 0;
   for (int round = 0; round < rounds && futile < futile_rounds && !missing.empty(); ++round) {
     bool changed = false;
+    Raised all_raised;
     for (const auto& [a, b] : missing) {
       if (fpo::interrupted(interrupted)) break;
       const Vec3 from = domain.sample(a).position, to = domain.sample(b).position;
       bool raised = false;
       if (room[a.index()] == 1 && room[b.index()] == 1)
         for (const SiteId x : {a, b})
-          if (raise_weight(domain, room.size(), x, (to - from).squaredNorm())) {
+          if (!not_again.contains(x) && raise_weight(domain, x, (to - from).squaredNorm(), all_raised)) {
             weighted.insert(x);
             raised = true;
           }
@@ -136,11 +152,13 @@ Protection protect_chains(SurfaceDomain& domain, const FeatureSamples& features,
       result.moved += moved;
       changed |= raised || moved;
     }
+    take_back(domain, room.size(), all_raised, not_again);
     if (!changed || fpo::interrupted(interrupted)) break;
     missing = missing_edges(domain, features);
     futile = missing.size() < fewest ? 0 : futile + 1;
     fewest = std::min(fewest, missing.size());
   }
+  std::erase_if(weighted, [&](SiteId x) { return !(domain.weight_share(x) > 1); });
   result.weighted = weighted.size();
   return result;
 }

@@ -24,9 +24,9 @@ struct Protection {
 /// Mends the chain edges that the RRT lacks. Where samples of features are closer to each other than half
 /// the wanted length, their weights become those of twice the distance, for weights of wanted lengths may
 /// differ by more than the squares of distances there. Elsewhere the weights of both ends are raised by
-/// the square of half the edge, to eight times the usual one at most and not so far that another sample of
-/// the features hardly owns its own place. Where neither can be done the inner sample that hides an end, or
-/// the one nearest to the edge's middle, moves to the farthest point of the surface. Repeats that, up to
+/// the square of half the edge, to eight times the usual one at most; what would leave another sample of the
+/// features hardly its own place is taken back. Where neither can be done the inner sample that hides an end,
+/// or the one nearest to the edge's middle, moves to the farthest point of the surface. Repeats that, up to
 /// ten times, while edges are missing and two times have not brought one back. Nothing changes if none is.
 /// The features' samples must be the fixed ones of the domain. Deterministic. O(features) a round, and
 /// O(features^2) if an edge is missing. Looks before each edge whether it is `interrupted`.

@@ -34,6 +34,17 @@ TEST_CASE("attempts: the type comes first, a tenth of the edges weighs as much a
   CHECK(!is_better(measured(true, 31, 1), measured(true, 31, 1)));
 }
 
+TEST_CASE("attempts: of two remeshes of another type that with fewer faults and edges lost is better") {
+  RemeshResult few = measured(false, 5, 2), many = measured(false, 30, 0);
+  few.advice.places.resize(3);
+  many.advice.places.resize(6);
+  CHECK(is_better(few, many));
+  CHECK(!is_better(many, few));
+  CHECK(is_better(measured(true, 1, 100), few));
+  few.broken_feature_edges = 3;
+  CHECK(is_better(many, few));
+}
+
 TEST_CASE("attempts: fine is what has it all; corners or lost edges alone leave it useful") {
   CHECK(is_fine(measured(true, 30, 0)));
   for (const RemeshResult& r : {measured(false, 30, 0), measured(true, 29.9, 0), measured(true, 30, 1)})
