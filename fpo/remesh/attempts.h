@@ -44,10 +44,9 @@ bool is_undone_by_staggering(const RemeshResult& result);
 /// as the rival before it was mended: will it hardly become better than that?
 bool is_left_behind(const ThinParts& thin_parts, std::size_t n, const RemeshResult& rival);
 
-/// First by the type; if neither has it, by the places that are at fault and the
-/// edges of curves that are lost. Then by the smallest angle, up to 30 degrees, in units of that, less ten times the
-/// share of edges of curves that are lost: a tenth of the edges weighs as much as all angles. Then by the
-/// smallest angle.
+/// First by the type; if neither has it, by the places that are at fault and the edges of curves that are
+/// lost. Then by the smallest angle, up to 30 degrees, in units of that, less ten times the share of edges of
+/// curves that are lost: a tenth of the edges weighs as much as all angles. Then by the smallest angle.
 bool is_better(const RemeshResult& a, const RemeshResult& b);
 
 }  // namespace fpo

@@ -16,7 +16,8 @@ namespace {
 
 constexpr double h = 0.1;
 
-/// On the unit square: samples of features at these places, two by two ends of an edge, and others, optimized.
+/// On the unit square: samples of features at these places, two by two ends of an edge, and others,
+/// optimized.
 struct Scene {
   explicit Scene(const std::vector<std::array<double, 2>>& ends)
       : domain(mesh, Sizing::uniform(h), all(ends), options(ends)) {
