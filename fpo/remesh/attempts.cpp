@@ -18,7 +18,9 @@ auto rank(const RemeshResult& r) {
   const double edges = static_cast<double>(std::max<std::size_t>(r.feature_edges, 1));
   const double lost = static_cast<double>(r.broken_feature_edges) / edges;
   const double theta = r.measures.theta_min;
-  return std::tuple(r.type.ok(), std::min(theta / small_angle, 1.0) - weight_of_edges * lost, theta);
+  const auto faults = static_cast<long>(r.advice.places.size() + r.broken_feature_edges);
+  return std::tuple(r.type.ok(), r.type.ok() ? 0 : -faults,
+                    std::min(theta / small_angle, 1.0) - weight_of_edges * lost, theta);
 }
 
 /// Of the type, and at least that or, with all edges of curves, what corners there are.
@@ -69,10 +71,6 @@ bool is_left_behind(const ThinParts& thin_parts, std::size_t n, const RemeshResu
          thin_parts.faults_after * samples_for_one_unmended > n;
 }
 
-bool is_better(const RemeshResult& a, const RemeshResult& b) {
-  const auto faults = [](const RemeshResult& r) { return r.advice.places.size() + r.broken_feature_edges; };
-  if (!a.type.ok() && !b.type.ok() && faults(a) != faults(b)) return faults(a) < faults(b);
-  return rank(a) > rank(b);
-}
+bool is_better(const RemeshResult& a, const RemeshResult& b) { return rank(a) > rank(b); }
 
 }  // namespace fpo

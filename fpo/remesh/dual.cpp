@@ -160,12 +160,13 @@ std::set<SiteId> neighbourhood(SurfaceDomain& domain, const std::vector<SiteId>&
 
 constexpr double closest = 0.2;  // no sample is brought nearer to another one, in units of h
 
-/// Would a sample there be far enough from that other one, which is the nearest, and have a cell of its own?
-bool has_room(const SurfaceDomain& domain, const SurfaceSample& place, SiteId nearest) {
-  const geom::WeightedPoint3& other = domain.dual().site(nearest);
+/// Would a sample there be far enough from whoever owns the place, and own it then?
+bool has_room(const SurfaceDomain& domain, const SurfaceSample& place) {
+  const double level = domain.dual().level_at(place.facet, place.position);
+  const auto owner = domain.dual().nearest({place.position, level}, SiteId());
   const double least = closest * domain.sizing().at(place);
-  const double distance2 = (other.position - place.position).squaredNorm();
-  return distance2 >= std::max(least * least, other.weight - domain.samples().weight_at(place));
+  return (domain.sample(owner.site).position - place.position).squaredNorm() >= least * least &&
+         owner.radius2 > -domain.samples().weight_at(place);
 }
 
 }  // namespace
@@ -200,8 +201,7 @@ std::size_t refine_at(SurfaceDomain& domain, const std::vector<Defect>& defects)
     if (next == donors.end()) break;
     const SiteId donor = next->second;
     const SurfaceSample target = farthest_corner(domain, place);
-    const double level = domain.dual().level_at(target.facet, target.position);
-    if (!has_room(domain, target, domain.dual().nearest({target.position, level}, SiteId()).site)) continue;
+    if (!has_room(domain, target)) continue;
     domain.neighbours(donor, around);
     kept.merge(neighbourhood(domain, {donor}, 2));  // no second hole near this one
     domain.remove(donor);

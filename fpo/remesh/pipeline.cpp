@@ -353,6 +353,14 @@ std::optional<RemeshResult> remesh_with_room(const geom::TriMesh& surface, const
   return remesh_sheets(surface, strong, fewer);
 }
 
+/// Is it settled by the creases that have room that others are not to be tried with them? These would take
+/// most samples, or add to ruins that are not those of bars.
+bool settles_creases(const RemeshResult& with_strong, const geom::TriMesh& surface, const Features& all,
+                     const RemeshOptions& options) {
+  if (with_strong.type.ok()) return take_most_samples(surface, all, options);
+  return is_in_ruins(with_strong) && !may_be_faced(with_strong);
+}
+
 /// Creases that nobody asked for are kept unless that alone does harm. Where they have no room, those that
 /// have are tried first.
 RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const RemeshOptions& options) {
@@ -364,8 +372,7 @@ RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const Reme
     return std::move(*with_strong);
   WithCreases with{{}, with_strong.has_value()};
   RemeshResult& result = with.result;
-  if (with_strong && (with_strong->type.ok() ? take_most_samples(surface, all.features, options)
-                                             : is_in_ruins(*with_strong) && !may_be_faced(*with_strong))) {
+  if (with_strong && settles_creases(*with_strong, surface, all.features, options)) {
     result = std::move(*with_strong);
   } else {
     result = remesh_sheets(surface, all, options);

@@ -105,16 +105,9 @@ void take_back(SurfaceDomain& domain, std::size_t num_features, Raised& raised, 
   }
 }
 
-/// The sample that owns the place, unless it is fixed.
-bool move_away_from(SurfaceDomain& domain, const geom::Location3& place) {
-  const SiteId x = domain.dual().nearest(place, SiteId()).site;
+bool move_away_from(SurfaceDomain& domain, const geom::Location3& middle) {
+  const SiteId x = domain.dual().nearest(middle, SiteId()).site;
   return !domain.is_fixed(x) && move_to_farthest(domain, x);
-}
-
-/// The place of a sample.
-geom::Location3 place_of(const SurfaceDomain& domain, SiteId x) {
-  const geom::WeightedPoint3& site = domain.dual().site(x);
-  return {site.position, site.level};
 }
 
 }  // namespace
@@ -142,13 +135,9 @@ Protection protect_chains(SurfaceDomain& domain, const FeatureSamples& features,
             weighted.insert(x);
             raised = true;
           }
-      bool moved = false;
-      for (const SiteId x : {a, b})  // who hides an end of it goes
-        if (!raised && !moved && !domain.dual().has_cell(x))
-          moved = move_away_from(domain, place_of(domain, x));
       const Vec3 middle = (from + to) / 2;
       const double level = (domain.dual().site(a).level + domain.dual().site(b).level) / 2;
-      if (!raised && !moved) moved = move_away_from(domain, {middle, level});
+      const bool moved = !raised && move_away_from(domain, {middle, level});
       result.moved += moved;
       changed |= raised || moved;
     }

@@ -25,11 +25,12 @@ struct Protection {
 /// the wanted length, their weights become those of twice the distance, for weights of wanted lengths may
 /// differ by more than the squares of distances there. Elsewhere the weights of both ends are raised by
 /// the square of half the edge, to eight times the usual one at most; what would leave another sample of the
-/// features hardly its own place is taken back. Where neither can be done the inner sample that hides an end,
-/// or the one nearest to the edge's middle, moves to the farthest point of the surface. Repeats that, up to
-/// ten times, while edges are missing and two times have not brought one back. Nothing changes if none is.
-/// The features' samples must be the fixed ones of the domain. Deterministic. O(features) a round, and
-/// O(features^2) if an edge is missing. Looks before each edge whether it is `interrupted`.
+/// features hardly its own place is taken back. Where neither can be done the inner sample nearest to the
+/// edge's middle moves to the farthest point of the surface. Repeats that, up to ten times, while edges are
+/// missing and two times have not brought one back. Nothing changes if none is. The features' samples must be
+/// the fixed ones of the domain. Deterministic. O(features) a round, and O(features^2) if an edge is missing,
+/// once more each time that one taken back takes others with it. Looks before each edge whether it is
+/// `interrupted`.
 Protection protect_chains(SurfaceDomain& domain, const FeatureSamples& features,
                           const std::atomic<bool>* interrupted = nullptr);
 

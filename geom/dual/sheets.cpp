@@ -8,7 +8,7 @@ namespace {
 
 constexpr double radii[] = {1.6, 1.25, 1.08};  // R, in distances that are to be covered: one after the other
 constexpr double nearly_there = 0.3, nearly_so = 0.85;  // of a distance for which there is no sheet
-constexpr double ample = 1 + 2e-6;   // a millionth more than the bounds say, after rounding to float
+constexpr double ample = 1 + 2e-6;   // a millionth, and the 2^-24 of a rounding to float many times over
 constexpr double steepest = 0.7075;  // cosine: a slope less than 1
 constexpr double flat_enough = 0.98;
 constexpr int axis_rounds = 8;

@@ -72,17 +72,3 @@ TEST_CASE("protection: weights are not raised so far that other samples of featu
   CHECK(scene.has_edge(SiteId(2), SiteId(3)));
   scene.domain.check();
 }
-
-TEST_CASE("protection: the sample that hides an end of an edge goes") {
-  Scene scene({{0.4, 0.5}, {0.5, 0.5}});
-  const SiteId end(0), heavy(50);
-  SurfaceSample beside = scene.domain.sample(end);
-  beside.position.y() -= 0.3 * h;
-  beside.facet = FacetId(beside.position.x() >= beside.position.y() ? 0 : 1);
-  scene.domain.remove(heavy);
-  scene.domain.insert_at(heavy, beside, 3);
-  REQUIRE(!scene.domain.dual().has_cell(end));
-  protect_chains(scene.domain, scene.features);
-  CHECK(scene.domain.dual().has_cell(end));
-  CHECK(scene.has_edge(SiteId(0), SiteId(1)));
-}
