@@ -2,6 +2,8 @@
 // What is left to be done on the mesh itself: edges of curves that the RRT lacks (recovered_edges.h), small
 // angles (last_angles.h).
 
+#include <memory>
+
 #include "fpo/remesh/dual.h"
 #include "fpo/remesh/last_angles.h"
 
@@ -22,11 +24,11 @@ struct Finish {
   std::size_t mended_with_delta = 0;  ///< flips and moves kept for all that are wanted
 };
 
-/// Of a dual of the domain, of a surface of this type. If cells are kept and vertices moved, the domain's
-/// samples become the dual's, and its cells theirs: O(samples moved) updates; else it stays as it is. Nothing
-/// happens to a mesh that has all edges of curves and no small angles. If the mesh is no manifold only edges
-/// are made.
-Finish finish(SurfaceDomain& domain, const FeatureSamples& features, const geom::SurfaceType& type,
-              const FinishOptions& options, Dual& dual);
+/// Of a dual of the domain, of a surface of this type. The domain goes: at once if nobody keeps cells; else, if
+/// vertices moved, its samples become the dual's first, and the cells theirs: O(samples moved) updates.
+/// Nothing happens to a mesh that has all edges of curves and no small angles. If the mesh is no manifold only
+/// edges are made.
+Finish finish(std::unique_ptr<SurfaceDomain> domain, const FeatureSamples& features,
+              const geom::SurfaceType& type, const FinishOptions& options, Dual& dual);
 
 }  // namespace fpo

@@ -153,7 +153,7 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   if (interrupted(options) && task.start && task.start->mesh.num_facets() > 0) throw geom::Interrupted();
   if (task.rival && is_left_behind(result.thin_parts, options.num_samples, *task.rival)) return {};
   SurfaceDomain& domain = *samples;
-  const Sizing& sizing = domain.sizing();
+  const Sizing sizing = domain.sizing();
   AngleOptions angles = angle_options(options);
   std::optional<CurveSlides> slides;
   if (!shared.features.chains.empty()) slides.emplace(task.surface(), task.features, shared.features, sizing);
@@ -164,7 +164,7 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   if (!apart && !interrupted(options))
     result.proven_edges = num_proven_edges(domain, task.features, shared.features);
   if (options.mend && options.method == Method::fpo && !interrupted(options))
-    result.finish = finish(domain, shared.features, type,
+    result.finish = finish(std::move(samples), shared.features, type,
                            {.angles = angle_options(options),
                             .mend_angles = options.optimize_angles && !options.maximal,
                             .all_wanted = options.closer == Closer::always || result.closeness.mended > 0,

@@ -15,7 +15,7 @@ FarPoint TriangleDistances::farthest(const geom::EmptyCircle& circle, double eno
   const std::array<Vec3, 4> middles{(x[0] + x[1]) / 2, (x[1] + x[2]) / 2, (x[2] + x[0]) / 2,
                                     (x[0] + x[1] + x[2]) / 3};
   FarPoint result{0, {circle.center, circle.facet}};
-  const std::array<Vec3, 3>& facet = tree_.triangle(circle.facet);
+  const std::array<Vec3, 3> facet = tree_.triangle(circle.facet);
   for (const Vec3& middle : middles) {
     if (enough >= 0 && geom::closest_point(middle, facet).distance2 <= enough * enough) continue;
     const geom::AabbTree::Closest closest = tree_.closest(middle, circle.facet);

@@ -21,7 +21,7 @@ bool CellProof::prove_new(const Place& place) {
 }
 
 bool CellProof::prove_inserted(const Place& place) {
-  if (may_beat_unreached(place.old)) return false;
+  if (may_beat_unreached()) return false;
   if (around_.leeway) {
     if (prove_with_leeway(place.old)) return true;
     around_.leeway = nullptr;
@@ -133,7 +133,7 @@ bool CellProof::beats_outer_circle() const {
 }
 
 /// May p beat circles that are not reached, or hide a site that has none? That would be an irregular one.
-bool CellProof::may_beat_unreached(const WeightedPoint3& old) {
+bool CellProof::may_beat_unreached() {
   DualState& state = around_.state;
   if (state.shapes.not_regular().empty()) return false;
   const WeightedPoint3& point = around_.site();
@@ -145,7 +145,7 @@ bool CellProof::may_beat_unreached(const WeightedPoint3& old) {
     if (s == around_.p || (state.sites[s].position - point.position).squaredNorm() > far * far * more)
       return false;
     const std::span<const CircleId> circles = state.circles.of_site(s);
-    if (circles.empty()) return !keeps_its_place(s, old);
+    if (circles.empty()) return !keeps_its_place(s);
     return std::ranges::any_of(circles, [&](CircleId c) {
       return std::ranges::find(reached, c) == reached.end() &&
              !state.lead_at(state.circles[c], point).positive();
@@ -153,13 +153,14 @@ bool CellProof::may_beat_unreached(const WeightedPoint3& old) {
   });
 }
 
-/// Is s surely the nearest to its own place still? In the search p may be where it was.
-bool CellProof::keeps_its_place(SiteId s, const WeightedPoint3& old) const {
+/// Is s surely the nearest to its own place still? The search may look for p where it was, or not at all, and
+/// p be nearer than who is next: so it is asked as well.
+bool CellProof::keeps_its_place(SiteId s) const {
   const DualState& state = around_.state;
   const WeightedPoint3& site = state.sites[s];
   const SiteId next = state.nearest({site.position, site.level}, s).site;
   return next.valid() && state.leads_at_its_place(s, around_.site()) &&
-         state.leads_at_its_place(s, next == around_.p ? old : state.sites[next]);
+         state.leads_at_its_place(s, state.sites[next]);
 }
 
 /// Of p at the corners of its cell. Sets far2_.

@@ -44,8 +44,8 @@ class CellProof {
   bool find_corners();
   bool prove_inserted(const Place& place);
   bool prove_with_leeway(const WeightedPoint3& old);
-  bool may_beat_unreached(const WeightedPoint3& old);
-  bool keeps_its_place(SiteId s, const WeightedPoint3& old) const;
+  bool may_beat_unreached();
+  bool keeps_its_place(SiteId s) const;
   double power_bound_at_corners();
   void find_far_rivals(double distance);
   double distance_to_search(double near, const WeightedPoint3& old);

@@ -13,7 +13,8 @@ namespace geom {
 class SiteSearch {
  public:
   /// None is in. Keeps references to the points of the sites and to their circles.
-  SiteSearch(const Clipper::Sites& sites, const EmptyCircles& circles) : sites_(sites), circles_(circles) {}
+  SiteSearch(const Clipper::Sites& sites, const EmptyCircles& circles)
+      : sites_(sites), circles_(circles), tree_(sites) {}
   SiteSearch(const SiteSearch&) = delete;
 
   /// From now on a site of that weight may come in.

@@ -40,6 +40,7 @@ DualState::DualState(const TriMesh& surface, CornerTypes types, NeighbourOracle*
 
 void DualState::reserve(std::size_t num_sites) {
   sites.reserve(num_sites);
+  search.tree().reserve(num_sites);
   reach.reserve(num_sites);
   home.reserve(num_sites);
   shapes.reserve(num_sites);

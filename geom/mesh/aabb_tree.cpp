@@ -64,40 +64,28 @@ TrianglePoint closest_point(const Vec3& x, const std::array<Vec3, 3>& q) {
   return best;
 }
 
-/// What is known of a facet while the tree is built.
-struct AabbTree::Ordering {
-  const TriMesh& mesh;
-  Table<FacetId, Vec3> middle;  ///< of its box
-  std::vector<FacetId> facets;  ///< in the order of the leaves, at last
-};
-
-AabbTree::AabbTree(const TriMesh& mesh) {
+AabbTree::AabbTree(const TriMesh& mesh) : mesh_(mesh) {
   require(mesh.num_facets() > 0, "the mesh has no facet");
-  Ordering ordering{mesh, {}, {}};
+  Table<FacetId, Vec3> middles;
+  middles.reserve(mesh.num_facets());
+  facets_.reserve(mesh.num_facets());
   for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
     Box3 box;
     for (int i = 0; i < 3; ++i) box.extend(mesh.corner(t, i));
-    ordering.middle.push_back(box.center());
-    ordering.facets.push_back(t);
+    middles.push_back(box.center());
+    facets_.push_back(t);
   }
-  build(ordering, 0, mesh.num_facets());
+  build(middles, 0, mesh.num_facets());
   nodes_.shrink_to_fit();
-  ordering.middle = {};
-  slot_.resize(mesh.num_facets());
-  items_.reserve(mesh.num_facets());
-  for (const FacetId t : ordering.facets) {
-    slot_[t] = static_cast<std::uint32_t>(items_.size());
-    items_.push_back({{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, t});
-  }
 }
 
 /// Halves the facets at the median of their middles, along the axis on which these spread most.
-void AabbTree::build(Ordering& ordering, std::size_t first, std::size_t last) {
-  Box3 box, middles;
+void AabbTree::build(const Table<FacetId, Vec3>& middles, std::size_t first, std::size_t last) {
+  Box3 box, spread;
   for (std::size_t k = first; k < last; ++k) {
-    const FacetId t = ordering.facets[k];
-    for (int i = 0; i < 3; ++i) box.extend(ordering.mesh.corner(t, i));
-    middles.extend(ordering.middle[t]);
+    const FacetId t = facets_[k];
+    for (int i = 0; i < 3; ++i) box.extend(mesh_.corner(t, i));
+    spread.extend(middles[t]);
   }
   const std::size_t node = nodes_.size();
   const bool leaf = last - first <= leaf_size;
@@ -105,14 +93,14 @@ void AabbTree::build(Ordering& ordering, std::size_t first, std::size_t last) {
                     static_cast<std::int32_t>(first)});
   if (leaf) return;
   Eigen::Index axis = 0;
-  middles.sizes().maxCoeff(&axis);
-  const auto key = [&](FacetId t) { return std::pair(ordering.middle[t][axis], t); };
+  spread.sizes().maxCoeff(&axis);
+  const auto key = [&](FacetId t) { return std::pair(middles[t][axis], t); };
   const std::size_t half = first + (last - first) / 2;
-  const auto at = [&](std::size_t k) { return ordering.facets.begin() + static_cast<std::ptrdiff_t>(k); };
+  const auto at = [&](std::size_t k) { return facets_.begin() + static_cast<std::ptrdiff_t>(k); };
   std::nth_element(at(first), at(half), at(last), [&](FacetId s, FacetId t) { return key(s) < key(t); });
-  build(ordering, first, half);
+  build(middles, first, half);
   nodes_[node].next = static_cast<std::int32_t>(nodes_.size());
-  build(ordering, half, last);
+  build(middles, half, last);
 }
 
 double AabbTree::distance2(const Node& node, const Vec3& x) {
@@ -121,19 +109,19 @@ double AabbTree::distance2(const Node& node, const Vec3& x) {
 }
 
 /// The same of the box of a facet.
-double AabbTree::distance2(const Item& item, const Vec3& x) {
-  const Vec3 &a = item.corners[0], &b = item.corners[1], &c = item.corners[2];
+double AabbTree::distance2(FacetId t, const Vec3& x) const {
+  const Vec3 &a = mesh_.corner(t, 0), &b = mesh_.corner(t, 1), &c = mesh_.corner(t, 2);
   const auto outside = [&](int i) {
     return std::max({std::min({a[i], b[i], c[i]}) - x[i], 0.0, x[i] - std::max({a[i], b[i], c[i]})});
   };
   return squared_length(outside(0), outside(1), outside(2));
 }
 
-void AabbTree::improve(const Item& item, const Vec3& x, Closest& best) {
-  const TrianglePoint p = closest_point(x, item.corners);
+void AabbTree::improve(FacetId t, const Vec3& x, Closest& best) const {
+  const TrianglePoint p = closest_point(x, triangle(t));
   if (p.distance2 < best.distance2 ||
-      (p.distance2 == best.distance2 && (!best.facet.valid() || item.facet < best.facet)))
-    best = Closest{p, item.facet};
+      (p.distance2 == best.distance2 && (!best.facet.valid() || t < best.facet)))
+    best = Closest{p, t};
 }
 
 // The tree is halved by count, so it has at most 32 levels, and each leaves one child on the stack.
@@ -160,8 +148,8 @@ void AabbTree::search(const Vec3& x, Closest& best, double enough) const {
     if (at.distance2 > best.distance2) continue;
     const Node& leaf = nodes_[at.node];
     for (std::int32_t k = leaf.next; k < leaf.next + leaf.count; ++k)
-      if (const Item& item = items_[static_cast<std::size_t>(k)]; distance2(item, x) <= best.distance2)
-        improve(item, x, best);
+      if (const FacetId t = facets_[static_cast<std::size_t>(k)]; distance2(t, x) <= best.distance2)
+        improve(t, x, best);
     if (best.distance2 < enough) return;
   }
 }
@@ -183,9 +171,9 @@ void AabbTree::overlapping(const Box3& box, std::vector<FacetId>& facets) const 
       continue;
     }
     for (std::int32_t k = node.next; k < node.next + node.count; ++k) {
-      const auto& [corners, facet] = items_[static_cast<std::size_t>(k)];
-      const auto& [a, b, c] = corners;
-      if (meets(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c))) facets.push_back(facet);
+      const FacetId t = facets_[static_cast<std::size_t>(k)];
+      const Vec3 &a = mesh_.corner(t, 0), &b = mesh_.corner(t, 1), &c = mesh_.corner(t, 2);
+      if (meets(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c))) facets.push_back(t);
     }
   }
 }
@@ -193,14 +181,14 @@ void AabbTree::overlapping(const Box3& box, std::vector<FacetId>& facets) const 
 bool AabbTree::is_nearer(const Vec3& x, double distance2, FacetId hint) const {
   Closest best;
   best.distance2 = distance2;
-  if (hint.valid()) improve(item(hint), x, best);
+  if (hint.valid()) improve(hint, x, best);
   if (!(best.distance2 < distance2)) search(x, best, distance2);
   return best.distance2 < distance2;
 }
 
 AabbTree::Closest AabbTree::closest(const Vec3& x, FacetId hint) const {
   Closest best;
-  if (hint.valid()) improve(item(hint), x, best);
+  if (hint.valid()) improve(hint, x, best);
   search(x, best);
   return best;
 }

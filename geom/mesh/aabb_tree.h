@@ -22,7 +22,7 @@ struct TrianglePoint {
 /// rounded. Requires lengths between about 1e-75 and 1e75 (squares of areas are formed).
 TrianglePoint closest_point(const Vec3& x, const std::array<Vec3, 3>& q);
 
-/// A binary tree over the facets, each node with the box of its facets. The mesh is copied, not referenced.
+/// A binary tree over the facets, each node with the box of its facets. It shares the arrays of the mesh.
 /// Built in O(F log F); a query near the surface costs O(log F) typically, O(F) at worst (the center of a
 /// sphere).
 class AabbTree {
@@ -45,33 +45,29 @@ class AabbTree {
   /// Adds the facets whose boxes meet this one, in no order. O(log F + their number) typically.
   void overlapping(const Box3& box, std::vector<FacetId>& facets) const;
 
-  const std::array<Vec3, 3>& triangle(FacetId t) const { return item(t).corners; }
+  std::array<Vec3, 3> triangle(FacetId t) const {
+    return {mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)};
+  }
 
  private:
   /// Nodes are in preorder: the first child of an inner node follows it.
   struct Node {
     Vec3 low, high;
-    std::int32_t count = 0;  ///< leaf: of its items; inner: 0
-    std::int32_t next = 0;   ///< leaf: its first item; inner: its second child
+    std::int32_t count = 0;  ///< leaf: of its facets; inner: 0
+    std::int32_t next = 0;   ///< leaf: its first facet; inner: its second child
   };
-  struct Item {
-    std::array<Vec3, 3> corners;
-    FacetId facet;
-  };
-  struct Ordering;
 
-  void build(Ordering& ordering, std::size_t first, std::size_t last);
+  /// `middles`: of the facets' boxes.
+  void build(const Table<FacetId, Vec3>& middles, std::size_t first, std::size_t last);
   /// Ends when one is found whose squared distance is less than enough.
   void search(const Vec3& x, Closest& best, double enough = -1) const;
   static double distance2(const Node& node, const Vec3& x);
-  static double distance2(const Item& item, const Vec3& x);
-  static void improve(const Item& item, const Vec3& x, Closest& best);
+  double distance2(FacetId t, const Vec3& x) const;
+  void improve(FacetId t, const Vec3& x, Closest& best) const;
 
-  const Item& item(FacetId t) const { return items_[slot_[t]]; }
-
+  TriMesh mesh_;
   std::vector<Node> nodes_;
-  std::vector<Item> items_;  ///< those of a leaf next to each other
-  Table<FacetId, std::uint32_t> slot_;
+  std::vector<FacetId> facets_;  ///< those of a leaf next to each other
 };
 
 }  // namespace geom

@@ -17,16 +17,17 @@ namespace geom {
 /// sorted_half_edges().
 template <class Visit>
 void for_each_edge(const TriMesh& mesh, Visit visit) {
+  const Table<FacetId, TriMesh::Facet>& facets = mesh.facets();
   std::vector<HalfEdge> others;
   for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
     for (int e = 0; e < 3; ++e) {
-      const HalfEdge here = half_edge(mesh.facets(), t, e);
+      const HalfEdge here = half_edge(facets, t, e);
       const FacetId across = mesh.across(t, e);
       if (!across.valid()) {
         others.push_back(here);
       } else if (t < across) {
-        std::array<HalfEdge, 2> both{here, half_edge(mesh.facets(), across, 0)};
-        for (int i = 1; both[1].ends() != here.ends(); ++i) both[1] = half_edge(mesh.facets(), across, i);
+        std::array<HalfEdge, 2> both{here, half_edge(facets, across, 0)};
+        for (int i = 1; both[1].ends() != here.ends(); ++i) both[1] = half_edge(facets, across, i);
         visit(both.begin(), both.end());
       }
     }

@@ -21,13 +21,14 @@ TriMesh::TriMesh(Table<VertexId, Vec3> vertices, Table<FacetId, Facet> facets)
   check_vertices();
   check_facets();
   find_box();
-  across_.resize(facets_.size());
-  for_each_edge(sorted_half_edges(facets_), [&](auto first, auto last) {
+  Across across(facets_.size());
+  for_each_edge(sorted_half_edges(this->facets()), [&](auto first, auto last) {
     if (last - first != 2) return;
     const HalfEdge &a = first[0], &b = first[1];
-    across_[a.facet][static_cast<std::size_t>(a.edge)] = b.facet;
-    across_[b.facet][static_cast<std::size_t>(b.edge)] = a.facet;
+    across[a.facet][static_cast<std::size_t>(a.edge)] = b.facet;
+    across[b.facet][static_cast<std::size_t>(b.edge)] = a.facet;
   });
+  across_ = SharedTable(std::move(across));
 }
 
 void TriMesh::check_vertices() const {
@@ -51,13 +52,15 @@ void TriMesh::check_facets() const {
 
 void TriMesh::find_box() {
   box_.setEmpty();
-  for (const Facet& f : facets_)
+  for (const Facet& f : facets())
     for (const VertexId v : f) box_.extend(vertices_[v]);
 }
 
 TriMesh TriMesh::with_vertices(Table<VertexId, Vec3> vertices) const {
   ensure(vertices.size() == num_vertices(), "vertices elsewhere: as many");
-  TriMesh result(std::move(vertices), facets_, across_, box_);
+  TriMesh result = *this;
+  result.vertices_ = SharedTable(std::move(vertices));
+  result.levels_ = {};
   result.check_vertices();
   result.find_box();
   return result;
@@ -66,7 +69,7 @@ TriMesh TriMesh::with_vertices(Table<VertexId, Vec3> vertices) const {
 TriMesh TriMesh::with_levels(Table<VertexId, double> levels) const {
   ensure(levels.empty() || levels.size() == num_vertices(), "levels: one a vertex");
   TriMesh result = *this;
-  result.levels_ = std::move(levels);
+  result.levels_ = SharedTable(std::move(levels));
   return result;
 }
 

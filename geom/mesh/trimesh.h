@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "geom/ids.h"
+#include "geom/shared_table.h"
 #include "geom/vec.h"
 
 namespace geom {
 
 /// A triangle mesh. Facet corners are counterclockwise seen from outside; edge e of a facet joins corners e
-/// and e+1 mod 3. Not necessarily manifold, closed or oriented: see topology().
+/// and e+1 mod 3. Not necessarily manifold, closed or oriented: see topology(). Copies share the arrays.
 class TriMesh {
  public:
   using Facet = std::array<VertexId, 3>;
@@ -35,14 +35,14 @@ class TriMesh {
   /// A fourth coordinate (levels.h): 0 unless given.
   double level(VertexId v) const { return levels_.empty() ? 0 : levels_[v]; }
   bool has_levels() const { return !levels_.empty(); }
-  const Table<VertexId, Vec3>& vertices() const { return vertices_; }
-  const Table<FacetId, Facet>& facets() const { return facets_; }
+  const Table<VertexId, Vec3>& vertices() const { return vertices_.table(); }
+  const Table<FacetId, Facet>& facets() const { return facets_.table(); }
 
   /// The facet across edge e of t, or none: border, or more than two facets at that edge.
   FacetId across(FacetId t, int e) const { return across_[t][static_cast<std::size_t>(e)]; }
 
   /// The same facets with vertices elsewhere, as many; all levels 0. Throws InputError on a coordinate that
-  /// is not finite. O(V + F): what is across an edge stays.
+  /// is not finite. O(V + F). The facets are shared.
   TriMesh with_vertices(Table<VertexId, Vec3> vertices) const;
   /// The same mesh with these levels, finite, one a vertex; none: all 0.
   TriMesh with_levels(Table<VertexId, double> levels) const;
@@ -58,10 +58,10 @@ class TriMesh {
   void check_facets() const;
   void find_box();
 
-  Table<VertexId, Vec3> vertices_;
-  Table<VertexId, double> levels_;
-  Table<FacetId, Facet> facets_;
-  Across across_;
+  SharedTable<VertexId, Vec3> vertices_;
+  SharedTable<VertexId, double> levels_;
+  SharedTable<FacetId, Facet> facets_;
+  SharedTable<FacetId, std::array<FacetId, 3>> across_;
   Box3 box_;
 };
 

@@ -39,7 +39,10 @@ SiteTree::Entry SiteTree::entry_of(SiteId id, const WeightedPoint3& point) {
 }
 
 void SiteTree::know(SiteId id, const WeightedPoint3& point) {
-  points_[id] = point;
+  if (!all_points_) {
+    if (id.index() >= points_.size()) points_.resize(id.index() + 1);
+    points_[id] = point;
+  }
   slack_ = std::max(slack_, 0x1p-22 * point.position.lpNorm<Eigen::Infinity>() + 1e-44);
 }
 
@@ -54,10 +57,7 @@ SiteTree::NodeId SiteTree::leaf_of(const Entry& entry, int& depth) const {
 }
 
 void SiteTree::insert(SiteId id, const WeightedPoint3& point, SiteId) {
-  if (id.index() >= places_.size()) {
-    places_.resize(id.index() + 1);
-    points_.resize(id.index() + 1);
-  }
+  if (id.index() >= places_.size()) places_.resize(id.index() + 1);
   ensure(!places_[id].node.valid(), "site tree: the site is already in");
   know(id, point);
   insert(entry_of(id, point));
@@ -227,7 +227,7 @@ void SiteTree::visit(const Vec3& x, Limit2 limit2, OnEntry on_entry) const {
 
 void SiteTree::rivals(SiteId p, std::vector<SiteId>& out) const {
   const std::size_t first = out.size();
-  rivals(points_[p], out);
+  rivals(point_of(p), out);
   out.erase(std::remove(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(), p), out.end());
 }
 
@@ -279,7 +279,7 @@ NeighbourOracle::Nearest SiteTree::nearest(const Location3& x, SiteId without, S
       x.position, [&](const Node& node) { return limit2_of(node.max_weight); },
       [&](const Entry& entry, double distance2) {
         if (entry.site == without || distance2 > limit2_of(entry.weight)) return;
-        const double radius2 = power(x, points_[entry.site]);
+        const double radius2 = power(x, point_of(entry.site));
         if (radius2 < best.radius2 || (radius2 == best.radius2 && entry.site < best.site) ||
             !best.site.valid())
           best = {entry.site, radius2};
@@ -293,7 +293,8 @@ void SiteTree::check() const {
     if (!place.node.valid()) continue;
     const Entry& e = leaves_[place.node][place.slot];
     ensure(e.site == id, "site tree: a place names another site");
-    ensure(distance2(points_[id].position, e) < slack_ * slack_ && points_[id].weight <= e.weight,
+    const WeightedPoint3& point = point_of(id);
+    ensure(distance2(point.position, e) < slack_ * slack_ && point.weight <= e.weight,
            "site tree: an entry is not the site rounded");
     for (NodeId child = place.node, node = nodes_[child].parent; node.valid();
          child = node, node = nodes_[node].parent) {

@@ -27,11 +27,14 @@ namespace geom {
 class SiteTree final : public NeighbourOracle {
  public:
   SiteTree() : nodes_(1) {}
+  /// Keeps a reference to the points of all sites, who are where it is told that they are.
+  explicit SiteTree(const Table<SiteId, WeightedPoint3>& points) : nodes_(1), all_points_(&points) {}
 
   void insert(SiteId id, const WeightedPoint3& point, SiteId hint = SiteId()) override;
   void remove(SiteId id) override;
   /// It was elsewhere. Its reach is what was said last.
   void move(SiteId id, const WeightedPoint3& point);
+  void reserve(std::size_t num_sites) { places_.reserve(num_sites); }
   bool contains(SiteId id) const { return id.index() < places_.size() && places_[id].node.valid(); }
   void rivals(SiteId p, std::vector<SiteId>& out) const override;
   /// Of a site that is not in, or was elsewhere.
@@ -77,6 +80,7 @@ class SiteTree final : public NeighbourOracle {
 
   static Entry entry_of(SiteId id, const WeightedPoint3& point);
   void know(SiteId id, const WeightedPoint3& point);
+  const WeightedPoint3& point_of(SiteId id) const { return all_points_ ? (*all_points_)[id] : points_[id]; }
   NodeId leaf_of(const Entry& entry, int& depth) const;
   void insert(const Entry& entry);
   void add(NodeId node, const Entry& entry);
@@ -94,8 +98,9 @@ class SiteTree final : public NeighbourOracle {
   Table<NodeId, Node> nodes_;
   ShortLists<NodeId, Entry> leaves_;
   Table<SiteId, Place> places_;
-  Table<SiteId, WeightedPoint3> points_;
-  double slack_ = 0;  ///< more than the distance of any site from its rounded position
+  const Table<SiteId, WeightedPoint3>* all_points_ = nullptr;
+  Table<SiteId, WeightedPoint3> points_;  ///< if nobody else has them
+  double slack_ = 0;                      ///< more than the distance of any site from its rounded position
 };
 
 }  // namespace geom
