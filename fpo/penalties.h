@@ -21,6 +21,8 @@ class Penalties {
   /// All ids that may have one are smaller.
   std::size_t num_ids() const { return of_.size(); }
 
+  /// Ids below that number are going to come.
+  void reserve(std::size_t num_ids) { of_.reserve(num_ids); }
   /// x had none. Requires penalty > 0.
   void add(Id x, double penalty) {
     if (x.index() >= of_.size()) of_.resize(x.index() + 1, 0.0);

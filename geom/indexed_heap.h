@@ -36,6 +36,10 @@ class IndexedHeap {
   bool contains(Slot s) const { return s.index() < place_.size() && place_[s.index()] != absent; }
   double key(Slot s) const { return entries_[place_[s.index()]].key; }
 
+  /// Slots below that number are going to come.
+  void reserve(std::size_t num_slots) {
+    if (num_slots > place_.size()) place_.resize(num_slots, absent);
+  }
   void push(Slot s, double key) {
     if (s.index() >= place_.size()) place_.resize(2 * s.index() + 16, absent);
     entries_.push_back({key, s});

@@ -114,12 +114,16 @@ geom::TriMesh read_mesh(const std::filesystem::path& path, std::size_t& repeated
   return read(path, &repeated);
 }
 
-void require_mesh(const std::filesystem::path& path, const geom::TriMesh& mesh) {
-  if (mesh_format(path) == MeshFormat::stl) try {
-      require_stl(mesh);
-    } catch (const geom::InputError& unfit) {
-      fail_to_write(path, unfit);
-    }
+void require_mesh(const std::filesystem::path& path, const geom::TriMesh& mesh) try {
+  if (mesh_format(path) == MeshFormat::stl) require_stl(mesh);
+} catch (const geom::InputError& unfit) {
+  fail_to_write(path, unfit);
+}
+
+void require_edges(const std::filesystem::path& path, const geom::TriMesh& surface, double edge) try {
+  if (mesh_format(path) == MeshFormat::stl) require_stl_edges(surface, edge);
+} catch (const geom::InputError& unfit) {
+  fail_to_write(path, unfit);
 }
 
 void write_mesh(const std::filesystem::path& path, const geom::TriMesh& mesh) {

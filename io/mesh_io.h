@@ -28,5 +28,7 @@ void write_mesh(const std::filesystem::path& path, const geom::TriMesh& mesh);
 /// Throws what that would throw because its format cannot hold the mesh: what else belongs to it need not be
 /// written then.
 void require_mesh(const std::filesystem::path& path, const geom::TriMesh& mesh);
+/// The same of a mesh with edges of about that length, where this surface is.
+void require_edges(const std::filesystem::path& path, const geom::TriMesh& surface, double edge);
 
 }  // namespace io

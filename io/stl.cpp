@@ -130,6 +130,29 @@ geom::TriMesh parse_stl(const InputFile& file) {
                                    " facets of 50 bytes, " + std::to_string(bytes) + " bytes follow"));
 }
 
+namespace {
+
+constexpr double most_steps = 1.0 / 50;  // of an edge
+
+double mean_edge(const geom::TriMesh& mesh) {
+  double sum = 0;
+  for (const auto& facet : mesh.facets())
+    for (std::size_t i = 0; i < 3; ++i)
+      sum += (mesh.position(facet[i]) - mesh.position(facet[(i + 1) % 3])).norm();
+  return sum / (3 * static_cast<double>(std::max<std::size_t>(mesh.num_facets(), 1)));
+}
+
+}  // namespace
+
+void require_stl_edges(const geom::TriMesh& surface, double edge) {
+  double largest = 0;
+  for (const auto& facet : surface.facets())
+    for (const geom::VertexId v : facet)
+      largest = std::max(largest, surface.position(v).cwiseAbs().maxCoeff());
+  geom::require(largest * 0x1p-23 <= most_steps * edge,
+                "STL's single precision is too coarse for edges that short so far from the origin");
+}
+
 void require_stl(const geom::TriMesh& mesh) {
   geom::require(mesh.num_facets() <= std::numeric_limits<std::uint32_t>::max(), "too many facets for STL");
   double largest = 0;
@@ -139,6 +162,7 @@ void require_stl(const geom::TriMesh& mesh) {
   // What is 2^24 times smaller than that is still a normal number.
   geom::require(largest == 0 || largest >= 0x1p-102,
                 "the coordinates are too small for STL's single precision");
+  if (mesh.num_facets() > 0) require_stl_edges(mesh, mean_edge(mesh));
 }
 
 std::string to_stl(const geom::TriMesh& mesh) {

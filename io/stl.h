@@ -17,8 +17,11 @@ geom::TriMesh parse_stl(const InputFile& file);
 
 /// Throws what to_stl() would throw.
 void require_stl(const geom::TriMesh& mesh);
-/// Binary. STL stores single precision: coordinates lose digits, and vertices that become equal will be
-/// welded when read back. Throws geom::InputError (no file name) on a coordinate beyond single precision.
+/// Throws what that would for edges of about that length on this surface.
+void require_stl_edges(const geom::TriMesh& surface, double edge);
+/// Binary. STL stores single precision: coordinates lose digits. Throws geom::InputError (no file name) on a
+/// coordinate beyond single precision, and if its steps are more than a fiftieth of the mean edge: vertices
+/// would move by a hundredth of it, or become equal, and be welded when read back.
 std::string to_stl(const geom::TriMesh& mesh);
 
 /// Whether the bytes are those of a binary STL file, by count and size.

@@ -16,7 +16,8 @@ std::vector<double> read_positive_values(const std::filesystem::path& path, std:
   while (cursor.next_line()) {
     const std::string_view word = cursor.word();
     const double value = parse_real(word).value_or(-1);
-    if (!(value > 0) || coordinate_fault(value)) cursor.fail(in_quotes(word) + " is not a positive number");
+    if (!(value > 0)) cursor.fail(in_quotes(word) + " is not a positive number");
+    if (value > largest_coordinate) cursor.fail(in_quotes(word) + " is beyond 1e48");
     if (!cursor.word().empty()) cursor.fail("more than one number");
     if (values.size() == count) cursor.fail("more than " + std::to_string(count) + " numbers");
     values.push_back(value);

@@ -8,14 +8,14 @@
 #include "io/mesh_io.h"
 #include "tools/cli.h"
 #include "tools/measures.h"
+#include "tools/surface_input.h"
 
 namespace {
 
 /// Complaints name the file.
 tools::Measures measured(const geom::TriMesh& mesh, const std::filesystem::path& path,
                          const std::filesystem::path& reference, int threads) {
-  std::size_t repeated = 0;
-  const geom::TriMesh surface = reference.empty() ? geom::TriMesh() : io::read_mesh(reference, repeated);
+  const geom::TriMesh surface = reference.empty() ? geom::TriMesh() : tools::read_cleaned(reference);
   const auto has_area = [](const geom::TriMesh& m) {
     return geom::scaled_to_unit_box(m, geom::factor_to_unit_box(m)).area() > 0;
   };

@@ -122,6 +122,8 @@ int remesh(tools::CommandLine& cli) {
     run.iterations.push_back(r);
     log += tools::log_line(r);
   };
+  if (!a.output.empty())  // better said before than after
+    io::require_edges(a.output, input, fpo::hexagonal_spacing(input.area(), a.remesh.num_samples));
   const auto start = std::chrono::steady_clock::now();
   const fpo::AtLeastResult found = remesh_named(read, a);
   const fpo::RemeshResult& result = found.remesh;

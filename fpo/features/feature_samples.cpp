@@ -364,8 +364,8 @@ struct StretchedEdges {
 
 /// The least stretching, in steps, with which the features take no more than `most` samples.
 StretchedEdges affordable_edges(const Layout& layout, std::size_t most) {
-  geom::require(layout.least() <= most, std::to_string(most) +
-                                            " samples are too few: the features need at least " +
+  geom::require(layout.least() <= most, std::to_string(most) + (most == 1 ? " sample is" : " samples are") +
+                                            " too few: the features need at least " +
                                             std::to_string(layout.least()));
   for (double stretching = 1;; stretching *= 1.02) {
     std::vector<std::size_t> edges = layout.edges(stretching);

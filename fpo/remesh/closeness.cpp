@@ -13,7 +13,6 @@
 #include "fpo/optimize.h"
 #include "fpo/remesh/flaws.h"
 #include "fpo/remesh/nearby_places.h"
-#include "fpo/remesh/remembered_samples.h"
 #include "fpo/remesh/spreading.h"
 #include "fpo/remesh/surface_above.h"
 #include "geom/mesh/scaling.h"
@@ -321,7 +320,7 @@ ClosenessResult come_closer(SurfaceDomain& domain, const AngleOptions& angles,
                             const ClosenessOptions& options) {
   ClosenessResult result;
   if (interrupted(options.interrupted)) return result;
-  const RememberedSamples before(domain);
+  const RememberedSamples before(domain, options.older);
   mend_in_rounds(domain, angles, options, result);
   if (result.mended > 0 && !(result.largest_after < least_fall * result.largest_before)) {
     before.put_back(domain);

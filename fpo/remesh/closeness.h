@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "fpo/remesh/angles.h"
+#include "fpo/remesh/remembered_samples.h"
 
 namespace fpo {
 
@@ -18,8 +19,9 @@ struct ClosenessOptions {
   /// and all stays as it is.
   double most_far = 1;
   std::size_t most_moves = std::numeric_limits<std::size_t>::max();  ///< give or take one triangle's
-  std::size_t most_looks = most_moves;  ///< at edges of the surface (surface_above.h), likewise
-  int threads = 1;                      ///< that find distances of all triangles; no result changes
+  std::size_t most_looks = most_moves;       ///< at edges of the surface (surface_above.h), likewise
+  const RememberedSamples* older = nullptr;  ///< of the domain, if there are some: spares memory
+  int threads = 1;                           ///< that find distances of all triangles; no result changes
   const std::atomic<bool>* interrupted = nullptr;  ///< looked at before each triangle
 };
 

@@ -19,6 +19,7 @@ namespace {
 
 constexpr int resamplings = 4;     // of resampling in an attempt
 constexpr std::size_t crowd = 24;  // samples: twice those around a triangle of a manifold
+constexpr std::size_t spare = 16;  // one id that is not in use of so many
 constexpr double drift = 1e-9;     // penalty is a running sum
 constexpr std::array<double, 4> nudges = {0.01, 0.02, 0.04, 0.08};  // in units of h
 constexpr int directions = 12;
@@ -30,6 +31,9 @@ constexpr double as_good = 1e-9;           // of what a nudge must come below: w
 Flaws::Flaws(SurfaceDomain& domain, FlawMeasure measure, Sight sight, const FlawMeasures& at_first)
     : domain_(domain), measure_(std::move(measure)), sight_(sight), untried_(Order{&domain.dual()}) {
   const std::vector<CircleId> all = triangles_of(domain.dual());
+  const std::size_t most = all.empty() ? 0 : std::ranges::max(all).index() + 1;  // of the ids, by far
+  untried_.reserve(most + most / spare + 16);
+  penalties_.reserve(most + most / spare + 16);
   if (at_first) {
     const std::vector<double> bad = at_first(all);
     for (std::size_t i = 0; i < all.size(); ++i) add(all[i], bad[i]);

@@ -31,7 +31,7 @@ bool comes_closer_by_itself(const SurfaceDomain& domain, const Improvement& how,
 }
 
 void come_nearer(SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options,
-                 RemeshResult& result) {
+                 const RememberedSamples& before, RemeshResult& result) {
   FidelityOptions fidelity;
   fidelity.enough_delta = options.angles.enough_delta;
   fidelity.interrupted = options.optimize.interrupted;
@@ -54,18 +54,20 @@ void come_nearer(SurfaceDomain& domain, const Improvement& how, const RemeshOpti
   closeness.most_moves = wanted ? least_fidelity_moves + moves_to_come_closer * domain.num_samples()
                                 : least_fidelity_moves + result.optimization.moves / 12;
   if (!wanted) closeness.most_far = most_far, closeness.most_looks = looks_a_move * result.optimization.moves;
+  closeness.older = &before;
   closeness.threads = options.threads;
   closeness.interrupted = options.optimize.interrupted;
   result.closeness = come_closer(domain, how.angles, closeness);
 }
 
 /// What follows the optimization: angles, fidelity, closeness; edges of curves are proven before and after.
+/// `before`: its samples.
 void improve(SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options,
-             RemeshResult& result) {
+             const RememberedSamples& before, RemeshResult& result) {
   prove_edges(domain, how, options);
   if (options.optimize_angles && !is_stopped(options)) result.angles = optimize_angles(domain, how.angles);
   if (options.improve_fidelity && !result.stood_in && !is_stopped(options))
-    come_nearer(domain, how, options, result);
+    come_nearer(domain, how, options, before, result);
   prove_edges(domain, how, options);
 }
 
@@ -81,7 +83,7 @@ Dual improved_dual(SurfaceDomain& domain, const Improvement& how, RemeshOptions 
                    RemeshResult& result) {
   const FeatureSamples& features = how.shared.features;
   const RememberedSamples before(domain);
-  improve(domain, how, options, result);
+  improve(domain, how, options, before, result);
   if (options.maximal)
     result.maximal =
         make_maximal(domain, {features.samples.size(), options.threads, options.optimize.interrupted});
@@ -96,7 +98,7 @@ Dual improved_dual(SurfaceDomain& domain, const Improvement& how, RemeshOptions 
     result.fidelity = {};
     result.closeness = {};
     result.brought = 0;
-    improve(domain, how, options, result);
+    improve(domain, how, options, before, result);
     result.hidden = domain.num_hidden();
     dual = mended_dual(domain, features, how.type, options, result);
   }

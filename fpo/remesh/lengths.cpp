@@ -135,7 +135,9 @@ void set_number_there(const TriMesh& surface, const Lengths& lengths, RemeshOpti
     sizing = Sizing::uniform(longest);
   }
   const double area_h2 = 2 / std::sqrt(3.0) * surface.area();
-  const double inner = sizing.is_uniform() ? area_h2 / (longest * longest) : num_samples(surface, sizing);
+  const double inner = sizing.is_uniform()
+                           ? area_h2 / (longest * longest)
+                           : num_samples(surface, sizing, 2 * static_cast<double>(most_samples_by_length));
   const std::size_t count = checked(inner);
   const Features features = features_of(surface, options, hexagonal_spacing(surface.area(), count));
   const std::vector<SurfaceSample> fixed = points_on_surface(surface, options.fixed);

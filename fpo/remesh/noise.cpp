@@ -65,7 +65,7 @@ bool has_noise(const TriMesh& surface, std::size_t n) {
 bool may_be_smoothed(const RemeshOptions& options) {
   const bool has_marks = options.features && !options.features->marked.empty();
   return options.method == Method::fpo && options.optimize.max_iterations > 0 && options.fixed.empty() &&
-         !options.keep_cells && !options.maximal && !has_marks;
+         !options.maximal && !has_marks;
 }
 
 TriMesh smoothed(const TriMesh& surface, std::size_t n) {

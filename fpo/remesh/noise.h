@@ -21,8 +21,8 @@ bool is_folded(const geom::TriMesh& surface);
 /// smoothing the remesh is of another type.
 bool has_noise(const geom::TriMesh& surface, std::size_t n);
 
-/// Whether nothing is asked for that needs the surface itself: fixed points, marked features, cells, a
-/// maximal set, another method than fpo.
+/// Whether nothing is asked for that needs the surface itself: fixed points, marked features, a maximal set,
+/// another method than fpo.
 bool may_be_smoothed(const RemeshOptions& options);
 
 /// The same facets, each vertex moved towards the mean of those around, as many times as average over some .3

@@ -130,8 +130,7 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
     return result;  // each cell would be cut to thousands of parts
   std::optional<RemeshResult> coarse;
   if (!task.narrow) coarse = remesh_of_stand_in(task.input, options, remesh_smoothed_or_not);
-  if (coarse && (interrupted(options) || is_remnant(coarse->mesh)) && options.fixed.empty() &&
-      !options.keep_cells)
+  if (coarse && (interrupted(options) || is_remnant(coarse->mesh)) && options.fixed.empty())
     return on_surface(std::move(*coarse), task.input, shared.sizing, options);
   std::optional<SplitSurface> apart;
   if (!coarse) apart = surface_apart(task, shared, options);
@@ -178,7 +177,7 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   tell_of_lengths(task, sizing, angle_options(options), result);
   result.has_levels = apart.has_value();
   if (apart) return_to(*apart, result);
-  if (!coarse || is_fine(result) || !options.fixed.empty() || options.keep_cells) return result;
+  if (!coarse || is_fine(result) || !options.fixed.empty()) return result;
   RemeshResult other = on_surface(std::move(*coarse), task.input, shared.sizing, options);
   return is_better(other, result) ? other : result;
 }
@@ -391,7 +390,9 @@ RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const Reme
 
 RemeshResult remesh_smoothed(const geom::TriMesh& surface, const RemeshOptions& options) {
   const geom::TriMesh smooth = smoothed(surface, options.num_samples);
-  return on_noise(remesh_with_creases_or_not(smooth, options), smooth, surface, options);
+  RemeshOptions there = options;
+  there.keep_cells = false;
+  return on_noise(remesh_with_creases_or_not(smooth, there), smooth, surface, options);
 }
 
 /// On a smooth surface where this one is noise or, if it is folded, no remesh of it is of its type; or on

@@ -4,25 +4,48 @@ namespace fpo {
 
 using geom::SiteId;
 
-RememberedSamples::RememberedSamples(const SurfaceDomain& domain) {
+namespace {
+
+bool is_same(const SampleState& a, const SampleState& b) {
+  return a.place.position == b.place.position && a.place.facet == b.place.facet &&
+         a.weight_share == b.weight_share;
+}
+
+}  // namespace
+
+RememberedSamples::RememberedSamples(const SurfaceDomain& domain, const RememberedSamples* older)
+    : older_(older && !older->older_ ? older : nullptr) {
   const std::size_t count = domain.num_samples();
+  if (older_) {
+    for (std::size_t i = 0; i < count; ++i)
+      if (const SampleState x = state_of(domain, SiteId(i)); !is_same(x, older_->kept(i)))
+        changed_.push_back({SiteId(i), x});
+    return;
+  }
   positions_.reserve(count);
   facets_.reserve(count);
   bool are_full = true;
   for (std::size_t i = 0; i < count; ++i) {
-    const SurfaceSample& x = domain.sample(SiteId(i));
-    positions_.push_back(x.position);
-    facets_.push_back(x.facet);
-    are_full &= domain.weight_share(SiteId(i)) == 1;
+    const SampleState x = state_of(domain, SiteId(i));
+    positions_.push_back(x.place.position);
+    facets_.push_back(x.place.facet);
+    are_full &= x.weight_share == 1;
   }
   if (are_full) return;
+  weight_shares_.reserve(count);
   for (std::size_t i = 0; i < count; ++i) weight_shares_.push_back(domain.weight_share(SiteId(i)));
 }
 
+SampleState RememberedSamples::kept(std::size_t i) const {
+  return {{positions_[i], facets_[i]}, weight_shares_.empty() ? 1 : weight_shares_[i]};
+}
+
 void RememberedSamples::put_back(SurfaceDomain& domain) const {
-  for (std::size_t i = 0; i < positions_.size(); ++i)
-    fpo::put_back(domain, SiteId(i),
-                  {{positions_[i], facets_[i]}, weight_shares_.empty() ? 1 : weight_shares_[i]});
+  auto next = changed_.begin();
+  for (std::size_t i = 0; i < domain.num_samples(); ++i) {
+    const bool is_changed = next != changed_.end() && next->sample == SiteId(i);
+    fpo::put_back(domain, SiteId(i), is_changed ? (next++)->now : (older_ ? older_ : this)->kept(i));
+  }
 }
 
 }  // namespace fpo

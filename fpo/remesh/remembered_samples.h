@@ -10,13 +10,23 @@ namespace fpo {
 /// Places and weights of all samples of a domain.
 class RememberedSamples {
  public:
-  explicit RememberedSamples(const SurfaceDomain& domain);
+  /// `older`: if given, samples of the same domain before; those that are as they were are not kept twice.
+  /// Keeps a reference to it.
+  explicit RememberedSamples(const SurfaceDomain& domain, const RememberedSamples* older = nullptr);
 
   /// Puts those that are elsewhere, or have another weight, back: then the diagram is what it was, for it is
   /// a function of these. Of the same domain. O(1) expected for each of those.
   void put_back(SurfaceDomain& domain) const;
 
  private:
+  struct Changed {
+    SiteId sample;
+    SampleState now;
+  };
+  SampleState kept(std::size_t i) const;  ///< without `older`
+
+  const RememberedSamples* older_;
+  std::vector<Changed> changed_;  ///< since then, ascending
   std::vector<geom::Vec3> positions_;
   std::vector<geom::FacetId> facets_;
   std::vector<double> weight_shares_;  ///< or none, if all are 1

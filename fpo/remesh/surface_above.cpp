@@ -139,10 +139,12 @@ class SurfaceAbove::Query {
 };
 
 void SurfaceAbove::begin() {
-  reached_.resize(mesh_.num_facets(), 0);
-  done_.resize(mesh_.num_facets(), 0);
-  seen_.resize(mesh_.num_vertices(), SeenVertex{});
-  ++query_;
+  if (++query_ == 0 || seen_.empty()) {  // numbers begin again
+    reached_.assign(mesh_.num_facets(), 0);
+    done_.assign(mesh_.num_facets(), 0);
+    seen_.assign(mesh_.num_vertices(), SeenVertex{});
+    query_ = 1;
+  }
   facets_.clear();
   beside_.clear();
 }

@@ -32,7 +32,7 @@ class SurfaceAbove {
  private:
   class Query;
   struct SeenVertex {
-    std::uint64_t query = 0;  ///< the last one
+    std::uint32_t query = 0;  ///< the last one
     double distance2 = 0;     ///< from its triangle
     Prism::Depths depths{};   ///< in its prism
   };
@@ -42,8 +42,8 @@ class SurfaceAbove {
 
   const geom::TriMesh& mesh_;
   std::size_t looks_ = 0;
-  std::uint64_t query_ = 0;                                   ///< its number
-  geom::Table<geom::FacetId, std::uint64_t> reached_, done_;  ///< the last query that did it
+  std::uint32_t query_ = 0;                                   ///< its number
+  geom::Table<geom::FacetId, std::uint32_t> reached_, done_;  ///< the last query that did it
   geom::Table<geom::VertexId, SeenVertex> seen_;
   std::vector<geom::FacetId> facets_;  ///< scratch, and so is:
   std::vector<geom::DistanceFromTriangle> beside_;

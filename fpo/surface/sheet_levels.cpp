@@ -351,7 +351,7 @@ Table<VertexId, double> SheetLevels::levels() {
 
 std::optional<SplitSurface> sheets_apart(const TriMesh& mesh, const Sizing& sizing,
                                          std::span<SurfaceSample> samples, const SheetOptions& options) {
-  const double most = static_cast<double>(mesh.num_facets()) + most_parts * num_samples(mesh, sizing);
+  const double most = static_cast<double>(mesh.num_facets()) + most_parts * num_samples(mesh, sizing, 1e9);
   if (!(most < 1e9)) return {};
   std::vector<SurfaceSample> on_split(samples.begin(), samples.end());
   SplitSurface split =

@@ -22,6 +22,9 @@ namespace {
 
 constexpr double max_ratio_in_patch = 1.2;
 constexpr int max_patch_depth = 16;  // h is linear: past it the patch is a 65536th of its facet
+constexpr double few_samples =
+    0x1p-10;  // in a patch, were h its least everywhere: what h is there is no matter
+constexpr double most_density = 1000;  // of the samples wanted: while s is looked for, more are not counted
 
 std::string at_vertex(VertexId v) { return "sizing at vertex " + std::to_string(v.value + 1); }
 
@@ -86,20 +89,34 @@ SizedCorner middle(const SizedCorner& a, const SizedCorner& b) {
   return {(a.at + b.at) / 2, (a.h + b.h) / 2};
 }
 
-/// Divides a patch in four at the middles of its edges until h varies little.
-void divide(const std::array<SizedCorner, 3>& c, FacetId t, double area, int depth,
-            std::vector<SizedPatch>& out) {
+double density(double h) { return 2 / std::numbers::sqrt3 / (h * h); }
+
+/// Visits the patches of which a patch of that area is made: halved at the middles of its edges until h varies
+/// little, or there is hardly a sample. The visitor says whether to go on.
+template <class Visit>
+bool visit_patches(const std::array<SizedCorner, 3>& c, FacetId t, double area, int depth, Visit& visit) {
   const auto [least, most] = std::minmax({c[0].h, c[1].h, c[2].h});
   const SizedCorner m0 = middle(c[0], c[1]), m1 = middle(c[1], c[2]), m2 = middle(c[2], c[0]);
-  if (most < max_ratio_in_patch * least || depth == max_patch_depth) {
+  if (most < max_ratio_in_patch * least || depth == max_patch_depth || area * density(least) < few_samples) {
     const double mean_density =
         2 / std::numbers::sqrt3 * (1 / (m0.h * m0.h) + 1 / (m1.h * m1.h) + 1 / (m2.h * m2.h)) / 3;
-    out.push_back({t, {c[0].at, c[1].at, c[2].at}, least, area * mean_density});
-    return;
+    return visit(SizedPatch{t, {c[0].at, c[1].at, c[2].at}, least, area * mean_density});
   }
   for (const std::array<SizedCorner, 3>& part :
        {std::array{c[0], m0, m2}, std::array{m0, c[1], m1}, std::array{m2, m1, c[2]}, std::array{m0, m1, m2}})
-    divide(part, t, area / 4, depth + 1, out);
+    if (!visit_patches(part, t, area / 4, depth + 1, visit)) return false;
+  return true;
+}
+
+template <class Visit>
+void visit_patches(const TriMesh& mesh, const Sizing& sizing, Visit visit) {
+  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
+    const TriMesh::Facet& v = mesh.facet(t);
+    const std::array<SizedCorner, 3> corners{SizedCorner{{0, 0}, sizing.at(v[0])},
+                                             SizedCorner{{1, 0}, sizing.at(v[1])},
+                                             SizedCorner{{0, 1}, sizing.at(v[2])}};
+    if (!visit_patches(corners, t, mesh.area(t), 0, visit)) return;
+  }
 }
 
 }  // namespace
@@ -107,17 +124,16 @@ void divide(const std::array<SizedCorner, 3>& c, FacetId t, double area, int dep
 std::vector<SizedPatch> sized_patches(const TriMesh& mesh, const Sizing& sizing) {
   std::vector<SizedPatch> patches;
   patches.reserve(mesh.num_facets());
-  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
-    const TriMesh::Facet& v = mesh.facet(t);
-    divide({SizedCorner{{0, 0}, sizing.at(v[0])}, {{1, 0}, sizing.at(v[1])}, {{0, 1}, sizing.at(v[2])}}, t,
-           mesh.area(t), 0, patches);
-  }
+  visit_patches(mesh, sizing, [&](const SizedPatch& patch) {
+    patches.push_back(patch);
+    return true;
+  });
   return patches;
 }
 
-double num_samples(const TriMesh& mesh, const Sizing& sizing) {
+double num_samples(const TriMesh& mesh, const Sizing& sizing, double enough) {
   double sum = 0;
-  for (const SizedPatch& patch : sized_patches(mesh, sizing)) sum += patch.num_samples;
+  visit_patches(mesh, sizing, [&](const SizedPatch& patch) { return (sum += patch.num_samples) <= enough; });
   return sum;
 }
 
@@ -215,6 +231,7 @@ Sizing fit_sizing(const TriMesh& mesh, const VertexField& rho, std::size_t n, co
   const double even = hexagonal_spacing(mesh.area(), n);
   const double smallest = limits.smallest * even, largest = limits.largest * even;
   const EdgeGraph graph(mesh);
+  const double samples = static_cast<double>(n);
   const auto sizing = [&](double s) {
     VertexField h = rho;
     for (double& value : h) value = std::clamp(s * value, smallest, largest);
@@ -227,7 +244,7 @@ Sizing fit_sizing(const TriMesh& mesh, const VertexField& rho, std::size_t n, co
   if (!std::isfinite(least)) return Sizing::uniform(even);
   return sizing(std::exp(root_of_decreasing(
       [&](double log_s) {
-        return std::log(num_samples(mesh, sizing(std::exp(log_s))) / static_cast<double>(n));
+        return std::log(num_samples(mesh, sizing(std::exp(log_s)), most_density * samples) / samples);
       },
       std::log(smallest / most), std::log(largest / least))));
 }

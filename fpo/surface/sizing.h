@@ -3,6 +3,7 @@
 // surfaces).
 
 #include <array>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -46,7 +47,7 @@ class Sizing {
   const geom::TriMesh* spotted_ = nullptr;  ///< the mesh, if there are spots
 };
 
-/// A part of a facet on which h varies little.
+/// A part of a facet on which h varies little, or for which it calls for a thousandth of a sample at most.
 struct SizedPatch {
   geom::FacetId facet;
   std::array<geom::Vec2, 3> corners;  ///< facet coordinates (u, v): q0 + u (q1 - q0) + v (q2 - q0)
@@ -54,11 +55,13 @@ struct SizedPatch {
   double num_samples;  ///< that the sizing calls for: the integral of 2 / (sqrt(3) h^2)
 };
 
-/// The whole surface in patches on which the largest h is less than 1.2 times the smallest. O(patches).
+/// The whole surface in patches; on those with more the largest h is less than 1.2 times the smallest, unless
+/// they are a 65536th of their facet. O(patches).
 std::vector<SizedPatch> sized_patches(const geom::TriMesh& mesh, const Sizing& sizing);
 
-/// The number of samples that the sizing calls for. O(patches).
-double num_samples(const geom::TriMesh& mesh, const Sizing& sizing);
+/// The number of samples that the sizing calls for, or some number larger than `enough`. O(patches).
+double num_samples(const geom::TriMesh& mesh, const Sizing& sizing,
+                   double enough = std::numeric_limits<double>::infinity());
 
 /// Bounds of h. Lengths in units of the spacing that n samples would have if they were spread evenly.
 struct SizingLimits {

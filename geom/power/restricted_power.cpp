@@ -20,11 +20,23 @@ double extent_of(const TriMesh& mesh) {
   return extent * (1 + 1e-9);
 }
 
+namespace {
+
+/// Sites may be anywhere.
+double extent_with(const TriMesh& mesh, std::span<const WeightedPoint3> points) {
+  double extent = extent_of(mesh);
+  for (const WeightedPoint3& point : points)
+    extent = std::max({extent, point.position.lpNorm<Eigen::Infinity>(), std::abs(point.level)});
+  return extent;
+}
+
+}  // namespace
+
 RestrictedPower::RestrictedPower(const TriMesh& mesh, std::span<const WeightedPoint3> points,
                                  const NeighbourOracle& search, int threads)
     : mesh_(mesh),
       sites_(points.begin(), points.end()),
-      clipper_(mesh, sites_, extent_of(mesh)),
+      clipper_(mesh, sites_, extent_with(mesh, points)),
       store_(mesh),
       division_(clipper_, store_) {
   ensure(!points.empty(), "restricted power diagram: of some sites");

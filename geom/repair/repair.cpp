@@ -94,8 +94,9 @@ class Work {
   void split(Fans fans) {
     const Splitting done = split_sheets(vertices_, facets_, fans);
     if (done.edges + done.vertices == 0) return;
-    lines.push_back("split " + counted(done.edges, "non-manifold edge", "non-manifold edges") + ", " +
-                    counted(done.vertices, "new vertex", "new vertices"));
+    const std::string where =
+        done.edges > 0 ? counted(done.edges, "non-manifold edge", "non-manifold edges") : "vertices";
+    lines.push_back("split " + where + ", " + counted(done.vertices, "new vertex", "new vertices"));
   }
 
   void drop_crumbs(double share) {

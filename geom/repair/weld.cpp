@@ -109,9 +109,19 @@ Borders borders_of(const Table<VertexId, Vec3>& vertices, const Facets& facets) 
   return result;
 }
 
-std::size_t borders_left(const Table<VertexId, Vec3>& vertices, Facets facets, double tolerance) {
+/// What there is when borders are welded.
+struct Left {
+  std::size_t borders = 0, pieces = 0;  ///< edges; sets of facets that hang together by vertices
+};
+
+Left left_by(const Table<VertexId, Vec3>& vertices, Facets facets, double tolerance) {
   weld_borders(near_places(vertices, facets, tolerance), facets, Crowds::weld);
-  return borders_of(vertices, facets).edges;
+  DisjointSets sets(vertices.size());
+  std::set<std::size_t> pieces;
+  for (const TriMesh::Facet& f : facets)
+    for (const VertexId v : f) sets.merge(f[0].index(), v.index());
+  for (const TriMesh::Facet& f : facets) pieces.insert(sets.find(f[0].index()));
+  return {borders_of(vertices, facets).edges, pieces.size()};
 }
 
 }  // namespace
@@ -145,11 +155,12 @@ double usual_tolerance(const Table<VertexId, Vec3>& vertices, const Facets& face
   if (borders.edges == 0) return 1e-6 * box.diagonal().norm();
   double tolerance = std::min(1e-6 * box.diagonal().norm(), 0.01 * borders.median);
   if (10 * borders.edges <= borders.all) return tolerance;
-  std::size_t left = borders_left(vertices, facets, tolerance);
+  const Left first = left_by(vertices, facets, tolerance);
+  Left left = first;
   try {
-    for (double wider = 10 * tolerance; left > 0 && wider < 0.1 * borders.median; wider *= 10) {
-      const std::size_t next = borders_left(vertices, facets, wider);
-      if (2 * next > left) continue;
+    for (double wider = 10 * tolerance; left.borders > 0 && wider < 0.1 * borders.median; wider *= 10) {
+      const Left next = left_by(vertices, facets, wider);
+      if (2 * next.borders > left.borders || 2 * next.pieces > first.pieces) continue;
       tolerance = wider;
       left = next;
     }
@@ -162,7 +173,7 @@ double wider_tolerance(const Table<VertexId, Vec3>& vertices, const Facets& face
   constexpr std::size_t few = 8;
   const Borders borders = borders_of(vertices, facets);
   if (borders.edges < few) return 0;
-  const auto left = [&](double tolerance) { return borders_left(vertices, facets, tolerance); };
+  const auto left = [&](double tolerance) { return left_by(vertices, facets, tolerance).borders; };
   const double widest = 0.2 * borders.median;
   const std::size_t least = left(widest);
   if (2 * least > borders.edges) return 0;

@@ -22,7 +22,8 @@ Welding weld_borders(const Places& places, Table<FacetId, TriMesh::Facet>& facet
 /// The distance within which borders are welded if nobody names one: 1e-6 diagonals, but at most a hundredth
 /// of the median border edge (a stray facet far away makes the diagonal long). Where more than a tenth of the
 /// edges are borders even so, as in a soup whose corners differ by more, it is the power of ten times that
-/// which halves them last, below a tenth of the median border edge. O(F log F).
+/// which halves them last and leaves at most half of the pieces, below a tenth of the median border edge:
+/// slits in one piece are no soup. O(F log F).
 double usual_tolerance(const Table<VertexId, Vec3>& vertices, const Table<FacetId, TriMesh::Facet>& facets);
 
 /// A larger one that leaves at most half of the borders where the usual one leaves more, below a fifth of the

@@ -1,6 +1,8 @@
 #include "io/stl.h"
 
 #include "doctest.h"
+#include "geom/shapes/mesh_parts.h"
+#include "geom/shapes/shapes.h"
 #include "tests/io/sample_meshes.h"
 
 using fixtures::complaint;
@@ -103,4 +105,24 @@ TEST_CASE("STL: coordinates beyond single precision cannot be written") {
   CHECK(complaint([&] { io::to_stl(mesh); }) == "a coordinate is beyond STL's single precision");
   const auto tiny = fixtures::make_mesh({{0, 0, 0}, {1e-31, 0, 0}, {0, 1e-31, 0}}, {{0, 1, 2}});
   CHECK(complaint([&] { io::to_stl(tiny); }) == "the coordinates are too small for STL's single precision");
+}
+
+TEST_CASE("STL: what single precision would ruin cannot be written") {
+  const geom::TriMesh sphere = geom::make_shape("sphere", 8);
+  const std::string refusal =
+      "STL's single precision is too coarse for edges that short so far from the origin";
+  for (const auto& [far, holds] :
+       {std::pair(0.0, true), std::pair(1e3, true), std::pair(1e6, false), std::pair(1e8, false)}) {
+    CAPTURE(far);
+    const geom::TriMesh moved =
+        geom::mapped(sphere, [&](const geom::Vec3& p) -> geom::Vec3 { return p + geom::Vec3(far, 0, 0); });
+    const double edge = 0.2;  // about
+    if (holds) {
+      CHECK(parse_stl(io::to_stl(moved)).num_vertices() == sphere.num_vertices());
+      CHECK_NOTHROW(io::require_stl_edges(moved, edge));
+    } else {
+      CHECK(complaint([&] { io::to_stl(moved); }) == refusal);
+      CHECK(complaint([&] { io::require_stl_edges(moved, edge); }) == refusal);
+    }
+  }
 }

@@ -6,6 +6,8 @@
 #include "doctest.h"
 #include "fpo/surface/initial_samples.h"
 #include "geom/check.h"
+#include "geom/mesh/scaling.h"
+#include "geom/shapes/shapes.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
@@ -68,4 +70,22 @@ TEST_CASE("covering: equal sizes make both the same; samples that coincide; a si
   CHECK(covering(mesh, one, nearest_distances(one), 1).local_ratio == 0);
   CHECK(covering(mesh, one, nearest_distances(one), 1).radius > 0);
   CHECK_THROWS_AS(covering(mesh, {}, {}, 1), geom::InputError);
+}
+
+TEST_CASE("covering: samples far outside the surface's box") {
+  const TriMesh mesh = fixtures::tilted_square(2);
+  for (const double far : {3.0, 60.0, 1e3, 1e8}) {
+    CAPTURE(far);
+    std::vector<Vec3> samples;
+    for (const Vec3& p : geom::make_shape("sphere", 6).vertices()) samples.push_back(geom::snapped(far * p));
+    const Covering found = covering(mesh, samples, nearest_distances(samples), 1);
+    double most = 0;
+    for (const Vec3& x : mesh.vertices()) {
+      double least = std::numeric_limits<double>::infinity();
+      for (const Vec3& p : samples) least = std::min(least, (x - p).norm());
+      most = std::max(most, least);
+    }
+    CHECK(found.radius >= most * (1 - 1e-9));
+    CHECK(found.radius <= most + mesh.diagonal());
+  }
 }

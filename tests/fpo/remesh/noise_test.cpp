@@ -75,7 +75,14 @@ TEST_CASE(
       CHECK(geom::closest_point(
                 x.position, {rough.corner(x.facet, 0), rough.corner(x.facet, 1), rough.corner(x.facet, 2)})
                 .distance2 < 1e-20 * rough.area());
-    if (std::string(name) == "torus")
-      CHECK(fixtures::identical(fpo::remesh(rough, options).mesh, result.mesh));
+    if (std::string(name) != "torus") continue;
+    options.keep_cells = true;  // the same again, with the cells of its samples
+    const fpo::RemeshResult with_cells = fpo::remesh(rough, options);
+    CHECK(fixtures::identical(with_cells.mesh, result.mesh));
+    double area = 0;
+    for (const fpo::CellPolygon& cell : with_cells.cells)
+      for (std::size_t i = 2; i < cell.corners.size(); ++i)
+        area += 0.5 * (cell.corners[i - 1] - cell.corners[0]).cross(cell.corners[i] - cell.corners[0]).norm();
+    CHECK(area == doctest::Approx(rough.area()));
   }
 }

@@ -149,4 +149,12 @@ TEST_CASE("at least: as many samples as it takes, and no more where n is enough"
   const AtLeastResult enough = remesh_at_least(mesh, options);
   CHECK(enough.runs == 1);
   CHECK(enough.remesh.mesh.num_vertices() == 200);
+  options.num_samples = 2;  // no triangle
+  CHECK_THROWS_AS(remesh(mesh, options), geom::InputError);
+  const AtLeastResult more = remesh_at_least(mesh, options);
+  CHECK(more.remesh.type.ok());
+  CHECK(more.not_enough >= 2);
+  options.limits.gradation = -1;  // refused whatever n is
+  options.sizing = SizingKind::curvature;
+  CHECK_THROWS_AS(remesh_at_least(mesh, options), geom::InputError);
 }

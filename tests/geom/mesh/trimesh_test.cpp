@@ -200,6 +200,9 @@ TEST_CASE("trimesh: with vertices elsewhere it is the one made of them anew") {
     for (Vec3& v : moved) v = Vec3(2 * v.y(), 1 - v.x(), v.z() / 3);
     const TriMesh found = mesh.with_vertices(moved), anew(moved, mesh.facets());
     CHECK(found.facets() == anew.facets());
+    CHECK(&found.facets() == &mesh.facets());  // they are shared, as all is by a copy
+    const TriMesh copy = found;
+    CHECK(&copy.vertices() == &found.vertices());
     CHECK(found.box().min() == anew.box().min());
     CHECK(found.box().max() == anew.box().max());
     std::size_t different = 0;

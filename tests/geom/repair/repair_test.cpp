@@ -236,3 +236,26 @@ TEST_CASE("repair: corners that differ by a ten-thousandth of the size are welde
     CHECK(t.components == 1);
   }
 }
+
+TEST_CASE("repair: slits in one piece are no soup, however much of it is border") {
+  geom::Table<VertexId, Vec3> vertices;  // a comb: strips .01 apart that hang together at one end
+  geom::Table<FacetId, TriMesh::Facet> facets;
+  constexpr int strips = 20, rows = 6, side = rows + 1;  // slits of more sides than a dent has
+  for (int i = 0; i < strips; ++i)
+    for (const double x : {0.0, 0.99})
+      for (int k = 0; k <= rows; ++k) vertices.push_back(Vec3(i + x, k, 0));
+  const auto quad = [&](int a, int b, int c, int d) {
+    facets.push_back({VertexId(a), VertexId(b), VertexId(c)});
+    facets.push_back({VertexId(a), VertexId(c), VertexId(d)});
+  };
+  for (int i = 0; i < strips; ++i)
+    for (int k = 0, a = 2 * side * i; k < rows; ++k, ++a) quad(a, a + side, a + side + 1, a + 1);
+  for (int i = 0, a = side; i + 1 < strips; ++i, a += 2 * side) quad(a, a + side, a + side + 1, a + 1);
+  const TriMesh comb(std::move(vertices), std::move(facets));
+  const geom::Topology before = geom::topology(comb);
+  REQUIRE(before.components == 1);
+  REQUIRE(10 * before.boundary_edges > before.edges);
+  const geom::Topology after = geom::topology(repaired(comb).mesh);
+  CHECK(after.boundary_edges == before.boundary_edges);
+  CHECK(after.euler == before.euler);
+}

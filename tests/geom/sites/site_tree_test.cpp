@@ -102,6 +102,37 @@ TEST_CASE("site tree: rivals, heirs and nearest against brute force while sites 
   }
 }
 
+TEST_CASE("site tree: points that somebody else has do as its own") {
+  Rng rng(11);
+  geom::Table<SiteId, geom::WeightedPoint3> points;
+  SiteTree own, shared(points);
+  for (int step = 0; step < 2000; ++step) {
+    const SiteId p(static_cast<std::size_t>(rng.below(300)));
+    const Site site = random_site(rng);
+    if (p.index() >= points.size()) points.resize(p.index() + 1);
+    const bool leaves = own.contains(p) && rng.below(2) == 0;
+    for (SiteTree* tree : {&own, &shared}) {
+      if (leaves) {
+        tree->remove(p);
+        continue;
+      }
+      points[p] = site.point;
+      if (tree->contains(p))
+        tree->move(p, site.point);
+      else
+        tree->insert(p, site.point);
+      tree->set_reach(p, site.reach);
+    }
+    if (step % 20 != 0) continue;
+    shared.check();
+    const Vec3 x(rng.uniform(), rng.uniform(), rng.uniform());
+    CHECK(own.nearest(x, p).site == shared.nearest(x, p).site);
+    std::vector<SiteId> a, b;
+    if (own.contains(p)) own.rivals(p, a), shared.rivals(p, b);
+    CHECK(a == b);
+  }
+}
+
 TEST_CASE("site tree: who moves is where it went, nearby or not, with the reach that was said last") {
   Rng rng(7);
   SiteTree tree;
