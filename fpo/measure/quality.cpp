@@ -49,7 +49,7 @@ struct VertexStar {
 std::vector<VertexStar> vertex_stars(const TriMesh& mesh, double& mean_edge) {
   std::vector<VertexStar> stars(mesh.num_vertices());
   double sum = 0, edges = 0;
-  geom::for_each_edge(geom::sorted_half_edges(mesh.facets()), [&](auto first, auto last) {
+  geom::for_each_edge(mesh.facets(), [&](auto first, auto last) {
     const double length = (mesh.position(first->low) - mesh.position(first->high)).norm();
     for (const VertexId v : {first->low, first->high}) {
       VertexStar& star = stars[v.index()];

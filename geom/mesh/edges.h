@@ -42,7 +42,7 @@ inline MeshEdge mesh_edge(VertexId a, VertexId b) { return {std::min(a, b), std:
 /// Each once, ascending: to be looked up by std::ranges::binary_search. O(F), as sorted_half_edges().
 inline std::vector<MeshEdge> edges_of(const TriMesh& mesh) {
   std::vector<MeshEdge> edges;
-  for_each_edge(sorted_half_edges(mesh.facets()), [&](auto first, auto) { edges.push_back(first->ends()); });
+  for_each_edge(mesh.facets(), [&](auto first, auto) { edges.push_back(first->ends()); });
   return edges;
 }
 

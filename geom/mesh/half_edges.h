@@ -32,31 +32,6 @@ inline HalfEdge half_edge(const Table<FacetId, std::array<VertexId, 3>>& facets,
   return {std::min(a, b), std::max(a, b), t, static_cast<std::int8_t>(e), a < b};
 }
 
-/// All half-edges, those of one edge next to each other, in order of facets. O(F), and for each vertex its
-/// higher neighbours sorted.
-inline std::vector<HalfEdge> sorted_half_edges(const Table<FacetId, std::array<VertexId, 3>>& facets) {
-  const auto for_each = [&](auto visit) {
-    for (FacetId t(0); t.index() < facets.size(); t = FacetId(t.value + 1))
-      for (int e = 0; e < 3; ++e) visit(half_edge(facets, t, e));
-  };
-  std::vector<std::uint32_t> end;  // of those of each lower end
-  for_each([&](const HalfEdge& h) {
-    if (h.low.index() + 2 > end.size()) end.resize(h.low.index() + 2, 0);
-    ++end[h.low.index() + 1];
-  });
-  std::partial_sum(end.begin(), end.end(), end.begin());
-  std::vector<HalfEdge> result(3 * facets.size());
-  for_each([&](const HalfEdge& h) { result[end[h.low.index()]++] = h; });
-  std::uint32_t begin = 0;
-  for (const std::uint32_t e : end) {
-    std::sort(result.begin() + begin, result.begin() + e, [](const HalfEdge& a, const HalfEdge& b) {
-      return std::tuple(a.high, a.facet, a.edge) < std::tuple(b.high, b.facet, b.edge);
-    });
-    begin = e;
-  }
-  return result;
-}
-
 /// Calls visit(first, last) for the half-edges of each edge.
 template <class Visit>
 void for_each_edge(const std::vector<HalfEdge>& half_edges, Visit visit) {
@@ -66,6 +41,45 @@ void for_each_edge(const std::vector<HalfEdge>& half_edges, Visit visit) {
     visit(first, last);
     first = last;
   }
+}
+
+/// The same for all edges of facets, ascending by their ends; each edge's half-edges in order of facets. O(F),
+/// and for each vertex its higher neighbours sorted; four bytes a half-edge are all that it keeps.
+template <class Visit>
+void for_each_edge(const Table<FacetId, std::array<VertexId, 3>>& facets, Visit visit) {
+  const auto all = [&](auto take) {
+    for (FacetId t(0); t.index() < facets.size(); t = FacetId(t.value + 1))
+      for (int e = 0; e < 3; ++e) take(half_edge(facets, t, e));
+  };
+  std::vector<std::uint32_t> end;  // of those of each lower end
+  all([&](const HalfEdge& h) {
+    if (h.low.index() + 2 > end.size()) end.resize(h.low.index() + 2, 0);
+    ++end[h.low.index() + 1];
+  });
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<std::uint32_t> numbers(3 * facets.size());
+  all([&](const HalfEdge& h) {
+    numbers[end[h.low.index()]++] =
+        static_cast<std::uint32_t>(3 * h.facet.index()) + static_cast<std::uint32_t>(h.edge);
+  });
+  std::vector<HalfEdge> of_one;
+  std::uint32_t begin = 0;
+  for (const std::uint32_t e : end) {
+    of_one.clear();
+    for (; begin < e; ++begin)
+      of_one.push_back(
+          half_edge(facets, FacetId(std::size_t{numbers[begin] / 3}), static_cast<int>(numbers[begin] % 3)));
+    std::ranges::sort(of_one, {}, [](const HalfEdge& h) { return std::tuple(h.high, h.facet, h.edge); });
+    for_each_edge(of_one, visit);
+  }
+}
+
+/// All half-edges, those of one edge next to each other, in that order.
+inline std::vector<HalfEdge> sorted_half_edges(const Table<FacetId, std::array<VertexId, 3>>& facets) {
+  std::vector<HalfEdge> result;
+  result.reserve(3 * facets.size());
+  for_each_edge(facets, [&](auto first, auto last) { result.insert(result.end(), first, last); });
+  return result;
 }
 
 /// Those of the edge from a to b, in either direction. O(log F).

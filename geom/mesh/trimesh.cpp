@@ -22,7 +22,7 @@ TriMesh::TriMesh(Table<VertexId, Vec3> vertices, Table<FacetId, Facet> facets)
   check_facets();
   find_box();
   Across across(facets_.size());
-  for_each_edge(sorted_half_edges(this->facets()), [&](auto first, auto last) {
+  for_each_edge(this->facets(), [&](auto first, auto last) {
     if (last - first != 2) return;
     const HalfEdge &a = first[0], &b = first[1];
     across[a.facet][static_cast<std::size_t>(a.edge)] = b.facet;

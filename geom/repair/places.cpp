@@ -65,7 +65,7 @@ class Grid {
 /// The places of border vertices.
 std::vector<VertexId> border_places(const Places& places, const Table<FacetId, TriMesh::Facet>& facets) {
   std::vector<VertexId> result;
-  for_each_edge(sorted_half_edges(facets), [&](auto first, auto last) {
+  for_each_edge(facets, [&](auto first, auto last) {
     if (last - first != 1) return;
     result.push_back(places[first->low]);
     result.push_back(places[first->high]);
