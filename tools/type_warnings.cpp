@@ -64,6 +64,7 @@ void add_parts(const fpo::TypeCheck& type, std::vector<std::string>& lines) {
   add(type.lost_parts, "component of the input is lost", "components of the input are lost");
   add(type.joined_parts, "component of the remesh joins several of the input",
       "components of the remesh join several of the input each");
+  add(type.doubled_facets, "facet lies upon another", "facets lie upon each other");
   add(type.split_parts, "component of the input is several of the remesh",
       "components of the input are several of the remesh each");
 }

@@ -31,6 +31,11 @@ TypeCheck check_type(const geom::SurfaceType& input, const geom::TriMesh& remesh
       ++check.joined_parts;
       parts.insert(of.begin(), of.end());
     }
+  for (FacetId t(0); t.index() < remesh.num_facets(); t = FacetId(t.value + 1)) {
+    if (!remesh.across(t, 0).valid() || remesh.across(t, 0) != remesh.across(t, 1)) continue;
+    ++check.doubled_facets;  // two with two edges in common
+    parts.insert(input.part_of[samples[remesh.facet(t)[0].index()].facet]);
+  }
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     check.lost_parts += outputs[i].empty();
     check.split_parts += outputs[i].size() > 1;

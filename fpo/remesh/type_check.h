@@ -22,7 +22,9 @@ struct TypeCheck {
   /// Parts of the input with another Euler number, number of border loops, or orientability: a handle or a
   /// hole was lost, or one was made.
   std::size_t changed_parts = 0;
-  std::vector<std::size_t> parts;  ///< of the input, ascending: those that are lost, joined, split or changed
+  std::size_t doubled_facets = 0;  ///< of the remesh: that have their vertices in common with another
+  /// Of the input, ascending: those that are lost, joined, split or changed, or of which facets are doubled.
+  std::vector<std::size_t> parts;
 
   bool is_manifold() const { return nonmanifold_edges == 0 && nonmanifold_vertices == 0; }
   /// Whether parts correspond, whatever the remesh is at single edges and vertices.

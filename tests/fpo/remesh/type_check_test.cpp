@@ -60,6 +60,21 @@ TEST_CASE("type check: a part that is lost, a hole, a branching edge") {
   CHECK(!branching.ok());
 }
 
+TEST_CASE("type check: a triangle twice is no sphere, though its Euler number is that of one") {
+  const TriMesh mesh = geom::make_shape("sphere", 1);
+  const TriMesh::Facet f = mesh.facet(FacetId(3));
+  const TypeCheck found =
+      check_type(geom::surface_type(mesh),
+                 TriMesh({mesh.position(f[0]), mesh.position(f[1]), mesh.position(f[2])},
+                         {{VertexId(0), VertexId(1), VertexId(2)}, {VertexId(0), VertexId(2), VertexId(1)}}),
+                 std::vector<SurfaceSample>(3, {mesh.position(f[0]), FacetId(3)}));
+  CHECK(found.is_manifold());
+  CHECK(found.changed_parts == 0);
+  CHECK(found.doubled_facets == 2);
+  CHECK(found.parts == std::vector<std::size_t>{0});
+  CHECK(!found.ok());
+}
+
 TEST_CASE("type check: parts that are joined, that are two") {
   // A remesh of two spheres in which a facet of each is gone and a tube joins the holes.
   const TriMesh spheres = geom::make_shape("two-spheres", 1);
