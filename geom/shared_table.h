@@ -22,7 +22,7 @@ class SharedTable {
   const Table<I, T>& table() const { return table_ ? *table_ : none; }
 
  private:
-  inline static constinit const Table<I, T> none{};
+  inline static const Table<I, T> none{};
   std::shared_ptr<const Table<I, T>> table_;
   const T* first_ = nullptr;
 };

@@ -2,10 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <numeric>
+#include <utility>
+#include <vector>
 
+#include "fpo/measure/covering.h"
 #include "fpo/measure/quality.h"
 #include "fpo/plane/rectangle.h"
 #include "fpo/remesh/pipeline.h"
+#include "fpo/surface/sizing.h"
 #include "io/atomic_file.h"
 #include "io/mesh_io.h"
 #include "io/points.h"
@@ -57,6 +63,29 @@ void write_outputs(const PlaneArguments& a, const fpo::RemeshResult& result, con
   }
 }
 
+/// Scaled back, the last bit may be beyond the border.
+void keep_within(const geom::Box3& box, fpo::RemeshResult& result) {
+  const auto within = [&](const geom::Vec3& p) -> geom::Vec3 {
+    return p.cwiseMax(box.min()).cwiseMin(box.max());
+  };
+  for (fpo::SurfaceSample& x : result.samples) x.position = within(x.position);
+  geom::Table<geom::VertexId, geom::Vec3> vertices = result.mesh.vertices();
+  for (geom::Vec3& p : vertices) p = within(p);
+  result.mesh = result.mesh.with_vertices(std::move(vertices));
+}
+
+/// Of what is written: the distances to the nearest sample, the least and the mean, in units of d_max; or, if
+/// adaptive, of the lengths wanted.
+std::pair<double, double> spacing_of(const fpo::RemeshResult& result, double area, bool uniform) {
+  if (!uniform) return {result.measures.delta, result.measures.mean_delta};
+  std::vector<geom::Vec3> places;
+  for (const fpo::SurfaceSample& x : result.samples) places.push_back(x.position);
+  const std::vector<double> distances = fpo::nearest_distances(places);
+  const double most = fpo::hexagonal_spacing(area, places.size());
+  const double sum = std::accumulate(distances.begin(), distances.end(), 0.0);
+  return {std::ranges::min(distances) / most, sum / static_cast<double>(places.size()) / most};
+}
+
 }  // namespace
 
 int run_bounded_plane(PlaneArguments& a, std::uint64_t seed, bool quiet) {
@@ -67,18 +96,27 @@ int run_bounded_plane(PlaneArguments& a, std::uint64_t seed, bool quiet) {
   stop_if_interrupted();
   RunLog log(quiet);
   log.attach(a.optimize, a.num_samples);
-  const fpo::RemeshResult result = fpo::remesh(rectangle, remesh_options(a, seed, *sizing, rectangle));
+  const fpo::RemeshOptions options = remesh_options(a, seed, *sizing, rectangle);
+  fpo::RemeshResult result = fpo::remesh(rectangle, options);
+  keep_within(rectangle.box(), result);
   const bool interrupted = interrupt_flag();  // maybe after the optimization
   write_outputs(a, result, log.csv());
   const fpo::Quality q = fpo::quality(result.mesh, rectangle.area());
   const fpo::OptimizeResult& o = result.optimization;
   const bool uniform = sizing->is_uniform();
+  const auto [delta, mean_delta] = spacing_of(result, rectangle.area(), uniform);
+  if (const fpo::TypeCheck& type = result.type; !type.ok())
+    std::fprintf(
+        stderr,
+        "warning: the triangulation is no disk: %zu samples have no triangle, %zu edges and %zu vertices are "
+        "not a manifold's; more samples would help, or lengths that differ less\n",
+        type.bare_samples, type.nonmanifold_edges, type.nonmanifold_vertices);
   Summary summary;
   summary.count("samples", a.num_samples);
   summary.count("iterations", static_cast<std::size_t>(o.last.iteration));
   summary.count("moves", o.moves);
-  summary.number(uniform ? "delta" : "delta_of_wanted", o.last.delta, 6);
-  summary.number(uniform ? "mean_delta" : "mean_delta_of_wanted", o.last.mean_delta, 6);
+  summary.number(uniform ? "delta" : "delta_of_wanted", delta, 6);
+  summary.number(uniform ? "mean_delta" : "mean_delta_of_wanted", mean_delta, 6);
   summary.number("size_slope", result.fit.slope, 4);
   summary.number("size_cv", result.fit.cv, 4);
   summary.number("theta_min", q.theta_min, 3);

@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -170,6 +172,41 @@ TEST_CASE(
       CHECK(y <= 1);
     }
   }
+}
+
+TEST_CASE("fpo-plane --bounded: the distances printed are those of the file; what is no disk is told") {
+  const ScratchFolder scratch;
+  const PlaneCliOutcome o =
+      plane_cli_run(scratch, {"-n", "120", "--bounded", "--period", "1.25x0.7", "--rest", "--quiet",
+                              "--iterations", "60", "--corners", "c", "-o", "a.txt"});
+  REQUIRE(o.code == 0);
+  CHECK(o.err == "");
+  std::vector<std::array<double, 2>> points;
+  std::ifstream lines(scratch / "a.txt");
+  for (std::string line; std::getline(lines, line);) {
+    auto& [x, y] = points.emplace_back();
+    REQUIRE(std::sscanf(line.c_str(), "%lf %lf", &x, &y) == 2);
+  }
+  double least = 1e300, sum = 0;
+  for (const auto& p : points) {
+    double nearest = 1e300;
+    for (const auto& q : points)
+      if (&p != &q) nearest = std::min(nearest, std::hypot(p[0] - q[0], p[1] - q[1]));
+    least = std::min(least, nearest), sum += nearest;
+  }
+  const double most = std::sqrt(2 * 1.25 * 0.7 / (std::sqrt(3.0) * 120));
+  const auto printed = [&](const std::string& name) {
+    const std::size_t at = ("\n" + o.out).find("\n" + name + " ");
+    REQUIRE(at != std::string::npos);
+    return std::stod(o.out.substr(at + name.size() + 1));
+  };
+  CHECK(printed("delta") == doctest::Approx(least / most).epsilon(1e-5));
+  CHECK(printed("mean_delta") == doctest::Approx(sum / 120 / most).epsilon(1e-5));
+
+  const PlaneCliOutcome thin =
+      plane_cli_run(scratch, {"-n", "200", "--bounded", "--period", "1x200", "--quiet", "-o", "b.txt"});
+  CHECK(thin.code == 0);
+  CHECK(thin.err.starts_with("warning: the triangulation is no disk: "));
 }
 
 TEST_CASE("fpo-plane: pictures of a torus and a rectangle, with all that can be drawn") {

@@ -1,6 +1,7 @@
 #include "geom/mesh/edges.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <tuple>
 #include <vector>
@@ -21,7 +22,7 @@ TEST_CASE("edges: each once, ascending, as a set of all sides of facets has them
   }
 }
 
-TEST_CASE("edges: visited by what is across they come with the half-edges that sorting finds") {
+TEST_CASE("edges: visited by what is across, or by vertices, they come with all their half-edges") {
   const auto key = [](const HalfEdge& h) { return std::tuple(h.ends(), h.facet, h.edge, h.ascending); };
   for (const auto& surface : fixtures::hard_surfaces()) {
     CAPTURE(surface.name);
@@ -33,8 +34,21 @@ TEST_CASE("edges: visited by what is across they come with the half-edges that s
         for (auto h = first; h != last; ++h) edge.push_back(key(*h));
       };
     };
-    for_each_edge(sorted_half_edges(surface.mesh.facets()), collect(expected));
-    for_each_edge(surface.mesh, collect(found));
+    const TriMesh& mesh = surface.mesh;
+    std::map<MeshEdge, Edge> all;
+    for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
+      for (int e = 0; e < 3; ++e) {
+        const HalfEdge h = half_edge(mesh.facets(), t, e);
+        all[h.ends()].push_back(key(h));
+      }
+    for (const auto& [ends, edge] : all) expected.push_back(edge);
+    for_each_edge(mesh.facets(), collect(found));
+    CHECK(found == expected);  // in that order
+    found.clear();
+    for_each_edge(sorted_half_edges(mesh.facets()), collect(found));
+    CHECK(found == expected);
+    found.clear();
+    for_each_edge(mesh, collect(found));
     std::ranges::sort(found);
     CHECK(found == expected);
   }
