@@ -9,6 +9,7 @@
 #include "fpo/remesh/refusal.h"
 #include "fpo/remesh/remesh_defaults.h"
 #include "fpo/surface/barycentric.h"
+#include "fpo/surface/initial_samples.h"
 #include "geom/mesh/aabb_tree.h"
 #include "geom/mesh/scaling.h"
 #include "geom/repair/clean.h"
@@ -98,6 +99,7 @@ void set_count(const geom::TriMesh& input, const Options& given, RemeshOptions& 
 
 RemeshOptions remesh_options(const geom::TriMesh& input, const Options& given) {
   RemeshOptions options;
+  geom::require(given.count <= max_samples, "the number of samples must be at most 20 million");
   options.num_samples = given.count;
   options.method = given.method;
   options.seed = given.seed;

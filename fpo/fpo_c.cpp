@@ -17,6 +17,7 @@
 namespace {
 
 constexpr std::size_t moves_a_call = 256;  // of the progress function
+constexpr std::int32_t most_threads = 1024;
 
 template <class T>
 using Rows = Eigen::Map<const Eigen::Matrix<T, Eigen::Dynamic, 3, Eigen::RowMajor>>;
@@ -124,7 +125,24 @@ void add_choices(const fpo_options& given, fpo::Options& options) {
   if (given.num_fixed > 0) options.fixed = Rows<double>(given.fixed, given.num_fixed, 3);
 }
 
+void require_numbers(const fpo_options& given) {
+  const std::pair<const char*, double> numbers[] = {
+      {"feature_angle", given.feature_angle}, {"target_delta", given.target_delta},
+      {"min_angle", given.min_angle},         {"min_delta", given.min_delta},
+      {"gradation", given.gradation},         {"min_size", given.min_size},
+      {"max_size", given.max_size},           {"weight_scale", given.weight_scale}};
+  for (const auto& [name, value] : numbers)
+    geom::require(std::isfinite(value), std::string(name) + " is not a finite number");
+  const std::pair<const char*, double> lengths[] = {
+      {"edge_length", given.edge_length}, {"error", given.error}, {"radius", given.radius}};
+  for (const auto& [name, value] : lengths)
+    geom::require(value >= 0 && std::isfinite(value), std::string(name) + " is not a length, nor 0 for none");
+  geom::require(given.threads >= 0 && given.threads <= most_threads,
+                "threads must be between 0 and " + std::to_string(most_threads));
+}
+
 fpo::Options options_of(const fpo_options& given, std::int64_t num_vertices) {
+  require_numbers(given);
   const bool by_lengths =
       given.edge_length > 0 || given.error > 0 || given.radius > 0 || given.sizing == fpo_sizing_given;
   geom::require(given.count > 0 || (given.count == 0 && by_lengths),
@@ -256,9 +274,14 @@ extern "C" {
                                               const std::int32_t* facets, std::int64_t num_facets,
                                               const fpo_options* options, fpo_result* result, char* error,
                                               std::size_t error_size) {
+  if (!error) error_size = 0;
+  if (!result) return fail(fpo_bad_input, "there is no place for the result", error, error_size);
   *result = {};
   fail(fpo_done, "", error, error_size);
   try {
+    geom::require(options, "there are no options");
+    geom::require((vertices || num_vertices == 0) && (facets || num_facets == 0),
+                  "vertices or facets are missing");
     geom::require(num_vertices >= 0 && num_facets >= 0, "a negative number of vertices or facets");
     const bool stopped = remesh({vertices, num_vertices, 3}, {facets, num_facets, 3}, *options, *result);
     return stopped ? fail(fpo_interrupted, "interrupted", error, error_size) : fpo_done;
@@ -276,6 +299,7 @@ extern "C" {
 }
 
 [[gnu::visibility("default")]] void fpo_free(fpo_result* result) {
+  if (!result) return;
   delete[] result->vertices;
   delete[] result->facets;
   delete[] result->source_facet;

@@ -34,7 +34,7 @@ typedef struct fpo_options {
   const double*
       sizes; /* if given: a wanted edge length for each vertex, up to a factor; else not looked at */
   double feature_angle; /* folds by more degrees are kept; 0: none, negative: creases of machined parts */
-  int32_t threads;      /* at most; 0: all cores; no matter to the result */
+  int32_t threads;      /* at most, up to 1024; 0: all cores; no matter to the result */
   int32_t iterations;   /* at most; negative: as many as are best */
   double target_delta;  /* stop when the least spacing exceeds it; negative: what the quality says */
   /* Called every some hundred moves with the share of them that is done and the last iteration's delta; if it
@@ -81,11 +81,11 @@ void fpo_default_options(fpo_options* options);
 /* Remeshes a surface of so many vertices (x, y, z each) and triangles (three vertices each, from 0). Returns
    fpo_done, fpo_bad_input, fpo_bug, or fpo_interrupted: then the result is that of the moves so far, or empty
    if there was none yet. Other failures leave the result empty. The error is one line, cut to error_size
-   bytes with its end, and empty if there is none; it may be null with error_size 0. */
+   bytes with its end, and empty if there is none; it may be null. Other pointers that are null are bad input. */
 int fpo_remesh(const double* vertices, int64_t num_vertices, const int32_t* facets, int64_t num_facets,
                const fpo_options* options, fpo_result* result, char* error, size_t error_size);
 
-/* Frees the arrays and leaves the result empty. */
+/* Frees the arrays and leaves the result empty. Of null: nothing. */
 void fpo_free(fpo_result* result);
 
 #ifdef __cplusplus

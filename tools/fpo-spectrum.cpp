@@ -161,7 +161,7 @@ int spectrum(tools::CommandLine& cli) {
   io::write_file(a.table, table(mean.curve));
   picture.save(a.picture);
   print_summary(a, mean);
-  return spectra.size() < a.inputs.size() ? tools::exit_interrupted : tools::exit_done;
+  return tools::interrupt_flag() ? tools::exit_interrupted : tools::exit_done;  // maybe after the last set
 }
 
 }  // namespace

@@ -9,6 +9,7 @@ The library is looked for in FPO_LIBRARY, beside this file, in ../build, then wh
 `python3 fpo.py` remeshes a cube.
 """
 import ctypes
+import operator
 import os
 from types import SimpleNamespace
 
@@ -64,8 +65,16 @@ def load_library():
     return library
 
 
+def index(number):
+    number = operator.index(number)
+    if not 0 <= number < 2**31:
+        raise ValueError(f'{number} is no index of a vertex')
+    return number
+
+
 def flat(rows, kind):
-    numbers = [kind(number).value for row in rows for number in row]
+    number_of = index if kind is Int else float
+    numbers = [number_of(number) for row in rows for number in row]
     if len(numbers) != 3 * len(rows):
         raise ValueError('each row must have three numbers')
     return (kind * len(numbers))(*numbers)
@@ -78,7 +87,7 @@ def triples(pointer, count):
 def remesh(vertices, facets, count=0, sizing='uniform', progress=None, fixed=None, **options):
     """Remeshes with `count` vertices, or by edge_length, error or radius. sizing: 'uniform', 'lfs', 'curvature' or a
     wanted edge length for each vertex. fixed: points that become vertices. progress(done, delta) stops the run by
-    returning True. Other options are those of fpo_c.h by their names (NAMES), with words for numbers (WORDS):
+    returning True; what it raises is raised. Other options are those of fpo_c.h by their names (NAMES), with words for numbers (WORDS):
     quality='draft', seed=7, at_least=True. Raises ValueError on what cannot be remeshed, KeyboardInterrupt if there
     was no result yet."""
     library = load_library()
@@ -102,12 +111,23 @@ def remesh(vertices, facets, count=0, sizing='uniform', progress=None, fixed=Non
         if len(sizing) != len(vertices):
             raise ValueError('sizing must have a number for each vertex')
         given.sizing, given.sizes = 3, (Double * len(sizing))(*sizing)
+    raised = []
+
+    def report(user, done, delta):
+        try:
+            return 1 if progress(done, delta) else 0
+        except BaseException as exception:  # Ctrl-C as well: it cannot go through the library
+            raised.append(exception)
+            return 1
+
     if progress:
-        given.progress = Progress(lambda user, done, delta: 1 if progress(done, delta) else 0)
+        given.progress = Progress(report)
     result, error = Result(), ctypes.create_string_buffer(500)
     code = library.fpo_remesh(flat(vertices, Double), len(vertices), flat(facets, Int), len(facets),
                               ctypes.byref(given), ctypes.byref(result), error, len(error))
     try:
+        if raised:
+            raise raised[0]
         if code == 130 and result.num_vertices == 0:
             raise KeyboardInterrupt(error.value.decode())
         if code not in (0, 130):

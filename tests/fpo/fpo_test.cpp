@@ -237,6 +237,37 @@ TEST_CASE("fpo_remesh in C: errors are codes and a line, cut to its room") {
   CHECK(std::string(c.error.data()) == "sizes are missing");
 }
 
+TEST_CASE("fpo_remesh in C: null and numbers that are none are bad input") {
+  PlainInput c(Input("cube"));
+  fpo_result result;
+  const fpo_options good = plain(100);
+  const auto says = [&](const double* V, const std::int32_t* F, const fpo_options* options,
+                        fpo_result* place) {
+    const int code = fpo_remesh(V, 8, F, 12, options, place, c.error.data(), c.error.size());
+    CHECK(code == fpo_bad_input);
+    return std::string(c.error.data());
+  };
+  CHECK(says(nullptr, c.F.data(), &good, &result) == "vertices or facets are missing");
+  CHECK(says(c.V.data(), nullptr, &good, &result) == "vertices or facets are missing");
+  CHECK(says(c.V.data(), c.F.data(), nullptr, &result) == "there are no options");
+  CHECK(says(c.V.data(), c.F.data(), &good, nullptr) == "there is no place for the result");
+  CHECK(fpo_remesh(nullptr, 8, nullptr, 12, &good, &result, nullptr, 500) == fpo_bad_input);
+  fpo_free(nullptr);
+  const auto spoilt = [&](auto member, auto value) {
+    fpo_options options = good;
+    options.*member = value;
+    return says(c.V.data(), c.F.data(), &options, &result);
+  };
+  const double none = std::nan("");
+  CHECK(spoilt(&fpo_options::gradation, none) == "gradation is not a finite number");
+  CHECK(spoilt(&fpo_options::target_delta, none) == "target_delta is not a finite number");
+  CHECK(spoilt(&fpo_options::edge_length, none) == "edge_length is not a length, nor 0 for none");
+  CHECK(spoilt(&fpo_options::error, -1.0) == "error is not a length, nor 0 for none");
+  CHECK(spoilt(&fpo_options::threads, -7) == "threads must be between 0 and 1024");
+  CHECK(spoilt(&fpo_options::count, std::int64_t{1} << 62) ==
+        "the number of samples must be at most 20 million");
+}
+
 TEST_CASE("fpo_remesh in C: progress is told, and stops the run") {
   PlainInput c(Input("torus"));
   std::vector<double> shares;
