@@ -1,5 +1,6 @@
 #include "io/attributes.h"
 
+#include <cmath>
 #include <map>
 #include <string>
 #include <string_view>
@@ -48,8 +49,10 @@ class ObjAttributes {
     for (double& x : position) x = cursor_.coordinate(cursor_.word());
     result_.vertices.push_back(position);
     std::vector<double> rest;
-    for (auto word = cursor_.word(); !word.empty(); word = cursor_.word())
-      rest.push_back(parse_real(word).value_or(0));
+    for (auto word = cursor_.word(); !word.empty(); word = cursor_.word()) {
+      const double number = parse_real(word).value_or(0);
+      rest.push_back(std::isfinite(number) ? number : 0);
+    }
     if (rest.size() == 1 || rest.size() == 4) rest.erase(rest.begin());  // w comes first
     colours_ += rest.size() >= 3;
     rest.resize(3, 1.0);  // who has no colour is white

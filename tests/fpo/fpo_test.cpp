@@ -3,6 +3,7 @@
 #include "fpo/fpo.h"
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
