@@ -81,7 +81,8 @@ void fpo_default_options(fpo_options* options);
 /* Remeshes a surface of so many vertices (x, y, z each) and triangles (three vertices each, from 0). Returns
    fpo_done, fpo_bad_input, fpo_bug, or fpo_interrupted: then the result is that of the moves so far, or empty
    if there was none yet. Other failures leave the result empty. The error is one line, cut to error_size
-   bytes with its end, and empty if there is none; it may be null. Other pointers that are null are bad input. */
+   bytes with its end, and empty if there is none; it may be null. Other pointers that are null are bad
+   input. */
 int fpo_remesh(const double* vertices, int64_t num_vertices, const int32_t* facets, int64_t num_facets,
                const fpo_options* options, fpo_result* result, char* error, size_t error_size);
 

@@ -24,10 +24,10 @@ struct Finish {
   std::size_t mended_with_delta = 0;  ///< flips and moves kept for all that are wanted
 };
 
-/// Of a dual of the domain, of a surface of this type. The domain goes: at once if nobody keeps cells; else, if
-/// vertices moved, its samples become the dual's first, and the cells theirs: O(samples moved) updates.
-/// Nothing happens to a mesh that has all edges of curves and no small angles. If the mesh is no manifold only
-/// edges are made.
+/// Of a dual of the domain, of a surface of this type. The domain goes: at once if nobody keeps cells; else,
+/// if vertices moved, its samples become the dual's first, and the cells theirs: O(samples moved) updates.
+/// Nothing happens to a mesh that has all edges of curves and no small angles. If the mesh is no manifold
+/// only edges are made.
 Finish finish(std::unique_ptr<SurfaceDomain> domain, const FeatureSamples& features,
               const geom::SurfaceType& type, const FinishOptions& options, Dual& dual);
 

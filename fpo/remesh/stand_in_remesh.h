@@ -16,8 +16,8 @@ std::optional<RemeshResult> remesh_of_stand_in(const geom::TriMesh& surface, con
                                                const RemeshFunction& remesh);
 
 /// The remesh with its vertices where its samples are, on another surface of the same type than it was made
-/// on. Its sizes are those of that surface. Angles are mended there (last_angles.h), and measured. If cells are
-/// kept they are those that the samples have there.
+/// on. Its sizes are those of that surface. Angles are mended there (last_angles.h), and measured. If cells
+/// are kept they are those that the samples have there.
 RemeshResult with_mesh_on(const geom::TriMesh& surface, RemeshResult remesh, const RemeshOptions& options);
 
 /// The coarser remesh as the result: if there is no time for another one, hardly anything would be left of

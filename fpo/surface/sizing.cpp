@@ -91,8 +91,8 @@ SizedCorner middle(const SizedCorner& a, const SizedCorner& b) {
 
 double density(double h) { return 2 / std::numbers::sqrt3 / (h * h); }
 
-/// Visits the patches of which a patch of that area is made: halved at the middles of its edges until h varies
-/// little, or there is hardly a sample. The visitor says whether to go on.
+/// Visits the patches of which a patch of that area is made: cut in four at the middles of its edges until h
+/// varies little, or there is hardly a sample. The visitor says whether to go on.
 template <class Visit>
 bool visit_patches(const std::array<SizedCorner, 3>& c, FacetId t, double area, int depth, Visit& visit) {
   const auto [least, most] = std::minmax({c[0].h, c[1].h, c[2].h});

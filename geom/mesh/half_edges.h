@@ -43,8 +43,8 @@ void for_each_edge(const std::vector<HalfEdge>& half_edges, Visit visit) {
   }
 }
 
-/// The same for all edges of facets, ascending by their ends; each edge's half-edges in order of facets. O(F),
-/// and for each vertex its higher neighbours sorted; four bytes a half-edge are all that it keeps.
+/// The same for all edges of facets, ascending by their ends; each edge's half-edges in order of facets.
+/// O(F), and for each vertex its higher neighbours sorted; four bytes a half-edge are all that it keeps.
 template <class Visit>
 void for_each_edge(const Table<FacetId, std::array<VertexId, 3>>& facets, Visit visit) {
   const auto all = [&](auto take) {
