@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "fpo/farthest_move.h"
@@ -22,6 +23,7 @@ constexpr double around_a_ring = 3.5;                   // samples that make a r
 constexpr double lowered_to = 0.6;                      // of the wanted length where the girth says nothing
 constexpr double least_lowering = 0.3;                  // in one round
 constexpr double few = 8;                               // samples that make a body
+constexpr std::size_t corners_of_a_body = 4;            // at least
 constexpr int passes = 4;                               // through the samples, in search of strays
 constexpr int stray_rounds = 8, rounds_for_strays = 2;  // the first of them for nothing else
 constexpr int patience = 3;
@@ -123,6 +125,45 @@ std::size_t call_back_strays(SurfaceDomain& domain, const std::atomic<bool>* int
   return moved;
 }
 
+/// A part of the surface and where samples on it are.
+struct Part {
+  std::vector<FacetId> facets;
+  std::vector<Vec3> samples;
+
+  /// The vertex that is farthest from all samples.
+  SurfaceSample farthest(const TriMesh& mesh) const {
+    SurfaceSample best{mesh.corner(facets.front(), 0), facets.front()};
+    double most2 = -1;
+    for (const FacetId t : facets)
+      for (int i = 0; i < 3; ++i) {
+        double least2 = std::numeric_limits<double>::infinity();
+        for (const Vec3& x : samples) least2 = std::min(least2, (x - mesh.corner(t, i)).squaredNorm());
+        if (least2 > most2) most2 = least2, best = {mesh.corner(t, i), t};
+      }
+    return best;
+  }
+};
+
+/// Where parts have lost their type and have fewer samples than a tetrahedron has corners there is no empty
+/// circle, or hardly one, that others would come to: these are sent there, whoever they are.
+void people(const TriMesh& mesh, const geom::SurfaceType& type, const std::vector<std::size_t>& parts,
+            std::size_t num_fixed, std::vector<SurfaceSample>& samples) {
+  std::vector<Part> poor(type.parts.size());
+  const auto is_at_fault = [&](FacetId t) { return std::ranges::binary_search(parts, type.part_of[t]); };
+  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
+    if (is_at_fault(t)) poor[type.part_of[t]].facets.push_back(t);
+  for (const SurfaceSample& x : samples)
+    if (is_at_fault(x.facet)) poor[type.part_of[x.facet]].samples.push_back(x.position);
+  std::size_t next = num_fixed;
+  for (const std::size_t part : parts)
+    for (Part& p = poor[part]; !p.facets.empty() && p.samples.size() < corners_of_a_body; ++next) {
+      while (next < samples.size() && is_at_fault(samples[next].facet)) ++next;
+      if (next == samples.size()) return;
+      samples[next] = p.farthest(mesh);
+      p.samples.push_back(samples[next].position);
+    }
+}
+
 class RoomMaker {
  public:
   RoomMaker(const SurfaceDomain& domain, const FeatureSamples& features, const geom::SurfaceType& type,
@@ -150,11 +191,12 @@ class RoomMaker {
     return false;
   }
 
-  /// The same samples under the lowered sizing, optimized so many times.
-  std::unique_ptr<SurfaceDomain> optimized(const SurfaceDomain& domain, const OptimizeOptions& how,
-                                           bool without_strays = false) const {
+  /// The same samples, some of them on these parts, under the lowered sizing, optimized so many times.
+  std::unique_ptr<SurfaceDomain> optimized(const SurfaceDomain& domain, const std::vector<std::size_t>& parts,
+                                           const OptimizeOptions& how, bool without_strays = false) const {
     std::vector<SurfaceSample> samples;
     for (std::size_t i = 0; i < domain.num_samples(); ++i) samples.push_back(domain.sample(SiteId(i)));
+    people(domain.mesh(), type_, parts, features_.samples.size(), samples);
     const Sizing sizing = base_.lowered(lowering_.scale, lowering_.spots, domain.mesh());
     auto result = std::make_unique<SurfaceDomain>(domain.mesh(), sizing, samples, options_.diagram);
     if (without_strays)
@@ -227,7 +269,7 @@ std::unique_ptr<SurfaceDomain> make_room_for_thin_parts(std::unique_ptr<SurfaceD
   if (has_many_fixed) once_more.least_gain = options.polishing_gain;
   for (int round = 0; round < options.rounds && !enough() && !did_harm(); ++round) {
     if (!room.lower(*last, dual)) break;
-    look_at(room.optimized(*last, once_more));
+    look_at(room.optimized(*last, dual.type.parts, once_more));
   }
   if (did_harm()) {
     last = best.get();
@@ -238,14 +280,14 @@ std::unique_ptr<SurfaceDomain> make_room_for_thin_parts(std::unique_ptr<SurfaceD
   const int most_for_strays = has_many_fixed ? rounds_for_strays : stray_rounds;
   for (int round = 0; round < most_for_strays && !enough() && !did_harm() && in_vain < patience; ++round) {
     if (round >= rounds_for_strays) room.lower(*last, dual);
-    look_at(room.optimized(*last, once_more, true));
+    look_at(room.optimized(*last, dual.type.parts, once_more, true));
   }
   if (!dual.type.ok() || fpo::interrupted(options.interrupted)) return best;
   OptimizeOptions polishing;
   polishing.max_iterations = options.polishing;
   polishing.least_gain = options.polishing_gain;
   polishing.scope = options.scope;
-  auto polished = room.optimized(*best, polishing);
+  auto polished = room.optimized(*best, {}, polishing);
   if (dual_of(*polished, type, false, options.interrupted).type.ok()) return polished;
   return best;
 }

@@ -34,16 +34,17 @@ struct ThinParts {
 };
 
 /// If the dual is not of the input's type, looks for cells that are no disks, or meet in several arcs
-/// (cell_faults.h), and lowers the wanted length around these: to a third of the way around, or by half. Then
-/// optimizes anew, and looks again. If faults are left after all rounds, samples that stand one after the
-/// other on a horn, without a triangle, are taken to the largest empty circles: the horn ends earlier. That
-/// goes on, with lengths lowered again, until three rounds are in vain, unless many samples are on features.
-/// Where a round makes three times as many faults as there were at best, samples are lacking elsewhere: it
-/// goes on from the best. Gives up where so many faults come up that near sheets must be to blame, or where
-/// more than a tenth of the samples are at fault and two rounds have not mended a tenth of that.
-/// Returns the domain with the fewest faults, its sizing lowered or the same; the one given if that has none.
-/// Exactly as many samples; fixed ones stay. Deterministic. Cost: that of some ten iterations a round, and
-/// those of the polishing.
+/// (cell_faults.h), and lowers the wanted length around these: to a third of the way around, or by half.
+/// Parts with fewer samples than a tetrahedron has corners have no empty circle for others to come to: some
+/// are sent there. Then it optimizes anew, and looks again. If faults are left after all rounds, samples that
+/// stand one after the other on a horn, without a triangle, are taken to the largest empty circles: the horn
+/// ends earlier. That goes on, with lengths lowered again, until three rounds are in vain, unless many
+/// samples are on features. Where a round makes three times as many faults as there were at best, samples are
+/// lacking elsewhere: it goes on from the best. Gives up where so many faults come up that near sheets must
+/// be to blame, or where more than a tenth of the samples are at fault and two rounds have not mended a tenth
+/// of that. Returns the domain with the fewest faults, its sizing lowered or the same; the one given if that
+/// has none. Exactly as many samples; fixed ones stay. Deterministic. Cost: that of some ten iterations a
+/// round, and those of the polishing.
 std::unique_ptr<SurfaceDomain> make_room_for_thin_parts(std::unique_ptr<SurfaceDomain> domain,
                                                         const FeatureSamples& features,
                                                         const geom::SurfaceType& type,

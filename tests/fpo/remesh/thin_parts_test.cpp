@@ -4,6 +4,7 @@
 #include "fpo/optimize.h"
 #include "fpo/remesh/at_least.h"
 #include "fpo/remesh/remesh_defaults.h"
+#include "geom/shapes/mesh_parts.h"
 #include "geom/shapes/shapes.h"
 
 using namespace fpo;
@@ -69,6 +70,23 @@ TEST_CASE("thin parts: a bar, a handle and a hole much thinner than the spacing 
     CHECK(outcome.after->num_samples() == n);
     outcome.after->check();
   }
+}
+
+TEST_CASE("thin parts: components that get no sample of their own are bodies where n allows it") {
+  TriMesh mesh = geom::make_shape("sphere", 8);
+  constexpr int bodies = 20;
+  for (int k = 0; k < bodies; ++k) {
+    const double size = 0.03 + 0.002 * k;  // of a sample's share, or of two
+    mesh = geom::joined(mesh,
+                        geom::mapped(geom::make_shape("sphere", 4), [&](const geom::Vec3& p) -> geom::Vec3 {
+                          return size * p + geom::Vec3(1.5 + 0.3 * (k % 5), 0.3 * (k / 5), 0);
+                        }));
+  }
+  const Outcome outcome = with_room(mesh, 350);
+  CHECK(outcome.found.faults_before >= bodies);
+  CHECK(outcome.type.ok());
+  CHECK(outcome.found.right_type);
+  CHECK(outcome.after->num_samples() == 350);
 }
 
 TEST_CASE("thin parts: polishing ends after five iterations that gain less than is wanted") {
