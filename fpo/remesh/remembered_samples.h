@@ -10,8 +10,8 @@ namespace fpo {
 /// Places and weights of all samples of a domain.
 class RememberedSamples {
  public:
-  /// `older`: if given, samples of the same domain before; those that are as they were are not kept twice.
-  /// Keeps a reference to it.
+  /// `older`: if given, samples of the same domain before; those that are as they were are not kept twice,
+  /// unless these lean on older ones themselves. Keeps a reference to it.
   explicit RememberedSamples(const SurfaceDomain& domain, const RememberedSamples* older = nullptr);
 
   /// Puts those that are elsewhere, or have another weight, back: then the diagram is what it was, for it is

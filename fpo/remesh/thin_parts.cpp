@@ -148,6 +148,7 @@ struct Part {
 /// circle, or hardly one, that others would come to: these are sent there, whoever they are.
 void people(const TriMesh& mesh, const geom::SurfaceType& type, const std::vector<std::size_t>& parts,
             std::size_t num_fixed, std::vector<SurfaceSample>& samples) {
+  if (parts.empty()) return;
   std::vector<Part> poor(type.parts.size());
   const auto is_at_fault = [&](FacetId t) { return std::ranges::binary_search(parts, type.part_of[t]); };
   for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))

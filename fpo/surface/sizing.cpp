@@ -21,10 +21,9 @@ using geom::VertexId;
 namespace {
 
 constexpr double max_ratio_in_patch = 1.2;
-constexpr int max_patch_depth = 16;  // h is linear: past it the patch is a 65536th of its facet
-constexpr double few_samples =
-    0x1p-10;  // in a patch, were h its least everywhere: what h is there is no matter
-constexpr double most_density = 1000;  // of the samples wanted: while s is looked for, more are not counted
+constexpr int max_patch_depth = 16;      // h is linear: past it the patch is a 65536th of its facet
+constexpr double few_samples = 0x1p-10;  // in a patch, were h its least everywhere: it is not divided
+constexpr double most_density = 1000;    // of the samples wanted: while s is looked for, more are not counted
 
 std::string at_vertex(VertexId v) { return "sizing at vertex " + std::to_string(v.value + 1); }
 

@@ -153,8 +153,9 @@ bool CellProof::may_beat_unreached() {
   });
 }
 
-/// Is s surely the nearest to its own place still? The search may look for p where it was, or not at all, and
-/// p be nearer than who is next: so it is asked as well.
+/// Is s surely the nearest to its own place still? p is asked by itself, for the search looks for it where it
+/// was. Who is next has the least power of all that the search has looked at, p with its power where it is
+/// now: if that is p, those not looked at have more than p, else than who is next.
 bool CellProof::keeps_its_place(SiteId s) const {
   const DualState& state = around_.state;
   const WeightedPoint3& site = state.sites[s];
