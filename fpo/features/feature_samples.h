@@ -64,6 +64,7 @@ std::size_t least_number_of_samples(const geom::TriMesh& mesh, const Features& f
 struct SharedSizing {
   Sizing sizing;
   FeatureSamples features;
+  bool has_small_parts = false;  ///< components for which it calls for just enough (remesh/small_parts.h)
 };
 
 /// Finds it for exactly n samples. `sizing_for` gives the sizing that calls for so many inner samples; it is

@@ -71,6 +71,11 @@ bool is_left_behind(const ThinParts& thin_parts, std::size_t n, const RemeshResu
          thin_parts.faults_after * samples_for_one_unmended > n;
 }
 
+bool is_worth_creases(const RemeshResult& with_fewer, const RemeshResult& with_all) {
+  return with_fewer.type.ok() ||
+         (!with_all.type.ok() && 2 * with_fewer.advice.places.size() < with_all.advice.places.size());
+}
+
 bool is_better(const RemeshResult& a, const RemeshResult& b) { return rank(a) > rank(b); }
 
 }  // namespace fpo

@@ -44,6 +44,10 @@ bool is_undone_by_staggering(const RemeshResult& result);
 /// as the rival before it was mended: will it hardly become better than that?
 bool is_left_behind(const ThinParts& thin_parts, std::size_t n, const RemeshResult& rival);
 
+/// Of the type, or, as the other one is not either, at fault in less than half as many places: then some
+/// creases may be given up for it.
+bool is_worth_creases(const RemeshResult& with_fewer, const RemeshResult& with_all);
+
 /// First by the type; if neither has it, by the places that are at fault and the edges of curves that are
 /// lost. Then by the smallest angle, up to 30 degrees, in units of that, less ten times the share of edges of
 /// curves that are lost: a tenth of the edges weighs as much as all angles. Then by the smallest angle.

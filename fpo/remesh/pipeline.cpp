@@ -306,7 +306,7 @@ RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, WithCreases
     if (interrupted(options)) return false;
     std::optional<RemeshResult> other =
         unless_interrupted(options, [&] { return remesh_sheets(surface, choice, fewer); });
-    return other && other->type.ok() && take_if_better(std::move(other), result);
+    return other && is_worth_creases(*other, result) && take_if_better(std::move(other), result);
   };
   RemeshOptions fewer = options;
   fewer.strong_creases_only = true;

@@ -4,6 +4,7 @@
 
 #include "fpo/remesh/blends.h"
 #include "fpo/remesh/small_loops.h"
+#include "fpo/remesh/small_parts.h"
 
 namespace fpo {
 
@@ -57,16 +58,25 @@ std::optional<NarrowSurface> helpful_narrow_surface(const geom::TriMesh& surface
 }
 
 SharedSizing sizing_and_features(const RemeshTask& task, const RemeshOptions& options) {
+  const ThinPartOptions thin;
+  // Of lengths that were given none is changed.
+  const bool may_lower = options.mend && options.method == Method::fpo && options.sizing != SizingKind::given;
+  std::optional<SmallParts> small_parts;
+  if (may_lower) small_parts.emplace(task.surface());
+  bool has_small_parts = false;
   const auto sizing_for = [&](std::size_t n) {
-    if (!task.narrow) return task.plain(n);
-    return fit_sizing_to_curves(task.input, task.plain(n), *task.narrow, n).sizing;
+    Sizing sizing =
+        task.narrow ? fit_sizing_to_curves(task.input, task.plain(n), *task.narrow, n).sizing : task.plain(n);
+    if (!small_parts) return sizing;
+    std::optional<Sizing> room = small_parts->room(sizing, n, thin.most_scale);
+    has_small_parts = room.has_value();
+    return room ? *std::move(room) : sizing;
   };
   SharedSizing shared = share_sizing(
       task.surface(), task.features, points_on_surface(task.surface(), options.fixed), sizing_for,
       {options.num_samples, options.seed, {}, options.facing_samples, options.staggered_samples});
-  const ThinPartOptions thin;
-  // Of lengths that were given none is changed.
-  if (options.mend && options.method == Method::fpo && options.sizing != SizingKind::given) {
+  shared.has_small_parts = has_small_parts;
+  if (may_lower) {
     SmallLoopOptions loops{thin.gradation, thin.most_scale};
     if (options.sizing != SizingKind::uniform) loops.most_edges = 3;
     shared.sizing = make_room_for_small_loops(task.surface(), shared, options.num_samples, loops).sizing;

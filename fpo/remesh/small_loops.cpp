@@ -65,7 +65,7 @@ std::vector<SmallLoop> small_loops(const SharedSizing& shared, const SmallLoopOp
     if (!(edge > 0 && edge < small * h)) continue;
     SmallLoop loop{extra_samples(edge, h, options.gradation), {}};
     for (std::size_t i = 0; i + 1 < chain.size(); ++i)
-      loop.spots.push_back({samples[chain[i].index()].position, edge});
+      loop.spots.push_back({samples[chain[i].index()].position, edge, options.gradation});
     loops.push_back(std::move(loop));
   }
   std::ranges::stable_sort(loops, {}, &SmallLoop::extra);
@@ -81,13 +81,15 @@ SmallLoops make_room_for_small_loops(const geom::TriMesh& mesh, const SharedSizi
   if (loops.empty()) return result;
   result.loops = loops.size();
   const double most = static_cast<double>(n) * (1 - 1 / (options.most_scale * options.most_scale));
-  auto spots = std::make_shared<Spots>(options.gradation);
+  std::vector<Spot> wanted;
   double extra = 0;
   for (const SmallLoop& loop : loops) {
     if (extra + loop.extra > most) break;
     extra += loop.extra;
-    spots->add(loop.spots);
+    wanted.insert(wanted.end(), loop.spots.begin(), loop.spots.end());
   }
+  auto spots = std::make_shared<Spots>();
+  spots->add(wanted);
   if (spots->empty()) return result;
   const double scale = std::sqrt(static_cast<double>(n) / (static_cast<double>(n) - extra));
   result.sizing = shared.sizing.lowered(scale, spots, mesh);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fpo/remesh/small_parts.h"
 #include "fpo/surface/initial_samples.h"
 #include "geom/mesh/scaling.h"
 
@@ -13,6 +14,8 @@ std::vector<SurfaceSample> initial_samples(const geom::TriMesh& surface, const S
   if (samples.size() < n) {
     const std::vector<SurfaceSample> inner = random_samples(surface, shared.sizing, n - samples.size(), seed);
     samples.insert(samples.end(), inner.begin(), inner.end());
+    if (shared.has_small_parts)
+      SmallParts(surface).people(shared.sizing, shared.features.samples.size(), samples);
   }
   for (SurfaceSample& x : samples) x.position = geom::snapped(x.position);
   return samples;

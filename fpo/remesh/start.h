@@ -8,7 +8,8 @@
 
 namespace fpo {
 
-/// Those on features, which stay, then random ones, up to n; all in the exact range of the predicates, like
+/// Those on features, which stay, then random ones, up to n, some of them brought to small components
+/// (small_parts.h); all in the exact range of the predicates, like
 /// the surface.
 std::vector<SurfaceSample> initial_samples(const geom::TriMesh& surface, const SharedSizing& shared,
                                            std::size_t n, std::uint64_t seed);

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "fpo/farthest_move.h"
 #include "fpo/interruption.h"
 #include "fpo/optimize.h"
 #include "fpo/remesh/protect.h"
+#include "fpo/remesh/small_parts.h"
 
 namespace fpo {
 
@@ -22,7 +22,6 @@ namespace {
 constexpr double around_a_ring = 3.5;                   // samples that make a ring
 constexpr double lowered_to = 0.6;                      // of the wanted length where the girth says nothing
 constexpr double least_lowering = 0.3;                  // in one round
-constexpr double few = 8;                               // samples that make a body
 constexpr std::size_t corners_of_a_body = 4;            // at least
 constexpr int passes = 4;                               // through the samples, in search of strays
 constexpr int stray_rounds = 8, rounds_for_strays = 2;  // the first of them for nothing else
@@ -41,36 +40,32 @@ struct Wish {
 
 double length_at(const SurfaceDomain& domain, SiteId x) { return domain.sizing().at(domain.sample(x)); }
 
-Wish wish_of(const SurfaceDomain& domain, const CellFault& fault) {
+Wish wish_of(const SurfaceDomain& domain, const CellFault& fault, double gradation) {
   const double h = length_at(domain, fault.cell);
   double wanted = lowered_to * h;
   if (fault.girth > 0) wanted = std::min(wanted, std::max(fault.girth / around_a_ring, least_lowering * h));
   Wish wish{wanted / h, {}};
-  for (const Vec3& x : fault.around) wish.spots.push_back({x, wanted});
-  wish.spots.push_back({domain.sample(fault.cell).position, wanted});
-  if (fault.other.valid()) wish.spots.push_back({domain.sample(fault.other).position, wanted});
+  for (const Vec3& x : fault.around) wish.spots.push_back({x, wanted, gradation});
+  wish.spots.push_back({domain.sample(fault.cell).position, wanted, gradation});
+  if (fault.other.valid()) wish.spots.push_back({domain.sample(fault.other).position, wanted, gradation});
   return wish;
 }
 
 /// A part of the surface that has too few samples to be a body.
 Wish wish_of(const TriMesh& mesh, const std::vector<FacetId>& part, double h) {
-  double area = 0;
-  for (const FacetId t : part) area += mesh.area(t);
-  const double wanted = std::sqrt(area / (few * std::sqrt(0.75)));
-  Wish wish{wanted / h, {}};
-  if (!(wanted > 0)) return wish;
-  for (const FacetId t : part)
-    wish.spots.push_back({(mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3, wanted});
+  Wish wish{1, spots_of_body(mesh, part)};
+  if (!wish.spots.empty()) wish.share = wish.spots.front().h / h;
   return wish;
 }
 
 /// The mildest first.
-std::vector<Wish> wishes(const SurfaceDomain& domain, const geom::SurfaceType& type, const Dual& dual) {
+std::vector<Wish> wishes(const SurfaceDomain& domain, const geom::SurfaceType& type, const Dual& dual,
+                         double gradation) {
   std::vector<Wish> all;
-  for (const CellFault& fault : dual.cell_faults) all.push_back(wish_of(domain, fault));
+  for (const CellFault& fault : dual.cell_faults) all.push_back(wish_of(domain, fault, gradation));
   for (const Defect& defect : dual.defects) {
     const double wanted = lowered_to * length_at(domain, defect.at);
-    all.push_back({lowered_to, {{domain.sample(defect.at).position, wanted}}});
+    all.push_back({lowered_to, {{domain.sample(defect.at).position, wanted, gradation}}});
   }
   for (const std::size_t part : dual.type.parts) {
     std::vector<FacetId> facets;
@@ -125,46 +120,6 @@ std::size_t call_back_strays(SurfaceDomain& domain, const std::atomic<bool>* int
   return moved;
 }
 
-/// A part of the surface and where samples on it are.
-struct Part {
-  std::vector<FacetId> facets;
-  std::vector<Vec3> samples;
-
-  /// The vertex that is farthest from all samples.
-  SurfaceSample farthest(const TriMesh& mesh) const {
-    SurfaceSample best{mesh.corner(facets.front(), 0), facets.front()};
-    double most2 = -1;
-    for (const FacetId t : facets)
-      for (int i = 0; i < 3; ++i) {
-        double least2 = std::numeric_limits<double>::infinity();
-        for (const Vec3& x : samples) least2 = std::min(least2, (x - mesh.corner(t, i)).squaredNorm());
-        if (least2 > most2) most2 = least2, best = {mesh.corner(t, i), t};
-      }
-    return best;
-  }
-};
-
-/// Where parts have lost their type and have fewer samples than a tetrahedron has corners there is no empty
-/// circle, or hardly one, that others would come to: these are sent there, whoever they are.
-void people(const TriMesh& mesh, const geom::SurfaceType& type, const std::vector<std::size_t>& parts,
-            std::size_t num_fixed, std::vector<SurfaceSample>& samples) {
-  if (parts.empty()) return;
-  std::vector<Part> poor(type.parts.size());
-  const auto is_at_fault = [&](FacetId t) { return std::ranges::binary_search(parts, type.part_of[t]); };
-  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
-    if (is_at_fault(t)) poor[type.part_of[t]].facets.push_back(t);
-  for (const SurfaceSample& x : samples)
-    if (is_at_fault(x.facet)) poor[type.part_of[x.facet]].samples.push_back(x.position);
-  std::size_t next = num_fixed;
-  for (const std::size_t part : parts)
-    for (Part& p = poor[part]; !p.facets.empty() && p.samples.size() < corners_of_a_body; ++next) {
-      while (next < samples.size() && is_at_fault(samples[next].facet)) ++next;
-      if (next == samples.size()) return;
-      samples[next] = p.farthest(mesh);
-      p.samples.push_back(samples[next].position);
-    }
-}
-
 class RoomMaker {
  public:
   RoomMaker(const SurfaceDomain& domain, const FeatureSamples& features, const geom::SurfaceType& type,
@@ -173,16 +128,18 @@ class RoomMaker {
         type_(type),
         options_(options),
         base_(domain.sizing()),
-        lowering_{std::make_shared<const Spots>(options.gradation)} {
+        lowering_{std::make_shared<const Spots>()} {
     options_.diagram.weight_factor = best_weight_factor(Scope::global);
   }
 
   /// Lowers the length where the dual is at fault: false if nothing is left that can be lowered.
   bool lower(const SurfaceDomain& domain, const Dual& dual) {
-    std::vector<Wish> all = wishes(domain, type_, dual);
+    std::vector<Wish> all = wishes(domain, type_, dual, options_.gradation);
     for (; !all.empty(); all.resize(all.size() / 2)) {
       auto spots = std::make_shared<Spots>(*lowering_.spots);
-      for (const Wish& wish : all) spots->add(wish.spots);
+      std::vector<Spot> wanted;
+      for (const Wish& wish : all) wanted.insert(wanted.end(), wish.spots.begin(), wish.spots.end());
+      spots->add(wanted);
       if (spots->size() == lowering_.spots->size()) return false;
       const double scale = fitting_scale(domain, base_, spots, 1.1 * options_.most_scale);
       if (scale > options_.most_scale) continue;
@@ -197,7 +154,9 @@ class RoomMaker {
                                            const OptimizeOptions& how, bool without_strays = false) const {
     std::vector<SurfaceSample> samples;
     for (std::size_t i = 0; i < domain.num_samples(); ++i) samples.push_back(domain.sample(SiteId(i)));
-    people(domain.mesh(), type_, parts, features_.samples.size(), samples);
+    Peopling peopling{domain.mesh(), type_.part_of, {}, features_.samples.size()};
+    for (const std::size_t part : parts) peopling.least[part] = corners_of_a_body;
+    people(peopling, samples);
     const Sizing sizing = base_.lowered(lowering_.scale, lowering_.spots, domain.mesh());
     auto result = std::make_unique<SurfaceDomain>(domain.mesh(), sizing, samples, options_.diagram);
     if (without_strays)

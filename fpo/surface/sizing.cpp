@@ -47,7 +47,12 @@ Sizing::Sizing(const TriMesh& mesh, VertexField h) : mesh_(&mesh), at_vertices_(
 
 Sizing Sizing::lowered(double scale, std::shared_ptr<const Spots> spots, const TriMesh& mesh) const {
   Sizing result = *this;
-  result.scale_ = scale;
+  result.scale_ *= scale;
+  if (spots_) {
+    auto all = std::make_shared<Spots>(*spots);
+    all->add(*spots_);
+    spots = std::move(all);
+  }
   result.spots_ = std::move(spots);
   result.spotted_ = &mesh;
   return result;

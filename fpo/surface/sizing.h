@@ -26,7 +26,8 @@ class Sizing {
   /// the mesh.
   Sizing(const geom::TriMesh& mesh, VertexField h);
 
-  /// The same times `scale`, but nowhere more than the spots want: within a facet no more linear.
+  /// The same times `scale`, but nowhere more than the spots want, and those of before if it was lowered
+  /// already: within a facet no more linear.
   Sizing lowered(double scale, std::shared_ptr<const Spots> spots, const geom::TriMesh& mesh) const;
 
   bool is_uniform() const { return mesh_ == nullptr && !spots_; }

@@ -45,6 +45,19 @@ TEST_CASE("attempts: of two remeshes of another type that with fewer faults and 
   CHECK(is_better(many, few));
 }
 
+TEST_CASE("attempts: creases are given up for the type, or if neither has it for half of the faults") {
+  RemeshResult few = measured(false, 5, 0), many = measured(false, 30, 0);
+  few.advice.places.resize(3);
+  many.advice.places.resize(7);
+  CHECK(is_worth_creases(few, many));
+  CHECK(!is_worth_creases(many, few));
+  many.advice.places.resize(6);
+  CHECK(!is_worth_creases(few, many));
+  many.advice.places.clear();
+  CHECK(is_worth_creases(measured(true, 5, 0), many));
+  CHECK(!is_worth_creases(few, measured(true, 5, 0)));
+}
+
 TEST_CASE("attempts: fine is what has it all; corners or lost edges alone leave it useful") {
   CHECK(is_fine(measured(true, 30, 0)));
   for (const RemeshResult& r : {measured(false, 30, 0), measured(true, 29.9, 0), measured(true, 30, 1)})
