@@ -391,9 +391,10 @@ namespace {
 FeatureSamples placed(const Layout& layout, const Features& features, std::span<const std::size_t> edges,
                       std::uint64_t seed, ChainPlaces& chain_places) {
   const PlacesAlong places = places_along(layout, edges, seed);
-  FeatureSamples result{
-      layout.samples(), {}, layout.missing_shares(), layout.samples().size(), places.staggered};
+  FeatureSamples result{layout.samples(), {}, {}, layout.missing_shares(), layout.samples().size(),
+                        places.staggered};
   result.chains.resize(features.curves.size());
+  for (const FeatureCurve& curve : features.curves) result.sheets.push_back(curve.sheets);
   chain_places.assign(features.curves.size(), {});
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const Stretch& s = layout.stretches()[i];

@@ -24,6 +24,7 @@ struct FeatureSamples {
   /// The samples along each curve of the features, in order, corners included; of a loop the last is the
   /// first again. Each two that follow each other should be an edge of the remesh.
   std::vector<std::vector<geom::SiteId>> chains;
+  std::vector<std::size_t> sheets;  ///< of each curve: facets at its edges
   /// By how much the samples' shares of the surface fall short of those of as many inner samples: half a
   /// share for each on a border, nothing for one on a crease.
   double missing_shares = 0;

@@ -1,12 +1,8 @@
 #include "fpo/remesh/dual.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
-#include <numeric>
 #include <optional>
 #include <set>
-#include <span>
 #include <tuple>
 
 #include "fpo/farthest_move.h"
@@ -17,7 +13,6 @@ namespace fpo {
 using geom::FragmentId;
 using geom::SiteId;
 using geom::TriMesh;
-using geom::VertexId;
 
 std::vector<SurfaceSample> samples_of(const SurfaceDomain& domain) {
   std::vector<SurfaceSample> samples;
@@ -32,14 +27,14 @@ std::size_t Dual::num_faults() const {
 
 namespace {
 
-void look_at(Dual& dual, const geom::SurfaceType& type) {
-  dual.defects = find_defects(dual.mesh);
+void look_at(Dual& dual, const WantedType& type) {
+  dual.defects = find_defects(dual.mesh, type.branch_edges);
   dual.type = check_type(type, dual.mesh, dual.samples);
 }
 
 /// The remesh by the domain's circles, if it is right. Then each cell has all its corners in one cycle or
 /// path: none has orphans but such as border one other cell alone, which have no triangle, whoever has them.
-std::optional<Dual> right_dual(const SurfaceDomain& domain, const geom::SurfaceType& type) {
+std::optional<Dual> right_dual(const SurfaceDomain& domain, const WantedType& type) {
   Dual dual;
   dual.samples = samples_of(domain);
   dual.mesh = extract(domain);
@@ -50,7 +45,7 @@ std::optional<Dual> right_dual(const SurfaceDomain& domain, const geom::SurfaceT
 
 }  // namespace
 
-Dual dual_of(const SurfaceDomain& domain, const geom::SurfaceType& type, bool keep_cells,
+Dual dual_of(const SurfaceDomain& domain, const WantedType& type, bool keep_cells,
              const std::atomic<bool>* interrupted) {
   if (!keep_cells)
     if (std::optional<Dual> right = right_dual(domain, type)) return std::move(*right);
@@ -65,61 +60,6 @@ Dual dual_of(const SurfaceDomain& domain, const geom::SurfaceType& type, bool ke
     for (const CellFault& fault : dual.cell_faults) dual.defects.push_back({fault.cell, fault.other});
   if (keep_cells) dual.cells = cell_polygons(*diagram);
   return dual;
-}
-
-namespace {
-
-/// The edges opposite a vertex in its triangles.
-using Link = std::span<const std::array<VertexId, 2>>;
-
-/// Whether the link is one path or one cycle; if a vertex on it has more than two edges, which.
-struct LinkShape {
-  bool fan_or_disk;
-  VertexId branching;
-};
-
-LinkShape shape_of(Link link) {
-  if (link.empty()) return {false, VertexId()};
-  using Side = std::array<VertexId, 2>;
-  std::vector<Side> sides;  // both ways, those that begin at a vertex next to each other
-  for (const auto& [a, b] : link) sides.insert(sides.end(), {{a, b}, {b, a}});
-  std::ranges::sort(sides);
-  const auto sides_of = [&](VertexId v) {
-    const auto first = std::ranges::lower_bound(sides, v, {}, [](const Side& side) { return side[0]; });
-    auto last = first;
-    while (last != sides.end() && last->front() == v) ++last;
-    return std::span(first, last);
-  };
-  std::size_t num_vertices = 0;
-  for (std::size_t i = 0; i < sides.size(); ++num_vertices) {
-    const std::span<const Side> others = sides_of(sides[i].front());
-    if (others.size() > 2 || (others.size() == 2 && others[0] == others[1])) return {false, sides[i].front()};
-    i += others.size();
-  }
-  std::vector<VertexId> reached{link.front()[0]};
-  for (std::size_t i = 0; i < reached.size(); ++i)
-    for (const auto& [v, w] : sides_of(reached[i]))
-      if (std::ranges::find(reached, w) == reached.end()) reached.push_back(w);
-  return {reached.size() == num_vertices, VertexId()};
-}
-
-}  // namespace
-
-std::vector<Defect> find_defects(const TriMesh& mesh) {
-  std::vector<std::uint32_t> end(mesh.num_vertices() + 1, 0);  // of each link, among all of them
-  for (const TriMesh::Facet& f : mesh.facets())
-    for (const VertexId v : f) ++end[v.index() + 1];
-  std::partial_sum(end.begin(), end.end(), end.begin());
-  std::vector<std::array<VertexId, 2>> links(3 * mesh.num_facets());
-  for (const TriMesh::Facet& f : mesh.facets())  // end: so far
-    for (std::size_t i = 0; i < 3; ++i) links[end[f[i].index()]++] = {f[(i + 1) % 3], f[(i + 2) % 3]};
-  std::vector<Defect> defects;
-  for (std::size_t v = 0; v < mesh.num_vertices(); ++v) {
-    const std::size_t begin = v == 0 ? 0 : end[v - 1];
-    const LinkShape shape = shape_of(Link(links).subspan(begin, end[v] - begin));
-    if (!shape.fan_or_disk) defects.push_back({SiteId(v), SiteId(shape.branching.value)});
-  }
-  return defects;
 }
 
 namespace {

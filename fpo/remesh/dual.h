@@ -6,18 +6,13 @@
 #include <vector>
 
 #include "fpo/remesh/cell_faults.h"
+#include "fpo/remesh/defects.h"
 #include "fpo/remesh/extract.h"
 #include "fpo/remesh/localize.h"
 #include "fpo/remesh/type_check.h"
 #include "fpo/surface/surface_domain.h"
 
 namespace fpo {
-
-/// A sample whose triangles form neither one fan nor one disk, or that has none.
-struct Defect {
-  SiteId at;
-  SiteId towards;  ///< the other end of an edge with more than two triangles, if there is one
-};
 
 /// A remesh of the samples as they are, with orphans given away (localize.h).
 struct Dual {
@@ -41,11 +36,8 @@ std::vector<SurfaceSample> samples_of(const SurfaceDomain& domain);
 /// Leaves the domain as it is. O(n log n) if the type is right at once and no cells are to be kept: then no
 /// orphans are counted. Else the cost of a diagram. `type`: of the input. If interrupted, orphans are merged
 /// (localize.h). Throws InputError if there is no triangle.
-Dual dual_of(const SurfaceDomain& domain, const geom::SurfaceType& type, bool keep_cells,
+Dual dual_of(const SurfaceDomain& domain, const WantedType& type, bool keep_cells,
              const std::atomic<bool>* interrupted = nullptr);
-
-/// All of them, ascending.
-std::vector<Defect> find_defects(const geom::TriMesh& mesh);
 
 /// Brings a sample to each place with defects, to where the cell reaches farthest from its sample; it is
 /// taken from the place, far from all of these, where samples are closest together. The samples around the

@@ -32,8 +32,8 @@ void put_samples(SurfaceDomain& domain, std::span<const SurfaceSample> samples) 
 
 }  // namespace
 
-Finish finish(std::unique_ptr<SurfaceDomain> domain, const FeatureSamples& features,
-              const geom::SurfaceType& type, const FinishOptions& options, Dual& dual) {
+Finish finish(std::unique_ptr<SurfaceDomain> domain, const FeatureSamples& features, const WantedType& type,
+              const FinishOptions& options, Dual& dual) {
   const geom::TriMesh& surface = domain->mesh();
   const Sizing sizing = domain->sizing();
   if (!options.keep_cells) domain.reset();

@@ -28,7 +28,7 @@ struct Finish {
 /// if vertices moved, its samples become the dual's first, and the cells theirs: O(samples moved) updates.
 /// Nothing happens to a mesh that has all edges of curves and no small angles. If the mesh is no manifold
 /// only edges are made.
-Finish finish(std::unique_ptr<SurfaceDomain> domain, const FeatureSamples& features,
-              const geom::SurfaceType& type, const FinishOptions& options, Dual& dual);
+Finish finish(std::unique_ptr<SurfaceDomain> domain, const FeatureSamples& features, const WantedType& type,
+              const FinishOptions& options, Dual& dual);
 
 }  // namespace fpo

@@ -11,7 +11,7 @@ namespace fpo {
 
 struct Improvement {
   const SharedSizing& shared;
-  const geom::SurfaceType& type;
+  const WantedType& type;
   const Features* curves;  ///< of the domain's mesh; null: their edges are not to be proven
   AngleOptions angles;
 };

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "fpo/interruption.h"
+#include "geom/mesh/edges.h"
 #include "geom/sites/site_tree.h"
 
 namespace fpo {
@@ -36,8 +37,46 @@ bool give_away(geom::RestrictedPower& diagram, SiteId p, const Component& orphan
 
 }  // namespace
 
+namespace {
+
+/// The facets, one on each side of an edge or, where there are more, all of them, on which a cell goes on.
+/// What it has of an edge is one segment.
+class Continuations {
+ public:
+  Continuations(const geom::RestrictedPower& diagram, SiteId p) : mesh_(diagram.mesh()) {
+    std::array<geom::PolygonCorner, 3> buffer;
+    for (const FragmentId f : diagram.fragments().of_cell(p)) {
+      const FacetId t = diagram.fragments().facet(f);
+      for (const geom::PolygonCorner& corner : diagram.fragments().corners(f, buffer))
+        if (!corner.edge.is_site() && !mesh_.across(t, corner.edge.edge()).valid())
+          at_edge_[edge_of(t, corner.edge.edge())].push_back(t);
+    }
+  }
+
+  template <class Visit>
+  void for_each(FacetId t, int edge, const Visit& visit) const {
+    const FacetId across = mesh_.across(t, edge);
+    if (across.valid()) return visit(across);
+    if (const auto found = at_edge_.find(edge_of(t, edge)); found != at_edge_.end())
+      for (const FacetId other : found->second) visit(other);
+  }
+
+ private:
+  geom::MeshEdge edge_of(FacetId t, int edge) const {
+    const geom::TriMesh::Facet& f = mesh_.facet(t);
+    const auto e = static_cast<std::size_t>(edge);
+    return geom::mesh_edge(f[e], f[(e + 1) % 3]);
+  }
+
+  const geom::TriMesh& mesh_;
+  std::map<geom::MeshEdge, std::vector<FacetId>> at_edge_;  ///< that have no one facet across them
+};
+
+}  // namespace
+
 std::vector<Component> cell_components(const geom::RestrictedPower& diagram, SiteId p, FacetId home) {
   const geom::FragmentStore& fragments = diagram.fragments();
+  const Continuations continuations(diagram, p);
   std::map<FacetId, FragmentId> unseen;
   for (const FragmentId f : fragments.of_cell(p)) unseen.emplace(fragments.facet(f), f);
   std::vector<Component> components;
@@ -48,11 +87,12 @@ std::vector<Component> cell_components(const geom::RestrictedPower& diagram, Sit
     for (std::size_t i = 0; i < component.size(); ++i)
       for (const geom::PolygonCorner& corner : fragments.corners(component[i], buffer)) {
         if (corner.edge.is_site()) continue;
-        const auto next =
-            unseen.find(diagram.mesh().across(fragments.facet(component[i]), corner.edge.edge()));
-        if (next == unseen.end()) continue;
-        component.push_back(next->second);
-        unseen.erase(next);
+        continuations.for_each(fragments.facet(component[i]), corner.edge.edge(), [&](FacetId t) {
+          const auto next = unseen.find(t);
+          if (next == unseen.end()) return;
+          component.push_back(next->second);
+          unseen.erase(next);
+        });
       }
     components.push_back(std::move(component));
   }

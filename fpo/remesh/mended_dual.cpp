@@ -22,7 +22,7 @@ std::size_t few_enough(const Dual& dual) {
 
 }  // namespace
 
-Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const geom::SurfaceType& type,
+Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const WantedType& type,
                  const RemeshOptions& options, RemeshResult& counts) {
   const auto next_dual = [&] {
     if (options.mend) counts.protection += protect_chains(domain, features, options.optimize.interrupted);

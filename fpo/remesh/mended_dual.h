@@ -8,7 +8,7 @@ namespace fpo {
 /// After some rounds that bring samples to where the dual has defects (dual.h): the one with the fewest.
 /// Where more than a tenth of the samples are at fault two rounds in vain are enough.
 /// `counts`: its protection and its number of samples brought grow.
-Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const geom::SurfaceType& type,
+Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const WantedType& type,
                  const RemeshOptions& options, RemeshResult& counts);
 
 }  // namespace fpo

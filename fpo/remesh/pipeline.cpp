@@ -53,7 +53,7 @@ void return_to(const SplitSurface& apart, RemeshResult& result) {
 
 /// More samples where the surface is thin. Those of a coarser one are there already.
 std::unique_ptr<SurfaceDomain> with_room(std::unique_ptr<SurfaceDomain> domain, const SharedSizing& shared,
-                                         const geom::SurfaceType& type, const RemeshOptions& options,
+                                         const WantedType& type, const RemeshOptions& options,
                                          RemeshResult& result, bool only_look = false) {
   if (!options.mend) return domain;
   if (result.thin_parts.faults_before == 0)
@@ -137,7 +137,7 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   if (task.only_apart && !apart) return result;
   if (apart && !apart->h.empty()) shared.sizing = Sizing(apart->mesh, apart->h);
   const geom::TriMesh& surface = apart ? apart->mesh : task.surface();
-  const geom::SurfaceType type = geom::surface_type(surface);
+  const WantedType type(geom::surface_type(surface), branch_edges(shared.features));
   auto distributed = std::make_unique<SurfaceDomain>(
       coarse ? settled_samples(surface, shared, *coarse, options, result)
              : distributed_samples(surface, shared, task.start, options, result));

@@ -59,7 +59,7 @@ Wish wish_of(const TriMesh& mesh, const std::vector<FacetId>& part, double h) {
 }
 
 /// The mildest first.
-std::vector<Wish> wishes(const SurfaceDomain& domain, const geom::SurfaceType& type, const Dual& dual,
+std::vector<Wish> wishes(const SurfaceDomain& domain, const WantedType& type, const Dual& dual,
                          double gradation) {
   std::vector<Wish> all;
   for (const CellFault& fault : dual.cell_faults) all.push_back(wish_of(domain, fault, gradation));
@@ -122,7 +122,7 @@ std::size_t call_back_strays(SurfaceDomain& domain, const std::atomic<bool>* int
 
 class RoomMaker {
  public:
-  RoomMaker(const SurfaceDomain& domain, const FeatureSamples& features, const geom::SurfaceType& type,
+  RoomMaker(const SurfaceDomain& domain, const FeatureSamples& features, const WantedType& type,
             const ThinPartOptions& options)
       : features_(features),
         type_(type),
@@ -181,7 +181,7 @@ class RoomMaker {
 
  private:
   const FeatureSamples& features_;
-  const geom::SurfaceType& type_;
+  const WantedType& type_;
   ThinPartOptions options_;
   Sizing base_;
   Lowering lowering_;
@@ -191,7 +191,7 @@ class RoomMaker {
 
 std::unique_ptr<SurfaceDomain> make_room_for_thin_parts(std::unique_ptr<SurfaceDomain> domain,
                                                         const FeatureSamples& features,
-                                                        const geom::SurfaceType& type,
+                                                        const WantedType& type,
                                                         const ThinPartOptions& options, ThinParts& result) {
   Dual dual = dual_of(*domain, type, false, options.interrupted);
   result.faults_before = result.faults_after = dual.num_faults();

@@ -47,7 +47,7 @@ struct ThinParts {
 /// round, and those of the polishing.
 std::unique_ptr<SurfaceDomain> make_room_for_thin_parts(std::unique_ptr<SurfaceDomain> domain,
                                                         const FeatureSamples& features,
-                                                        const geom::SurfaceType& type,
+                                                        const WantedType& type,
                                                         const ThinPartOptions& options, ThinParts& result);
 
 }  // namespace fpo

@@ -1,6 +1,7 @@
 #include "fpo/remesh/type_check.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace fpo {
@@ -8,13 +9,34 @@ namespace fpo {
 using geom::FacetId;
 using geom::VertexId;
 
-TypeCheck check_type(const geom::SurfaceType& input, const geom::TriMesh& remesh,
+namespace {
+
+/// Edges with more triangles than two, where they are not to be so many.
+std::size_t num_wrong_edges(const geom::TriMesh& mesh, const BranchEdges& branches) {
+  std::map<geom::MeshEdge, std::size_t> facets;
+  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
+    for (std::size_t e = 0; e < 3; ++e)
+      if (!mesh.across(t, static_cast<int>(e)).valid())
+        ++facets[geom::mesh_edge(mesh.facet(t)[e], mesh.facet(t)[(e + 1) % 3])];
+  return static_cast<std::size_t>(std::ranges::count_if(facets, [&](const auto& edge) {
+    const auto branch = branches.find(edge.first);
+    return edge.second > 2 && (branch == branches.end() || branch->second != edge.second);
+  }));
+}
+
+}  // namespace
+
+TypeCheck check_type(const WantedType& input, const geom::TriMesh& remesh,
                      std::span<const SurfaceSample> samples) {
   TypeCheck check;
   const geom::Topology topology = geom::topology(remesh);
   check.nonmanifold_edges = topology.nonmanifold_edges;
   check.nonmanifold_vertices = topology.nonmanifold_vertices;
   check.bare_samples = topology.unreferenced_vertices;
+  if (!input.branch_edges.empty()) {
+    check.nonmanifold_edges = num_wrong_edges(remesh, input.branch_edges);
+    check.nonmanifold_vertices = find_defects(remesh, input.branch_edges).size() - check.bare_samples;
+  }
 
   // Which parts of the input meet which of the remesh.
   const geom::SurfaceType output = geom::surface_type(remesh);

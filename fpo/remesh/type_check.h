@@ -4,17 +4,26 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "fpo/remesh/defects.h"
 #include "fpo/surface/surface_sample.h"
 #include "geom/mesh/surface_type.h"
 
 namespace fpo {
 
-/// Numbers of what differs; all are 0 if the remesh is a 2-manifold of the input's type. Of an input that is
-/// no manifold the type is that of geom::SurfaceType.
+/// The type of the input, and the edges of its remesh that are to have more than two facets.
+struct WantedType : geom::SurfaceType {
+  WantedType(geom::SurfaceType type, BranchEdges edges = {})
+      : geom::SurfaceType(std::move(type)), branch_edges(std::move(edges)) {}
+  BranchEdges branch_edges;
+};
+
+/// Numbers of what differs; all are 0 if the remesh is a 2-manifold, but for edges where it is not to be, of
+/// the input's type. Of an input that is no manifold the type is that of geom::SurfaceType.
 struct TypeCheck {
-  std::size_t nonmanifold_edges = 0, nonmanifold_vertices = 0;  ///< of the remesh
+  std::size_t nonmanifold_edges = 0, nonmanifold_vertices = 0;  ///< of the remesh, where they are not to be
   std::size_t bare_samples = 0;                                 ///< without a triangle
   std::size_t lost_parts = 0;    ///< parts of the input of which nothing is left
   std::size_t joined_parts = 0;  ///< parts of the remesh with samples of several parts of the input
@@ -33,7 +42,7 @@ struct TypeCheck {
 };
 
 /// Vertex i of the remesh is sample i. O(F log F) of the remesh.
-TypeCheck check_type(const geom::SurfaceType& input, const geom::TriMesh& remesh,
+TypeCheck check_type(const WantedType& input, const geom::TriMesh& remesh,
                      std::span<const SurfaceSample> samples);
 
 }  // namespace fpo

@@ -79,7 +79,7 @@ TEST_CASE("fpo-remesh: a surface thinner than the spacing is refused, for little
 TEST_CASE("fpo-remesh: what is refused after the work is refused in one line") {
   const RemeshRepairPlace place;
   place.folder.write("fan.obj",  // needles at a corner of a cube
-                     "v 0 0 0\nv .39 .28 -.15\nv 69.8 .5 .045\nv .78 .55 -.29\nv .38 .77 -.1\n"
+                     "v 0 0 0\nv .39 .28 -.15\nv 169.8 .5 .045\nv .78 .55 -.29\nv .38 .77 -.1\n"
                      "f 1 2 3\nf 1 4 5\nf 2 4 3\nf 2 5 3\n");
   const ProgramResult result = place.remesh("fan.obj", {"--iterations", "1"});
   CHECK(result.code == 2);

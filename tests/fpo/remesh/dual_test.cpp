@@ -14,20 +14,6 @@ using geom::VertexId;
 
 namespace {
 
-TriMesh mesh_of(std::size_t vertices, std::vector<std::array<int, 3>> facets) {
-  geom::Table<VertexId, Vec3> positions;
-  for (std::size_t i = 0; i < vertices; ++i) positions.push_back(Vec3(double(i), double(i * i), 0));
-  geom::Table<FacetId, TriMesh::Facet> table;
-  for (const auto& f : facets) table.push_back({VertexId(f[0]), VertexId(f[1]), VertexId(f[2])});
-  return TriMesh(std::move(positions), std::move(table));
-}
-
-std::vector<int> defects_of(const TriMesh& mesh) {
-  std::vector<int> result;
-  for (const Defect& d : find_defects(mesh)) result.push_back(d.at.value);
-  return result;
-}
-
 /// A thin needle: four long sides that meet at a tip, on a square base.
 TriMesh spike(double width, double height) {
   return TriMesh({Vec3(0, 0, 0), Vec3(width, 0, 0), Vec3(width, width, 0), Vec3(0, width, 0),
@@ -41,17 +27,6 @@ TriMesh spike(double width, double height) {
 }
 
 }  // namespace
-
-TEST_CASE("dual: defects are vertices without triangles, with two fans, with branching links") {
-  CHECK(defects_of(mesh_of(3, {{0, 1, 2}})).empty());
-  CHECK(defects_of(mesh_of(4, {{0, 1, 2}})) == std::vector<int>{3});
-  CHECK(defects_of(mesh_of(5, {{0, 1, 2}, {0, 3, 4}})) == std::vector<int>{0});
-  const TriMesh three_at_an_edge = mesh_of(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
-  CHECK(defects_of(three_at_an_edge) == std::vector<int>{0, 1});
-  CHECK(find_defects(three_at_an_edge)[0].towards == SiteId(1));
-  CHECK(defects_of(mesh_of(3, {{0, 1, 2}, {0, 2, 1}})).size() == 3);  // two-sided triangle
-  CHECK(defects_of(mesh_of(4, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}})).empty());
-}
 
 TEST_CASE("dual: the defects agree with the mesh's topology on rough and thin surfaces") {
   for (const fixtures::NamedSurface& surface : fixtures::surfaces()) {

@@ -10,9 +10,12 @@
 #include "fpo/surface/initial_samples.h"
 #include "geom/rng.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/sizings.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
+using geom::TriMesh;
+using geom::Vec3;
 
 namespace {
 

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <numbers>
 #include <set>
 
 #include "doctest.h"
 #include "fpo/surface/sizing.h"
 #include "fpo/surface/surface_domain.h"
 #include "geom/mesh/aabb_tree.h"
+#include "tests/fixtures/book.h"
 #include "tests/fixtures/surfaces.h"
 
 using namespace fpo;
@@ -187,4 +190,27 @@ TEST_CASE("localize: when interrupted it divides nothing, and merges all orphans
   CHECK(localization.remaining == 0);
   CHECK(cells.diagram->canonical() == diagram);
   CHECK(triangles_between_sheets(cells, extract(*cells.diagram, 60, localization.owners)) == 0);
+}
+
+TEST_CASE(
+    "localize: a cell goes on across an edge of more than two facets, and only where it has that edge") {
+  const TriMesh mesh = fixtures::book(5);
+  std::vector<SurfaceSample> samples{{Vec3(0, 0, 0.5), FacetId(0)}};  // the middle of the spine
+  for (int k = 0; k < 5; ++k)
+    samples.push_back(
+        {Vec3(0.9 * std::cos(0.4 * k * std::numbers::pi), 0.9 * std::sin(0.4 * k * std::numbers::pi), 0.5),
+         FacetId(2 * k)});
+  const Cells cells(mesh, samples);
+  const auto on_spine = cell_components(*cells.diagram, geom::SiteId(0), FacetId(0));
+  REQUIRE(on_spine.size() == 1);
+  CHECK(on_spine[0].size() == 10);  // a part of each facet
+  for (int k = 1; k <= 5; ++k)
+    CHECK(
+        cell_components(*cells.diagram, geom::SiteId(k), samples[static_cast<std::size_t>(k)].facet).size() ==
+        1);
+  // One that is nearest to pieces of two other pages, too, but to no part of the spine.
+  const std::vector<SurfaceSample> two{{Vec3(0.3, 0, 0.5), FacetId(0)}, {Vec3(0, 0, 0.5), FacetId(0)}};
+  const Cells both(mesh, two);
+  CHECK(cell_components(*both.diagram, geom::SiteId(0), FacetId(0)).size() == 3);
+  CHECK(cell_components(*both.diagram, geom::SiteId(1), FacetId(0)).size() == 1);
 }

@@ -3,6 +3,7 @@
 #include "doctest.h"
 #include "geom/shapes/mesh_parts.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/book.h"
 #include "tests/fixtures/pinched.h"
 
 using namespace fpo;
@@ -132,4 +133,17 @@ TEST_CASE("type check: of an input that meets itself in a vertex a remesh with t
   CHECK(!against_pinched(pinched).ok());  // itself is no manifold
   CHECK(against_pinched(pinched).same_parts());
   CHECK(against_pinched(without_facets(split, 100, 101)).changed_parts == 1);
+}
+
+TEST_CASE("type check: edges that are to branch are right with as many triangles, wrong with others") {
+  const TriMesh mesh = fixtures::book(3);
+  const auto with = [&](std::size_t facets) {
+    const BranchEdges spine{{geom::mesh_edge(VertexId(0), VertexId(1)), facets}};
+    return check_type({geom::surface_type(mesh), spine}, mesh, samples_at_vertices(mesh));
+  };
+  CHECK(with(3).ok());
+  CHECK(!with(4).ok());
+  CHECK(with(4).nonmanifold_edges == 1);
+  CHECK(with(4).nonmanifold_vertices == 2);
+  CHECK(!check(mesh, mesh).ok());
 }

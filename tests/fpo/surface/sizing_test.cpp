@@ -26,7 +26,7 @@ VertexField random_field(const TriMesh& mesh, double ratio, geom::Rng& rng) {
 }
 
 template <class Visit>
-void for_each_edge(const TriMesh& mesh, Visit visit) {
+void visit_edges(const TriMesh& mesh, Visit visit) {
   for (const TriMesh::Facet& f : mesh.facets())
     for (std::size_t e = 0; e < 3; ++e)
       visit(f[e], f[(e + 1) % 3], (mesh.position(f[e]) - mesh.position(f[(e + 1) % 3])).norm());
@@ -51,7 +51,7 @@ TEST_CASE("sizing: a fitted one calls for n samples and keeps the gradation and 
           CHECK(h.at(VertexId(v)) >= limits.smallest * even * (1 - 1e-12));
           CHECK(h.at(VertexId(v)) <= limits.largest * even * (1 + 1e-12));
         }
-        for_each_edge(mesh, [&](VertexId a, VertexId b, double length) {
+        visit_edges(mesh, [&](VertexId a, VertexId b, double length) {
           CHECK(std::abs(h.at(a) - h.at(b)) <= limits.gradation * length * (1 + 1e-9));
         });
       }
