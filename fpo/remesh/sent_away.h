@@ -1,0 +1,19 @@
+#pragma once
+// Faults of the dual that one sample less mends: two sheets whose samples are in each other's way, say.
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+
+#include "fpo/remesh/dual.h"
+
+namespace fpo {
+
+/// Where the dual has few faults: one of the samples near them leaves for the farthest point of all, those
+/// around it follow, and that stays if there are fewer faults then. As long as that helps, in some fifty
+/// trials at most; fixed samples stay. `best`: the dual of the domain as it is, and afterwards; `next_dual`
+/// makes it anew. How many left. Deterministic.
+std::size_t send_away(SurfaceDomain& domain, const std::function<Dual()>& next_dual,
+                      const std::atomic<bool>* interrupted, Dual& best);
+
+}  // namespace fpo
