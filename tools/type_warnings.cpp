@@ -137,6 +137,10 @@ std::vector<std::string> type_warnings(const geom::TriMesh& input, const fpo::Re
                            type.nonmanifold_edges, type.nonmanifold_vertices));
   if (type.bare_samples > 0) lines.push_back(worded("%zu samples have no triangle", type.bare_samples));
   add_parts(type, lines);
+  if (!type.same_pieces())
+    lines.push_back(
+        worded("between edges of more than two facets %zu pieces of the input are lost, and %zu are new",
+               type.lost_pieces, type.new_pieces));
   const geom::PartType wanted = split.whole();
   if (wanted.euler != out.euler || split.parts.size() != out.components ||
       wanted.border_loops != out.boundary_loops || type.changed_parts > 0)

@@ -28,9 +28,10 @@ namespace {
 /// The edges opposite a vertex in its triangles.
 using Link = std::span<const std::array<VertexId, 2>>;
 
-bool is_branch(const BranchEdges& branches, const geom::MeshEdge& edge, std::size_t triangles) {
+/// At an edge: not more than two, or as many as there are to be.
+bool may_be(const BranchEdges& branches, const geom::MeshEdge& edge, std::size_t triangles) {
   const auto found = branches.find(edge);
-  return found != branches.end() && found->second == triangles;
+  return found == branches.end() ? triangles <= 2 : triangles == found->second;
 }
 
 /// Whether the link is one path or one cycle; if a vertex on it has more than two edges, which.
@@ -57,8 +58,7 @@ LinkShape shape_of(VertexId v, Link link, const BranchEdges& branches) {
     const std::span<const Side> others = sides_of(sides[i].front());
     const VertexId w = sides[i].front();
     const bool is_twice = std::ranges::adjacent_find(others) != others.end();  // a triangle
-    if (is_twice || (others.size() > 2 && !is_branch(branches, geom::mesh_edge(v, w), others.size())))
-      return {false, w};
+    if (is_twice || !may_be(branches, geom::mesh_edge(v, w), others.size())) return {false, w};
     i += others.size();
   }
   std::vector<VertexId> reached{link.front()[0]};

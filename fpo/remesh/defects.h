@@ -22,8 +22,8 @@ struct Defect {
   geom::SiteId towards;  ///< the other end of an edge with more than two triangles, if there is one
 };
 
-/// All of them, ascending; not those whose triangles are connected by edges and are more than two only at
-/// edges where they are to be, and so many.
+/// All of them, ascending; not those whose triangles are connected by edges and are as many at each edge as
+/// there are to be.
 std::vector<Defect> find_defects(const geom::TriMesh& mesh, const BranchEdges& branches = {});
 
 }  // namespace fpo

@@ -137,7 +137,7 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   if (task.only_apart && !apart) return result;
   if (apart && !apart->h.empty()) shared.sizing = Sizing(apart->mesh, apart->h);
   const geom::TriMesh& surface = apart ? apart->mesh : task.surface();
-  const WantedType type(geom::surface_type(surface), branch_edges(shared.features));
+  const WantedType type(surface, branch_edges(shared.features));
   auto distributed = std::make_unique<SurfaceDomain>(
       coarse ? settled_samples(surface, shared, *coarse, options, result)
              : distributed_samples(surface, shared, task.start, options, result));

@@ -57,30 +57,54 @@ std::optional<NarrowSurface> helpful_narrow_surface(const geom::TriMesh& surface
   return narrow;
 }
 
-SharedSizing sizing_and_features(const RemeshTask& task, const RemeshOptions& options) {
-  const ThinPartOptions thin;
-  // Of lengths that were given none is changed.
-  const bool may_lower = options.mend && options.method == Method::fpo && options.sizing != SizingKind::given;
-  std::optional<SmallParts> small_parts;
-  if (may_lower) small_parts.emplace(task.surface());
-  bool has_small_parts = false;
-  const auto sizing_for = [&](std::size_t n) {
-    Sizing sizing =
-        task.narrow ? fit_sizing_to_curves(task.input, task.plain(n), *task.narrow, n).sizing : task.plain(n);
-    if (!small_parts) return sizing;
-    std::optional<Sizing> room = small_parts->room(sizing, n, thin.most_scale);
-    has_small_parts = room.has_value();
-    return room ? *std::move(room) : sizing;
-  };
-  SharedSizing shared = share_sizing(
+namespace {
+
+constexpr double most_on_small_parts =
+    0.25;  // of the samples, on features, by lengths that are lowered there
+
+SharedSizing share(const RemeshTask& task, const RemeshOptions& options, const SizingFor& sizing_for) {
+  return share_sizing(
       task.surface(), task.features, points_on_surface(task.surface(), options.fixed), sizing_for,
       {options.num_samples, options.seed, {}, options.facing_samples, options.staggered_samples});
-  shared.has_small_parts = has_small_parts;
-  if (may_lower) {
-    SmallLoopOptions loops{thin.gradation, thin.most_scale};
-    if (options.sizing != SizingKind::uniform) loops.most_edges = 3;
-    shared.sizing = make_room_for_small_loops(task.surface(), shared, options.num_samples, loops).sizing;
-  }
+}
+
+/// With room for small components: before their features are sampled or, if these took too many samples then,
+/// afterwards.
+SharedSizing with_small_parts(const RemeshTask& task, const RemeshOptions& options,
+                              const SizingFor& sizing_for, SharedSizing shared) {
+  const SmallParts parts(task.surface());
+  const std::size_t n = options.num_samples;
+  const double most_scale = ThinPartOptions().most_scale;
+  if (!parts.room(shared.sizing, n, most_scale)) return shared;
+  SharedSizing lowered = share(task, options, [&](std::size_t count) {
+    const Sizing sizing = sizing_for(count);
+    return parts.room(sizing, count, most_scale).value_or(sizing);
+  });
+  lowered.has_small_parts = true;
+  const auto more = static_cast<double>(lowered.features.samples.size()) -
+                    static_cast<double>(shared.features.samples.size());
+  if (more <= most_on_small_parts * static_cast<double>(n)) return lowered;
+  std::optional<Sizing> room = parts.room(shared.sizing, n, most_scale, shared.features.samples);
+  shared.has_small_parts = room.has_value();
+  if (room) shared.sizing = *std::move(room);
+  return shared;
+}
+
+}  // namespace
+
+SharedSizing sizing_and_features(const RemeshTask& task, const RemeshOptions& options) {
+  const SizingFor sizing_for = [&](std::size_t n) {
+    return task.narrow ? fit_sizing_to_curves(task.input, task.plain(n), *task.narrow, n).sizing
+                       : task.plain(n);
+  };
+  SharedSizing shared = share(task, options, sizing_for);
+  // Of lengths that were given none is changed.
+  if (!options.mend || options.method != Method::fpo || options.sizing == SizingKind::given) return shared;
+  shared = with_small_parts(task, options, sizing_for, std::move(shared));
+  const ThinPartOptions thin;
+  SmallLoopOptions loops{thin.gradation, thin.most_scale};
+  if (options.sizing != SizingKind::uniform) loops.most_edges = 3;
+  shared.sizing = make_room_for_small_loops(task.surface(), shared, options.num_samples, loops).sizing;
   return shared;
 }
 

@@ -17,8 +17,9 @@ using geom::Vec3;
 namespace {
 
 constexpr std::array<std::size_t, 3> bodies = {8, 6, 5};  // samples that make one: as many as can be spared
-constexpr double between_spots = 0.6;                     // wanted lengths
-constexpr double steep = 1;  // gradation around: no edge leads from there to another component
+constexpr std::size_t corners_of_a_triangle = 3, corners_of_a_solid = 4;
+constexpr double between_spots = 0.6;  // wanted lengths
+constexpr double steep = 1;            // gradation around: no edge leads from there to another component
 
 double area_of_sample(double h) { return std::sqrt(0.75) * h * h; }
 
@@ -65,6 +66,17 @@ SmallParts::SmallParts(const TriMesh& mesh) : mesh_(mesh) {
   if (type.parts.size() < 2) return;
   parts_ = facets_by_part(type);
   part_of_ = std::move(type.part_of);
+  types_ = std::move(type.parts);
+}
+
+std::vector<bool> SmallParts::have_bodies(std::span<const SurfaceSample> fixed) const {
+  std::vector<std::size_t> count(parts_.size(), 0);
+  for (const SurfaceSample& x : fixed)
+    if (!parts_.empty()) ++count[part_of_[x.facet]];
+  std::vector<bool> result;
+  for (std::size_t p = 0; p < parts_.size(); ++p)
+    result.push_back(count[p] >= (types_[p].border_loops > 0 ? corners_of_a_triangle : corners_of_a_solid));
+  return result;
 }
 
 namespace {
@@ -93,17 +105,19 @@ Plan plan_for(const std::vector<double>& demands, double most) {
 
 }  // namespace
 
-std::optional<Sizing> SmallParts::room(const Sizing& sizing, std::size_t n, double most_scale) const {
+std::optional<Sizing> SmallParts::room(const Sizing& sizing, std::size_t n, double most_scale,
+                                       std::span<const SurfaceSample> fixed) const {
   constexpr auto enough = static_cast<double>(bodies.front());
   std::vector<std::pair<double, const std::vector<FacetId>*>> small;
-  for (const std::vector<FacetId>& part : parts_) {
-    const double now = demand(mesh_, sizing, part, enough);
-    if (now > 0 && now < enough) small.emplace_back(now, &part);
+  const std::vector<bool> has_body = have_bodies(fixed);
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    const double now = has_body[p] ? 0 : demand(mesh_, sizing, parts_[p], enough);
+    if (now > 0 && now < enough) small.emplace_back(now, &parts_[p]);
   }
   std::ranges::stable_sort(small, std::greater<>(), [](const auto& part) { return part.first; });
   std::vector<double> demands;
   for (const auto& part : small) demands.push_back(part.first);
-  const double count = static_cast<double>(n);
+  const auto count = static_cast<double>(n - std::min(n, fixed.size()));
   const Plan plan = plan_for(demands, count * (1 - 1 / (most_scale * most_scale)));
   std::vector<Spot> wanted;
   for (std::size_t i = 0; i < plan.num_parts; ++i) {
@@ -160,13 +174,19 @@ void people(const Peopling& what, std::vector<SurfaceSample>& samples) {
   const auto is_poor = [&](FacetId t) { return poor.contains(what.part_of[t]); };
   for (FacetId t(0); t.index() < what.mesh.num_facets(); t = FacetId(t.value + 1))
     if (is_poor(t)) poor[what.part_of[t]].facets.push_back(t);
+  std::map<std::size_t, std::size_t> others;  // samples that other parts have
   for (const SurfaceSample& x : samples)
-    if (is_poor(x.facet)) poor[what.part_of[x.facet]].samples.push_back(x.position);
+    if (is_poor(x.facet))
+      poor[what.part_of[x.facet]].samples.push_back(x.position);
+    else
+      ++others[what.part_of[x.facet]];
+  const auto can_spare = [&](FacetId t) { return !is_poor(t) && others[what.part_of[t]] > bodies.front(); };
   std::size_t next = what.num_fixed;
   for (auto& [number, part] : poor)
     for (; !part.facets.empty() && part.samples.size() < part.least; ++next) {
-      while (next < samples.size() && is_poor(samples[next].facet)) ++next;
+      while (next < samples.size() && !can_spare(samples[next].facet)) ++next;
       if (next == samples.size()) return;
+      --others[what.part_of[samples[next].facet]];
       samples[next] = part.farthest(what.mesh);
       part.samples.push_back(samples[next].position);
     }

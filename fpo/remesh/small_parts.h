@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "fpo/surface/sizing.h"
@@ -21,9 +22,11 @@ class SmallParts {
 
   /// The sizing, but on components for which it calls for fewer than some eight samples so short that these
   /// get so many; fewer, but no less than five, or only the largest get so many, if edges elsewhere would
-  /// have to be longer than most_scale times what was wanted. n is their number in all. Nothing if there is
-  /// no such component. O(F) if there are components at all.
-  std::optional<Sizing> room(const Sizing& sizing, std::size_t n, double most_scale) const;
+  /// have to be longer than most_scale times what was wanted. Not on those where fixed samples make a body,
+  /// or a triangle with a border, already. n is the number of all samples. Nothing if there is no such
+  /// component. O(F) if there are components at all.
+  std::optional<Sizing> room(const Sizing& sizing, std::size_t n, double most_scale,
+                             std::span<const SurfaceSample> fixed = {}) const;
 
   /// Brings inner samples to components for which the sizing calls for five or more, but for few, and which
   /// have fewer than that or eight. The first samples, so many, are fixed. O(F).
@@ -31,7 +34,11 @@ class SmallParts {
 
  private:
   const geom::TriMesh& mesh_;
+  /// Of each part: do fixed samples make it?
+  std::vector<bool> have_bodies(std::span<const SurfaceSample> fixed) const;
+
   std::vector<std::vector<geom::FacetId>> parts_;  ///< none if there is one alone
+  std::vector<geom::PartType> types_;
   geom::Table<geom::FacetId, std::size_t> part_of_;
 };
 
@@ -41,7 +48,7 @@ std::vector<Spot> spots_of_body(const geom::TriMesh& mesh, const std::vector<geo
                                 std::size_t num_samples = 8);
 
 /// Sends samples to those of some parts that have fewer than they are to have, each to the vertex that is
-/// farthest from those there: inner ones from other parts, whoever they are.
+/// farthest from those there: inner ones from other parts that keep eight, whoever they are.
 struct Peopling {
   const geom::TriMesh& mesh;
   const geom::Table<geom::FacetId, std::size_t>& part_of;

@@ -1,6 +1,7 @@
 #include "fpo/remesh/type_check.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -11,17 +12,27 @@ using geom::VertexId;
 
 namespace {
 
-/// Edges with more triangles than two, where they are not to be so many.
+/// Edges with more triangles than two, where they are not to be so many, or with others than are to be.
 std::size_t num_wrong_edges(const geom::TriMesh& mesh, const BranchEdges& branches) {
   std::map<geom::MeshEdge, std::size_t> facets;
   for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
-    for (std::size_t e = 0; e < 3; ++e)
-      if (!mesh.across(t, static_cast<int>(e)).valid())
-        ++facets[geom::mesh_edge(mesh.facet(t)[e], mesh.facet(t)[(e + 1) % 3])];
+    for (std::size_t e = 0; e < 3; ++e) {
+      const geom::MeshEdge edge = geom::mesh_edge(mesh.facet(t)[e], mesh.facet(t)[(e + 1) % 3]);
+      if (!mesh.across(t, static_cast<int>(e)).valid() || branches.contains(edge)) ++facets[edge];
+    }
   return static_cast<std::size_t>(std::ranges::count_if(facets, [&](const auto& edge) {
     const auto branch = branches.find(edge.first);
-    return edge.second > 2 && (branch == branches.end() || branch->second != edge.second);
+    return branch == branches.end() ? edge.second > 2 : edge.second != branch->second;
   }));
+}
+
+void compare_pieces(const WantedType& input, const geom::TriMesh& remesh, TypeCheck& check) {
+  const std::vector<geom::PartType> pieces = geom::pieces_between_branches(remesh);
+  std::vector<geom::PartType> lost, others;
+  std::ranges::set_difference(input.pieces, pieces, std::back_inserter(lost));
+  std::ranges::set_difference(pieces, input.pieces, std::back_inserter(others));
+  check.lost_pieces = lost.size();
+  check.new_pieces = others.size();
 }
 
 }  // namespace
@@ -37,6 +48,7 @@ TypeCheck check_type(const WantedType& input, const geom::TriMesh& remesh,
     check.nonmanifold_edges = num_wrong_edges(remesh, input.branch_edges);
     check.nonmanifold_vertices = find_defects(remesh, input.branch_edges).size() - check.bare_samples;
   }
+  if (!input.pieces.empty()) compare_pieces(input, remesh, check);
 
   // Which parts of the input meet which of the remesh.
   const geom::SurfaceType output = geom::surface_type(remesh);

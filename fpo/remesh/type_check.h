@@ -13,11 +13,16 @@
 
 namespace fpo {
 
-/// The type of the input, and the edges of its remesh that are to have more than two facets.
+/// The type of the input, what it is between its edges of more than two facets if there are such, and the
+/// edges of the remesh that are to have more than two.
 struct WantedType : geom::SurfaceType {
-  WantedType(geom::SurfaceType type, BranchEdges edges = {})
-      : geom::SurfaceType(std::move(type)), branch_edges(std::move(edges)) {}
+  WantedType(geom::SurfaceType type) : geom::SurfaceType(std::move(type)) {}
+  WantedType(const geom::TriMesh& input, BranchEdges edges)
+      : geom::SurfaceType(geom::surface_type(input)), branch_edges(std::move(edges)) {
+    if (branches) pieces = geom::pieces_between_branches(input);
+  }
   BranchEdges branch_edges;
+  std::vector<geom::PartType> pieces;  ///< ascending
 };
 
 /// Numbers of what differs; all are 0 if the remesh is a 2-manifold, but for edges where it is not to be, of
@@ -31,6 +36,9 @@ struct TypeCheck {
   /// Parts of the input with another Euler number, number of border loops, or orientability: a handle or a
   /// hole was lost, or one was made.
   std::size_t changed_parts = 0;
+  /// Of an input that branches: pieces between its edges of more than two facets that the remesh has not, and
+  /// others that it has.
+  std::size_t lost_pieces = 0, new_pieces = 0;
   std::size_t doubled_facets = 0;  ///< of the remesh: that have their vertices in common with another
   /// Of the input, ascending: those that are lost, joined, split or changed, or of which facets are doubled.
   std::vector<std::size_t> parts;
@@ -38,7 +46,8 @@ struct TypeCheck {
   bool is_manifold() const { return nonmanifold_edges == 0 && nonmanifold_vertices == 0; }
   /// Whether parts correspond, whatever the remesh is at single edges and vertices.
   bool same_parts() const { return parts.empty(); }
-  bool ok() const { return is_manifold() && bare_samples == 0 && same_parts(); }
+  bool same_pieces() const { return lost_pieces == 0 && new_pieces == 0; }
+  bool ok() const { return is_manifold() && bare_samples == 0 && same_parts() && same_pieces(); }
 };
 
 /// Vertex i of the remesh is sample i. O(F log F) of the remesh.

@@ -96,4 +96,31 @@ SurfaceType surface_type(const TriMesh& mesh) {
   return type;
 }
 
+std::vector<PartType> pieces_between_branches(const TriMesh& mesh) {
+  DisjointSets sheets(3 * mesh.num_facets());
+  for_each_edge(mesh, [&](auto first, auto last) {
+    if (last - first != 2) return;
+    for (const VertexId v : {first->low, first->high})
+      sheets.merge(corner_at(mesh, first[0].facet, v), corner_at(mesh, first[1].facet, v));
+  });
+  Table<VertexId, Vec3> vertices;
+  std::vector<VertexId> vertex(3 * mesh.num_facets());  // of each sheet
+  Table<FacetId, TriMesh::Facet> facets;
+  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
+    TriMesh::Facet facet = mesh.facet(t);
+    for (std::size_t i = 0; i < 3; ++i) {
+      VertexId& of_sheet = vertex[sheets.find(3 * t.index() + i)];
+      if (!of_sheet.valid()) {
+        of_sheet = VertexId(vertices.size());
+        vertices.push_back(mesh.position(facet[i]));
+      }
+      facet[i] = of_sheet;
+    }
+    facets.push_back(facet);
+  }
+  std::vector<PartType> pieces = surface_type(TriMesh(std::move(vertices), std::move(facets))).parts;
+  std::ranges::sort(pieces);
+  return pieces;
+}
+
 }  // namespace geom

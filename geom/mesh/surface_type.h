@@ -36,4 +36,7 @@ DisjointSets sheets_at_vertices(const TriMesh& mesh);
 /// O(F).
 SurfaceType surface_type(const TriMesh& mesh);
 
+/// The types of what is left if the surface is cut along all edges of more than two facets, ascending. O(F).
+std::vector<PartType> pieces_between_branches(const TriMesh& mesh);
+
 }  // namespace geom

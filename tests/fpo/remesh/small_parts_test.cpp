@@ -120,3 +120,22 @@ TEST_CASE("small parts: the remesh has them all, of their type and with good ang
     CHECK(result.thin_parts.faults_before < 12);  // nearly at once
   }
 }
+
+TEST_CASE("small parts: nothing is lowered where fixed samples make a body; nobody leaves who is needed") {
+  constexpr std::size_t n = 200;
+  const TriMesh mesh = ball_and_crumbs(2);
+  const geom::SurfaceType type = geom::surface_type(mesh);
+  std::vector<SurfaceSample> fixed;
+  for (FacetId t(0); t.index() < mesh.num_facets() && fixed.size() < 4; t = FacetId(t.value + 1))
+    if (type.part_of[t] == 1) fixed.push_back({mesh.corner(t, 0), t});
+  const Sizing even = fixtures::even(mesh, n);
+  const std::optional<Sizing> room = SmallParts(mesh).room(even, n, 2, fixed);
+  REQUIRE(room);
+  const std::size_t of_one = mesh.num_vertices() / 3;
+  CHECK(room->at(VertexId(of_one)) > 0.7 * even.at(VertexId(0)));  // beside the other one
+  CHECK(room->at(VertexId(2 * of_one)) < 0.5 * even.at(VertexId(0)));
+
+  std::vector<SurfaceSample> samples(12, SurfaceSample{mesh.corner(FacetId(0), 0), FacetId(0)});
+  people({mesh, type.part_of, {{1, 8}, {2, 8}}, 0}, samples);
+  CHECK(samples_by_part(type, samples) == std::vector<std::size_t>{8, 4, 0});
+}

@@ -1,5 +1,7 @@
 #include "fpo/remesh/type_check.h"
 
+#include <cmath>
+
 #include "doctest.h"
 #include "geom/shapes/mesh_parts.h"
 #include "geom/shapes/shapes.h"
@@ -139,11 +141,42 @@ TEST_CASE("type check: edges that are to branch are right with as many triangles
   const TriMesh mesh = fixtures::book(3);
   const auto with = [&](std::size_t facets) {
     const BranchEdges spine{{geom::mesh_edge(VertexId(0), VertexId(1)), facets}};
-    return check_type({geom::surface_type(mesh), spine}, mesh, samples_at_vertices(mesh));
+    return check_type({mesh, spine}, mesh, samples_at_vertices(mesh));
   };
   CHECK(with(3).ok());
   CHECK(!with(4).ok());
   CHECK(with(4).nonmanifold_edges == 1);
   CHECK(with(4).nonmanifold_vertices == 2);
   CHECK(!check(mesh, mesh).ok());
+}
+
+TEST_CASE(
+    "type check: pages that are in pieces, or not at all of their spine, are told though they hang on") {
+  // Three pages of two quadrangles along a spine of two edges; vertex i of each page is 3 page + i.
+  const auto pages = [](const std::vector<std::array<int, 3>>& last) {
+    geom::Table<VertexId, geom::Vec3> vertices;
+    for (int i = 0; i < 12; ++i)
+      vertices.push_back(geom::Vec3(std::cos(2.0 * (i / 3)), std::sin(2.0 * (i / 3)), i % 3) -
+                         (i < 3 ? geom::Vec3(1, 0, 0) : geom::Vec3(0, 0, 0)));
+    geom::Table<FacetId, TriMesh::Facet> facets;
+    const auto add = [&](int a, int b, int c) { facets.push_back({VertexId(a), VertexId(b), VertexId(c)}); };
+    for (const int p : {3, 6}) add(0, 1, p + 1), add(0, p + 1, p), add(1, 2, p + 2), add(1, p + 2, p + 1);
+    for (const auto& [a, b, c] : last) add(a, b, c);
+    return TriMesh(std::move(vertices), std::move(facets));
+  };
+  const TriMesh whole = pages({{0, 1, 10}, {0, 10, 9}, {1, 2, 11}, {1, 11, 10}});
+  const WantedType wanted(whole, {{geom::mesh_edge(VertexId(0), VertexId(1)), 3},
+                                  {geom::mesh_edge(VertexId(1), VertexId(2)), 3}});
+  const auto check_of = [&](const TriMesh& remesh) {
+    return check_type(wanted, remesh, samples_at_vertices(whole));
+  };
+  CHECK(check_of(whole).ok());
+  const TypeCheck teeth = check_of(pages({{0, 1, 10}, {0, 10, 9}, {1, 2, 11}}));
+  CHECK(teeth.is_manifold());
+  CHECK(teeth.same_parts());
+  CHECK(teeth.new_pieces == 1);
+  CHECK(!teeth.ok());
+  const TypeCheck loose = check_of(pages({{0, 1, 10}, {0, 10, 9}, {1, 11, 10}}));  // at (1, 2) there are two
+  CHECK(loose.nonmanifold_edges == 1);
+  CHECK(!loose.ok());
 }

@@ -1,10 +1,12 @@
 #include "geom/mesh/surface_type.h"
 
+#include <algorithm>
 #include <string>
 
 #include "doctest.h"
 #include "geom/shapes/mesh_parts.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/book.h"
 
 using geom::PartType;
 using geom::TriMesh;
@@ -87,5 +89,19 @@ TEST_CASE("surface type: a part that meets itself in vertices is of the type it 
     const TriMesh merged = with_merged(tube, {{a, b}});
     REQUIRE(geom::topology(merged).nonmanifold_vertices == 1);
     CHECK(geom::surface_type(merged).parts == std::vector<PartType>{{0, 2, true}});
+  }
+}
+
+TEST_CASE(
+    "surface type: the pieces between edges of more than two facets are those of the surface cut there") {
+  for (const int pages : {3, 4, 9}) {
+    const std::vector<geom::PartType> pieces = geom::pieces_between_branches(fixtures::book(pages));
+    CHECK(pieces == std::vector<geom::PartType>(static_cast<std::size_t>(pages), {1, 1, true}));
+  }
+  for (const char* name : {"torus", "moebius", "two-spheres", "tube"}) {
+    const geom::TriMesh mesh = geom::make_shape(name, 6);
+    std::vector<geom::PartType> parts = geom::surface_type(mesh).parts;
+    std::ranges::sort(parts);
+    CHECK(geom::pieces_between_branches(mesh) == parts);
   }
 }
