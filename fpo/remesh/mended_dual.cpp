@@ -33,7 +33,8 @@ Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const Wa
     return dual_of(domain, type, options.keep_cells, options.optimize.interrupted);
   };
   Dual best = next_dual();
-  std::optional<RememberedSamples> of_best(domain);
+  std::optional<RememberedSamples> of_best;  // if there is anything to mend
+  if (options.mend && !best.type.ok()) of_best.emplace(domain);
   std::vector<Defect> defects = best.defects;
   std::size_t most = few_enough(best);
   for (int futile = 0; futile < most_futile_rounds(best) && options.mend && !defects.empty() &&
@@ -46,12 +47,12 @@ Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const Wa
     defects = next.defects;
     if (next.num_faults() >= best.num_faults()) continue;
     best = std::move(next);
-    of_best.emplace(domain);
+    if (!best.type.ok()) of_best.emplace(domain);
     if (best.num_faults() > most) continue;
     futile = 0;
     most = few_enough(best);
   }
-  if (options.mend && !best.type.ok()) {
+  if (of_best && !best.type.ok()) {
     of_best->put_back(domain);
     counts.brought += send_away(domain, next_dual, options.optimize.interrupted, best);
   }

@@ -16,6 +16,7 @@ namespace fpo {
 /// The type of the input, what it is between its edges of more than two facets if there are such, and the
 /// edges of the remesh that are to have more than two.
 struct WantedType : geom::SurfaceType {
+  /// Of a surface that does not branch.
   WantedType(geom::SurfaceType type) : geom::SurfaceType(std::move(type)) {}
   WantedType(const geom::TriMesh& input, BranchEdges edges)
       : geom::SurfaceType(geom::surface_type(input)), branch_edges(std::move(edges)) {
