@@ -9,9 +9,9 @@
 #include "fpo/baselines/disks.h"
 #include "fpo/surface/curvature.h"
 #include "geom/check.h"
-#include "geom/disjoint_sets.h"
 #include "geom/mesh/angles.h"
 #include "geom/mesh/centring.h"
+#include "geom/mesh/opened_mesh.h"
 #include "geom/mesh/scaling.h"
 
 namespace fpo {
@@ -24,12 +24,6 @@ namespace {
 
 using MeshEdge = std::array<VertexId, 2>;
 
-/// The mesh opened along features: sides of a curve have vertices of their own. `origin` says whose place.
-struct OpenedMesh {
-  TriMesh mesh;
-  geom::Table<VertexId, VertexId> origin;
-};
-
 std::set<MeshEdge> edges_of(const Features& features) {
   std::set<MeshEdge> edges;
   for (const FeatureCurve& curve : features.curves)
@@ -41,7 +35,7 @@ std::set<MeshEdge> edges_of(const Features& features) {
 }
 
 /// Corner i of facet t is 3 t + i. Corners at a vertex are one where their facets share an edge of no curve.
-std::vector<std::size_t> joined_corners(const TriMesh& mesh, const std::set<MeshEdge>& features) {
+geom::DisjointSets joined_corners(const TriMesh& mesh, const std::set<MeshEdge>& features) {
   struct Side {
     MeshEdge edge;
     std::array<std::size_t, 2> corners;  ///< at its ends
@@ -62,31 +56,13 @@ std::vector<std::size_t> joined_corners(const TriMesh& mesh, const std::set<Mesh
   for (std::size_t i = 0; i + 1 < sides.size(); ++i)
     if (sides[i].edge == sides[i + 1].edge)
       for (std::size_t end : {0u, 1u}) sets.merge(sides[i].corners[end], sides[i + 1].corners[end]);
-  std::vector<std::size_t> joined(3 * mesh.num_facets());
-  for (std::size_t c = 0; c < joined.size(); ++c) joined[c] = sets.find(c);
-  return joined;
+  return sets;
 }
 
-OpenedMesh opened(const TriMesh& mesh, const Features& features) {
-  const std::vector<std::size_t> corner = joined_corners(mesh, edges_of(features));
-  std::vector<VertexId> vertex(corner.size());  // of each root
-  geom::Table<VertexId, geom::Vec3> positions;
-  geom::Table<VertexId, VertexId> origin;
-  geom::Table<FacetId, TriMesh::Facet> facets;
-  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
-    TriMesh::Facet facet;
-    for (std::size_t i = 0; i < 3; ++i) {
-      VertexId& v = vertex[corner[3 * t.index() + i]];
-      if (!v.valid()) {
-        v = VertexId(positions.size());
-        positions.push_back(mesh.position(mesh.facet(t)[i]));
-        origin.push_back(mesh.facet(t)[i]);
-      }
-      facet[i] = v;
-    }
-    facets.push_back(facet);
-  }
-  return {TriMesh(std::move(positions), std::move(facets)), std::move(origin)};
+/// Opened along features: sides of a curve have vertices of their own.
+geom::OpenedMesh opened(const TriMesh& mesh, const Features& features) {
+  geom::DisjointSets corners = joined_corners(mesh, edges_of(features));
+  return geom::opened(mesh, corners);
 }
 
 Features features_of(const TriMesh& surface, const RemeshOptions& options, double spacing) {
@@ -181,7 +157,7 @@ void heed_folds(const TriMesh& mesh, double error, VertexField& h) {
 }  // namespace
 
 VertexField error_size(const TriMesh& surface, const Features& features, double error, double largest) {
-  const OpenedMesh open = opened(surface, features);
+  const geom::OpenedMesh open = opened(surface, features);
   const VertexField radius = curvature_size(open.mesh, {});
   VertexField there;
   for (const double r : radius)

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "geom/mesh/edges.h"
+#include "geom/mesh/opened_mesh.h"
 
 namespace geom {
 namespace {
@@ -103,22 +104,7 @@ std::vector<PartType> pieces_between_branches(const TriMesh& mesh) {
     for (const VertexId v : {first->low, first->high})
       sheets.merge(corner_at(mesh, first[0].facet, v), corner_at(mesh, first[1].facet, v));
   });
-  Table<VertexId, Vec3> vertices;
-  std::vector<VertexId> vertex(3 * mesh.num_facets());  // of each sheet
-  Table<FacetId, TriMesh::Facet> facets;
-  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
-    TriMesh::Facet facet = mesh.facet(t);
-    for (std::size_t i = 0; i < 3; ++i) {
-      VertexId& of_sheet = vertex[sheets.find(3 * t.index() + i)];
-      if (!of_sheet.valid()) {
-        of_sheet = VertexId(vertices.size());
-        vertices.push_back(mesh.position(facet[i]));
-      }
-      facet[i] = of_sheet;
-    }
-    facets.push_back(facet);
-  }
-  std::vector<PartType> pieces = surface_type(TriMesh(std::move(vertices), std::move(facets))).parts;
+  std::vector<PartType> pieces = surface_type(opened(mesh, sheets).mesh).parts;
   std::ranges::sort(pieces);
   return pieces;
 }
