@@ -35,8 +35,11 @@ class TriMesh {
   /// A fourth coordinate (levels.h): 0 unless given.
   double level(VertexId v) const { return levels_.empty() ? 0 : levels_[v]; }
   bool has_levels() const { return !levels_.empty(); }
-  const Table<VertexId, Vec3>& vertices() const { return vertices_.table(); }
-  const Table<FacetId, Facet>& facets() const { return facets_.table(); }
+  const Table<VertexId, Vec3>& vertices() const& { return vertices_.table(); }
+  const Table<FacetId, Facet>& facets() const& { return facets_.table(); }
+  /// Of a mesh that ends with the expression: copies.
+  Table<VertexId, Vec3> vertices() const&& { return vertices_.table(); }
+  Table<FacetId, Facet> facets() const&& { return facets_.table(); }
 
   /// The facet across edge e of t, or none: border, or more than two facets at that edge.
   FacetId across(FacetId t, int e) const { return across_[t][static_cast<std::size_t>(e)]; }

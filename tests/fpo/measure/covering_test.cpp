@@ -73,11 +73,11 @@ TEST_CASE("covering: equal sizes make both the same; samples that coincide; a si
 }
 
 TEST_CASE("covering: samples far outside the surface's box") {
-  const TriMesh mesh = fixtures::tilted_square(2);
+  const TriMesh mesh = fixtures::tilted_square(2), sphere = geom::make_shape("sphere", 6);
   for (const double far : {3.0, 60.0, 1e3, 1e8}) {
     CAPTURE(far);
     std::vector<Vec3> samples;
-    for (const Vec3& p : geom::make_shape("sphere", 6).vertices()) samples.push_back(geom::snapped(far * p));
+    for (const Vec3& p : sphere.vertices()) samples.push_back(geom::snapped(far * p));
     const Covering found = covering(mesh, samples, nearest_distances(samples), 1);
     double most = 0;
     for (const Vec3& x : mesh.vertices()) {
