@@ -464,7 +464,7 @@ SharedSizing share_sizing(const TriMesh& mesh, const Features& features, std::sp
     SharedSizing result{sizing_for(wanted), {}};
     result.features = sample_features(mesh, features, fixed, result.sizing, sampling);
     const auto next = static_cast<std::size_t>(
-        std::max(1.0, static_cast<double>(n) + std::round(result.features.missing_shares)));
+        std::max(1.0, static_cast<double>(n) - std::round(result.features.missing_shares)));
     if (next == wanted || round == rounds) return result;
     wanted = next;
   }

@@ -69,8 +69,8 @@ struct SharedSizing {
 };
 
 /// Finds it for exactly n samples. `sizing_for` gives the sizing that calls for so many inner samples; it is
-/// asked for n and the shares that feature samples leave to the others, again until that is steady: two or
-/// three times. `sampling`: n is the most; pairs are found here, if they are to be.
+/// asked for as many as have the shares of all samples, again until that is steady: two or three times.
+/// `sampling`: n is the most; pairs are found here, if they are to be.
 SharedSizing share_sizing(const geom::TriMesh& mesh, const Features& features,
                           std::span<const SurfaceSample> fixed,
                           const std::function<Sizing(std::size_t)>& sizing_for, CurveSampling sampling);

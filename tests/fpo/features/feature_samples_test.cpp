@@ -4,6 +4,7 @@
 #include "fpo/remesh/pipeline.h"
 #include "geom/check.h"
 #include "geom/mesh/aabb_tree.h"
+#include "geom/mesh/edges.h"
 #include "geom/shapes/shapes.h"
 #include "tests/fixtures/surfaces.h"
 
@@ -138,6 +139,26 @@ TEST_CASE("feature samples: around a corner with a small angle the first samples
             CHECK(u.norm() < 1.5 * sizing.at(geom::VertexId(0)));
           }
     CHECK(acute == (name == std::string("wedge") ? 2u : 10u));
+  }
+}
+
+TEST_CASE("feature samples: edges on borders are as long as those inside") {
+  for (const char* name : {"square", "tube", "moebius", "wave-disk"}) {
+    CAPTURE(name);
+    const RemeshResult result = remesh_with_features(geom::make_shape(name), 300);
+    const std::size_t on_border = result.feature_samples;
+    double sum[2] = {0, 0};  // of edges on borders, of those that do not touch them
+    std::size_t number[2] = {0, 0};
+    for (const auto& [a, b] : geom::edges_of(result.mesh)) {
+      const bool is_at_a = a.index() < on_border, is_at_b = b.index() < on_border;
+      if (is_at_a != is_at_b) continue;
+      sum[!is_at_a] += (result.mesh.position(a) - result.mesh.position(b)).norm();
+      ++number[!is_at_a];
+    }
+    REQUIRE((number[0] > 40 && number[1] > 300));
+    const double ratio = sum[0] * static_cast<double>(number[1]) / (sum[1] * static_cast<double>(number[0]));
+    CHECK(ratio > 0.95);
+    CHECK(ratio < 1.05);
   }
 }
 
