@@ -12,6 +12,8 @@ constexpr std::size_t samples_for_one_mended = 1000;
 constexpr std::size_t samples_for_one_place = 10;
 constexpr std::size_t samples_for_one_fault = 10;
 constexpr std::size_t samples_for_one_unmended = 100;
+constexpr std::size_t samples_for_one_spoilt = 200, least_spoilt = 10;
+constexpr std::size_t triangles_for_one_small_angle = 10;
 constexpr double by_chords = 0.97;  // the angle between chords of two curves over that between the curves
 
 auto rank(const RemeshResult& r) {
@@ -60,6 +62,17 @@ bool may_be_faced(const RemeshResult& r) {
 
 bool is_in_ruins(const RemeshResult& r) {
   return !r.type.ok() && r.thin_parts.faults_after * samples_for_one_fault > r.samples.size();
+}
+
+bool is_spoilt_by_creases(const RemeshResult& r) {
+  const std::size_t n = r.samples.size(), many = std::max(least_spoilt, n / samples_for_one_spoilt);
+  return !r.type.ok() && r.advice.places.size() >= many && 4 * r.feature_samples > n &&
+         2 * r.crease_edges > r.feature_edges && !may_be_faced(r) && !is_undone_by_staggering(r);
+}
+
+bool has_many_small_angles(const RemeshResult& r) {
+  return r.crease_edges > 0 &&
+         r.measures.angles_below_30 * triangles_for_one_small_angle > r.mesh.num_facets();
 }
 
 bool is_undone_by_staggering(const RemeshResult& r) {

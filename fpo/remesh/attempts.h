@@ -36,6 +36,15 @@ bool may_be_faced(const RemeshResult& result);
 /// other sheets or lengths are tried with the same curves. Samples that face each other may help still.
 bool is_in_ruins(const RemeshResult& result);
 
+/// Of another type in many places, one for two hundred samples and ten at least, where a quarter of the
+/// samples are on curves, most of these creases, and neither facing nor staggered samples are to blame: no
+/// other way with the same creases is tried.
+bool is_spoilt_by_creases(const RemeshResult& result);
+
+/// With creases, and an angle below 30 degrees for ten triangles: there are lines between which no good ones
+/// have room.
+bool has_many_small_angles(const RemeshResult& result);
+
 /// Of another type, or without most edges of curves, where samples of some are opposite to the middles of
 /// another's edges (facing_curves.h): perhaps better without that, which takes fewer samples.
 bool is_undone_by_staggering(const RemeshResult& result);

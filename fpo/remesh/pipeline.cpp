@@ -29,6 +29,7 @@ namespace {
 
 constexpr double smallest_beside_curves = 1.0 / 3;  // in spacings: wanted length
 constexpr double most_on_curves = 0.5;              // of the samples
+constexpr double nearly_all = 0.95;                 // of the creases' length
 constexpr std::array<double, 2> softer = {0.3, 1};  // least lengths in even spacings, where n is too small
 
 RemeshResult remesh_smoothed_or_not(const geom::TriMesh& surface, const RemeshOptions& options);
@@ -220,8 +221,22 @@ bool take_if_better(std::optional<RemeshResult> other, RemeshResult& best) {
   return true;
 }
 
+/// Creases that nobody asked for may be given up for what harm they do.
+bool may_drop_creases(const RemeshOptions& options) {
+  return options.features && options.features->yielding && options.method == Method::fpo;
+}
+
+/// All creases that are kept are better dropped, at once: no other way with them would change that. Smaller
+/// triangles somewhere may yet lead to the type.
+bool should_drop_creases(const RemeshResult& result, const RemeshOptions& options) {
+  if (!may_drop_creases(options)) return false;
+  if (result.type.ok()) return result.broken_feature_edges == 0 && has_many_small_angles(result);
+  return options.sizing == SizingKind::uniform && is_spoilt_by_creases(result);
+}
+
 /// Sheets that are left to us are together unless they are near each other nearly everywhere, or that does
 /// harm and being apart helps. Samples of close curves face each other if edges of curves are lost else.
+/// Nothing of that where creases that may be dropped spoil it all.
 RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoice& choice,
                                 const RemeshOptions& options) {
   RemeshResult best = remesh_with(surface, choice, options);
@@ -243,13 +258,13 @@ RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoic
       std::optional<RemeshResult> other =
           unless_interrupted(options, [&] { return remesh_with(surface, choice, together); });
       best = other ? std::move(*other) : remesh_with(surface, choice, together, {&begun});
-    } else if (!best.type.ok() && !hopeless) {
+    } else if (!best.type.ok() && !hopeless && !should_drop_creases(best, options)) {
       attempt(together, {});
     }
   }
   if (options.sheets != Sheets::automatic || options.method != Method::fpo || is_fine(best) ||
       best.stood_in ||  // all of this was tried on what stood in
-      (is_remnant(best.mesh) && !may_be_faced(best)))
+      should_drop_creases(best, options) || (is_remnant(best.mesh) && !may_be_faced(best)))
     return best;
   const bool parted_at_once = best.has_levels && !parted;
   if (parted_at_once && !is_useful(best)) attempt(together, {});
@@ -280,7 +295,7 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
                            const RemeshOptions& options) {
   RemeshResult best = remesh_with_sheets(surface, choice, options);
   if (!is_undone_by_staggering(best) || options.sheets != Sheets::automatic || best.stood_in ||
-      interrupted(options))
+      should_drop_creases(best, options) || interrupted(options))
     return best;
   RemeshOptions side_by_side = options;
   side_by_side.staggered_samples = false;
@@ -295,28 +310,36 @@ struct WithCreases {
   bool tried_strong = false;
 };
 
-/// Only the strongest creases, if that is of more use than all of them; if all are useless perhaps none.
+/// What dropping them spares, in words.
+std::string harm_of_creases(const RemeshResult& result) {
+  return "with " + std::to_string(result.crease_curves) + " curves kept " +
+         (!result.type.ok()    ? "the remesh would be of another type"
+          : is_useless(result) ? "angles would be useless"
+                               : "many angles would be below 30 degrees");
+}
+
+/// Only the strongest creases, if that is of more use than all of them; if all are useless perhaps none. None
+/// as well if that alone has no small angles, where there are many.
 RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, WithCreases with,
                                        const RemeshOptions& options) {
   RemeshResult result = std::move(with.result);
-  const std::string harm =
-      "with " + std::to_string(result.crease_curves) + " curves kept " +
-      (result.type.ok() ? "angles would be useless" : "the remesh would be of another type");
-  const auto attempt = [&](const RemeshOptions& fewer, const FeatureChoice& choice) {
+  const std::string harm = harm_of_creases(result);
+  const auto attempt = [&](const RemeshOptions& fewer, const FeatureChoice& choice, bool has_to_be_good) {
     if (interrupted(options)) return false;
     std::optional<RemeshResult> other =
         unless_interrupted(options, [&] { return remesh_sheets(surface, choice, fewer); });
-    return other && is_worth_creases(*other, result) && take_if_better(std::move(other), result);
+    return other && is_worth_creases(*other, result) && (!has_to_be_good || has_wanted_angles(*other)) &&
+           take_if_better(std::move(other), result);
   };
   RemeshOptions fewer = options;
   fewer.strong_creases_only = true;
   const FeatureChoice strong = chosen_features(surface, fewer);
   if (!with.tried_strong && !strong.given_up.empty() && !strong.features.curves.empty())
-    attempt(fewer, strong);
-  if (!is_useless(result)) return result;
+    attempt(fewer, strong, false);
+  if (!is_useless(result) && !has_many_small_angles(result)) return result;
   RemeshOptions without = options;
   without.features->crease_angle = without.features->weak_crease_angle = 180;
-  if (attempt(without, chosen_features(surface, without)))
+  if (attempt(without, chosen_features(surface, without), !is_useless(result)))
     result.given_up = "creases dropped: " + harm + "; --features 45 keeps them";
   return result;
 }
@@ -324,24 +347,27 @@ RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, WithCreases
 /// Whether there are creases without room for triangles between, if nobody asked for them.
 bool has_crowded_creases(const geom::TriMesh& surface, const Features& features,
                          const RemeshOptions& options) {
-  if (!options.features || !options.features->yielding || options.method != Method::fpo ||
-      options.strong_creases_only || features.curves.empty())
-    return false;
+  if (!may_drop_creases(options) || options.strong_creases_only || features.curves.empty()) return false;
   const SeenCurves seen = seen_curves(surface, features, even_spacing(surface, options));
   return !weakest_curves(seen, {.only_crowded = true}).empty();
 }
 
-/// Were samples on these curves as close as elsewhere, would they be most of them?
-bool take_most_samples(const geom::TriMesh& surface, const Features& features, const RemeshOptions& options) {
+double length_of(const geom::TriMesh& surface, const Features& features) {
   double length = 0;
   for (const FeatureCurve& curve : features.curves) length += length_of(surface, curve);
-  return length > most_on_curves * even_spacing(surface, options) * static_cast<double>(options.num_samples);
+  return length;
 }
 
-/// With those creases alone that have room, if there are some, and smaller triangles between are no help or
-/// would be smaller than a third of the spacing.
-std::optional<RemeshResult> remesh_with_room(const geom::TriMesh& surface, const Features& all,
-                                             const RemeshOptions& options) {
+/// A remesh with those creases alone that have room.
+struct WithRoom {
+  RemeshResult result;
+  double share;  ///< of the length of all
+};
+
+/// If there are some, and smaller triangles between are no help or would be smaller than a third of the
+/// spacing.
+std::optional<WithRoom> remesh_with_room(const geom::TriMesh& surface, const Features& all,
+                                         const RemeshOptions& options) {
   const auto narrow = helpful_narrow_surface(surface, all, part_sizing(surface, all, options), options);
   if (narrow && std::ranges::min(narrow->lengths) >= smallest_beside_curves * even_spacing(surface, options))
     return {};
@@ -349,15 +375,21 @@ std::optional<RemeshResult> remesh_with_room(const geom::TriMesh& surface, const
   fewer.strong_creases_only = true;
   const FeatureChoice strong = chosen_features(surface, fewer);
   if (strong.given_up.empty() || strong.features.curves.empty()) return {};
-  return remesh_sheets(surface, strong, fewer);
+  return WithRoom{remesh_sheets(surface, strong, fewer),
+                  length_of(surface, strong.features) / length_of(surface, all)};
 }
 
 /// Is it settled by the creases that have room that others are not to be tried with them? These would take
-/// most samples, or add to ruins that are not those of bars.
-bool settles_creases(const RemeshResult& with_strong, const geom::TriMesh& surface, const Features& all,
+/// most samples, or be hardly any where angles are useless, or add to ruins that are not those of bars.
+bool settles_creases(const WithRoom& with_room, const geom::TriMesh& surface, const Features& all,
                      const RemeshOptions& options) {
-  if (with_strong.type.ok()) return take_most_samples(surface, all, options);
-  return is_in_ruins(with_strong) && !may_be_faced(with_strong);
+  const RemeshResult& result = with_room.result;
+  const double most = even_spacing(surface, options) * static_cast<double>(options.num_samples);
+  if (should_drop_creases(result, options)) return true;
+  if (result.type.ok())
+    return (with_room.share > nearly_all && !is_useful(result)) ||
+           length_of(surface, all) > most_on_curves * most;
+  return is_in_ruins(result) && !may_be_faced(result);
 }
 
 /// Creases that nobody asked for are kept unless that alone does harm. Where they have no room, those that
@@ -365,21 +397,21 @@ bool settles_creases(const RemeshResult& with_strong, const geom::TriMesh& surfa
 RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const RemeshOptions& options) {
   const FeatureChoice all = chosen_features(surface, options);
   const bool crowded = has_crowded_creases(surface, all.features, options);
-  std::optional<RemeshResult> with_strong;
-  if (crowded) with_strong = remesh_with_room(surface, all.features, options);
-  if (with_strong && (has_wanted_angles(*with_strong) || interrupted(options)))
-    return std::move(*with_strong);
-  WithCreases with{{}, with_strong.has_value()};
+  std::optional<WithRoom> with_room;
+  if (crowded) with_room = remesh_with_room(surface, all.features, options);
+  if (with_room && (has_wanted_angles(with_room->result) || interrupted(options)))
+    return std::move(with_room->result);
+  WithCreases with{{}, with_room.has_value()};
   RemeshResult& result = with.result;
-  if (with_strong && settles_creases(*with_strong, surface, all.features, options)) {
-    result = std::move(*with_strong);
+  if (with_room && settles_creases(*with_room, surface, all.features, options)) {
+    result = std::move(with_room->result);
   } else {
     result = remesh_sheets(surface, all, options);
-    take_if_better(std::move(with_strong), result);
+    if (with_room) take_if_better(std::move(with_room->result), result);
   }
-  if (result.crease_curves == 0 || !options.features->yielding || options.method != Method::fpo ||
-      result.stood_in || interrupted(options) || geom::topology(surface).nonmanifold_edges > 0 ||
-      has_wanted_angles(result) || (is_useful(result) && !crowded))
+  if (result.crease_curves == 0 || !may_drop_creases(options) || result.stood_in || interrupted(options) ||
+      geom::topology(surface).nonmanifold_edges > 0 || has_wanted_angles(result) ||
+      (is_useful(result) && !crowded && !has_many_small_angles(result)))
     return std::move(result);
   const bool has_few_on_curves = 2 * result.feature_samples < options.num_samples;
   const bool has_other_ways = may_be_smoothed(options) && is_folded(surface);

@@ -58,6 +58,43 @@ TEST_CASE("attempts: creases are given up for the type, or if neither has it for
   CHECK(!is_worth_creases(few, measured(true, 5, 0)));
 }
 
+TEST_CASE("attempts: creases spoil what is at fault in many places, if they have many samples") {
+  RemeshResult spoilt = measured(false, 5, 0);
+  spoilt.samples.resize(4000);
+  spoilt.advice.places.resize(20);
+  spoilt.feature_samples = 1001;
+  spoilt.crease_edges = 101;
+  CHECK(is_spoilt_by_creases(spoilt));
+  const auto is_spoilt_with = [&](auto change) {
+    RemeshResult other = spoilt;
+    change(other);
+    return is_spoilt_by_creases(other);
+  };
+  CHECK(!is_spoilt_with([](RemeshResult& r) { r.advice.places.resize(19); }));
+  CHECK(!is_spoilt_with([](RemeshResult& r) { r.feature_samples = 1000; }));
+  CHECK(!is_spoilt_with([](RemeshResult& r) { r.crease_edges = 100; }));  // borders are kept anyway
+  CHECK(!is_spoilt_with([](RemeshResult& r) { r.type.bare_samples = 0; }));
+  CHECK(!is_spoilt_with([](RemeshResult& r) { r.staggered_curves = 1; }));
+  CHECK(!is_spoilt_with([](RemeshResult& r) { r.feature_samples = 2001, r.broken_feature_edges = 1; }));
+  const auto is_small_spoilt = [&](std::size_t places) {
+    return is_spoilt_with([&](RemeshResult& r) { r.samples.resize(400), r.advice.places.resize(places); });
+  };
+  CHECK(is_small_spoilt(10));
+  CHECK(!is_small_spoilt(9));
+}
+
+TEST_CASE("attempts: small angles are many from one for ten triangles on, and only creases are to blame") {
+  RemeshResult result = measured(true, 15, 0);
+  result.mesh = geom::make_shape("sphere", 4);
+  result.crease_edges = 1;
+  result.measures.angles_below_30 = result.mesh.num_facets() / 10;
+  CHECK(!has_many_small_angles(result));
+  ++result.measures.angles_below_30;
+  CHECK(has_many_small_angles(result));
+  result.crease_edges = 0;
+  CHECK(!has_many_small_angles(result));
+}
+
 TEST_CASE("attempts: fine is what has it all; corners or lost edges alone leave it useful") {
   CHECK(is_fine(measured(true, 30, 0)));
   for (const RemeshResult& r : {measured(false, 30, 0), measured(true, 29.9, 0), measured(true, 30, 1)})
