@@ -227,11 +227,9 @@ bool may_drop_creases(const RemeshOptions& options) {
 }
 
 /// All creases that are kept are better dropped, at once: no other way with them would change that. Smaller
-/// triangles somewhere may yet lead to the type.
+/// triangles somewhere may.
 bool should_drop_creases(const RemeshResult& result, const RemeshOptions& options) {
-  if (!may_drop_creases(options)) return false;
-  if (result.type.ok()) return result.broken_feature_edges == 0 && has_many_small_angles(result);
-  return options.sizing == SizingKind::uniform && is_spoilt_by_creases(result);
+  return may_drop_creases(options) && options.sizing == SizingKind::uniform && is_spoilt_by_creases(result);
 }
 
 /// Sheets that are left to us are together unless they are near each other nearly everywhere, or that does
@@ -385,11 +383,10 @@ bool settles_creases(const WithRoom& with_room, const geom::TriMesh& surface, co
                      const RemeshOptions& options) {
   const RemeshResult& result = with_room.result;
   const double most = even_spacing(surface, options) * static_cast<double>(options.num_samples);
-  if (should_drop_creases(result, options)) return true;
   if (result.type.ok())
     return (with_room.share > nearly_all && !is_useful(result)) ||
            length_of(surface, all) > most_on_curves * most;
-  return is_in_ruins(result) && !may_be_faced(result);
+  return should_drop_creases(result, options) || (is_in_ruins(result) && !may_be_faced(result));
 }
 
 /// Creases that nobody asked for are kept unless that alone does harm. Where they have no room, those that
