@@ -70,6 +70,8 @@ struct SharedSizing {
 
 /// Finds it for exactly n samples. `sizing_for` gives the sizing that calls for so many inner samples; it is
 /// asked for as many as have the shares of all samples, again until that is steady: two or three times.
+/// (With B of n vertices on borders there are 2 n - B - 2 chi triangles, by Euler's formula: as many as n -
+/// B / 2 - chi inner ones have.)
 /// `sampling`: n is the most; pairs are found here, if they are to be.
 SharedSizing share_sizing(const geom::TriMesh& mesh, const Features& features,
                           std::span<const SurfaceSample> fixed,

@@ -226,8 +226,8 @@ bool may_drop_creases(const RemeshOptions& options) {
   return options.features && options.features->yielding && options.method == Method::fpo;
 }
 
-/// All creases that are kept are better dropped, at once: no other way with them would change that. Smaller
-/// triangles somewhere may.
+/// All creases that are kept are dropped at once, before other ways with them are tried: by measurement these
+/// take minutes and end at fault. Not if lengths may differ: then smaller triangles somewhere may help.
 bool should_drop_creases(const RemeshResult& result, const RemeshOptions& options) {
   return may_drop_creases(options) && options.sizing == SizingKind::uniform && is_spoilt_by_creases(result);
 }
