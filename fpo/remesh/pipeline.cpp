@@ -21,6 +21,7 @@
 #include "fpo/remesh/stand_in_remesh.h"
 #include "fpo/remesh/start.h"
 #include "fpo/remesh/surface_apart.h"
+#include "fpo/remesh/trimmed_remesh.h"
 #include "fpo/remesh/unit_box.h"
 #include "geom/check.h"
 
@@ -429,8 +430,12 @@ RemeshResult remesh_smoothed(const geom::TriMesh& surface, const RemeshOptions& 
 RemeshResult remesh_smoothed_or_not(const geom::TriMesh& surface, const RemeshOptions& options) {
   const bool may_be = may_be_smoothed(options);
   if (may_be && has_noise(surface, options.num_samples)) return remesh_smoothed(surface, options);
-  RemeshResult result = remesh_with_creases_or_not(surface, options);
-  if (!interrupted(options)) result.feature_bound = feature_bound(surface, options);
+  const auto with_bound = [](const geom::TriMesh& of, const RemeshOptions& how) {
+    RemeshResult made = remesh_with_creases_or_not(of, how);
+    if (!interrupted(how)) made.feature_bound = feature_bound(of, how);
+    return made;
+  };
+  RemeshResult result = remesh_trimmed_or_not(surface, options, with_bound);
   if (!may_be || result.type.ok() || interrupted(options) || !is_folded(surface) ||
       geom::topology(surface).nonmanifold_edges > 0)
     return result;
