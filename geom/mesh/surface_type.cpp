@@ -1,7 +1,9 @@
 #include "geom/mesh/surface_type.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
+#include <vector>
 
 #include "geom/mesh/edges.h"
 #include "geom/mesh/opened_mesh.h"
@@ -97,14 +99,49 @@ SurfaceType surface_type(const TriMesh& mesh) {
   return type;
 }
 
-std::vector<PartType> pieces_between_branches(const TriMesh& mesh) {
-  DisjointSets sheets(3 * mesh.num_facets());
+namespace {
+
+/// The same surface with a vertex more on each side of an edge of more than two facets: these sides have
+/// nothing in common but their ends.
+TriMesh with_sides_parted(const TriMesh& mesh) {
+  Table<FacetId, std::array<bool, 3>> branches(mesh.num_facets(), {false, false, false});
   for_each_edge(mesh, [&](auto first, auto last) {
+    for (auto h = first; h != last; ++h)
+      branches[h->facet][static_cast<std::size_t>(h->edge)] = last - first > 2;
+  });
+  Table<VertexId, Vec3> positions = mesh.vertices();
+  Table<FacetId, TriMesh::Facet> facets;
+  std::vector<VertexId> around;  // a facet, from a new vertex on if there is one
+  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
+    around.clear();
+    const std::size_t start =
+        static_cast<std::size_t>(std::ranges::find(branches[t], true) - branches[t].begin()) % 3;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t e = (start + k) % 3;
+      around.push_back(mesh.facet(t)[e]);
+      if (!branches[t][e]) continue;
+      around.emplace_back(positions.size());
+      positions.push_back(
+          (mesh.corner(t, static_cast<int>(e)) + mesh.corner(t, static_cast<int>((e + 1) % 3))) / 2);
+    }
+    if (around.size() > 3) std::ranges::rotate(around, around.begin() + 1);
+    for (std::size_t k = 1; k + 1 < around.size(); ++k)
+      facets.push_back({around[0], around[k], around[k + 1]});
+  }
+  return {std::move(positions), std::move(facets)};
+}
+
+}  // namespace
+
+std::vector<PartType> pieces_between_branches(const TriMesh& mesh) {
+  const TriMesh parted = with_sides_parted(mesh);
+  DisjointSets sheets(3 * parted.num_facets());
+  for_each_edge(parted, [&](auto first, auto last) {
     if (last - first != 2) return;
     for (const VertexId v : {first->low, first->high})
-      sheets.merge(corner_at(mesh, first[0].facet, v), corner_at(mesh, first[1].facet, v));
+      sheets.merge(corner_at(parted, first[0].facet, v), corner_at(parted, first[1].facet, v));
   });
-  std::vector<PartType> pieces = surface_type(opened(mesh, sheets).mesh).parts;
+  std::vector<PartType> pieces = surface_type(opened(parted, sheets).mesh).parts;
   std::ranges::sort(pieces);
   return pieces;
 }

@@ -104,4 +104,11 @@ TEST_CASE(
     std::ranges::sort(parts);
     CHECK(geom::pieces_between_branches(mesh) == parts);
   }
+  // Bodies that share an edge: each is a slit sphere, of however many edges the slit is.
+  const TriMesh two = geom::joined(geom::make_shape("cube"), geom::make_shape("cube"));
+  const TriMesh bodies = with_merged(two, {{0, 8}, {1, 9}});
+  REQUIRE(geom::topology(bodies).nonmanifold_edges == 1);
+  const std::vector<geom::PartType> slit(2, {1, 1, true});
+  CHECK(geom::pieces_between_branches(bodies) == slit);
+  CHECK(geom::pieces_between_branches(geom::subdivided(bodies, 2)) == slit);
 }
