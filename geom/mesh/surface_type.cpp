@@ -124,7 +124,7 @@ TriMesh with_sides_parted(const TriMesh& mesh) {
       positions.push_back(
           (mesh.corner(t, static_cast<int>(e)) + mesh.corner(t, static_cast<int>((e + 1) % 3))) / 2);
     }
-    if (around.size() > 3) std::ranges::rotate(around, around.begin() + 1);
+    if (around.size() > 3) std::rotate(around.begin(), around.begin() + 1, around.end());
     for (std::size_t k = 1; k + 1 < around.size(); ++k)
       facets.push_back({around[0], around[k], around[k + 1]});
   }
