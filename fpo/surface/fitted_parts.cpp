@@ -146,13 +146,14 @@ class Fitting {
   }
 
   bool is_linear_on(const Piece& piece) const {
-    const auto& [a, b, c] = piece.corners;
+    const auto [a, b, c] = piece.corners;
+    const std::array<double, 3> corners{values_[a], values_[b], values_[c]};
     return std::ranges::all_of(piece.fine, [&](FacetId t) {
       for (std::size_t i = 0; i < 3; ++i) {
         const std::array<double, 3> w = weights(piece.at, fine_at_[t][i]);
         if (!(std::ranges::min(w) > -rounding)) continue;
         const VertexId v = fine_.mesh.facet(t)[i];
-        const double linear = w[0] * values_[a] + w[1] * values_[b] + w[2] * values_[c];
+        const double linear = w[0] * corners[0] + w[1] * corners[1] + w[2] * corners[2];
         if (std::abs(linear - fine_values_[v]) > options_.tolerance * fine_h_[v]) return false;
       }
       return true;
