@@ -48,7 +48,8 @@ struct RemeshOptions {
   SizingLimits limits;  ///< unless uniform
   /// If given: features are found, chosen (feature_choice.h, which overrules lengths), sampled and kept. If
   /// they are yielding and the remesh is of the input's type without creases, but not with them, then only
-  /// the strong ones are kept, or none; none as well if they alone have many angles below 30 degrees.
+  /// the strong ones are kept, or none; none as well if they alone have many angles below 30 degrees. Teeth
+  /// of ragged borders are cut off then (trimmed_remesh.h).
   std::optional<FeatureOptions> features;
   bool strong_creases_only = false;    ///< from the beginning (SamplingPlan)
   std::vector<geom::Vec3> fixed;       ///< points of the surface, which become vertices exactly
