@@ -5,7 +5,10 @@
 //           / \              out of it, with angles of their own; triangles that follow it have smaller ones.
 //     --p--/   \--q--        A tooth is what is around a vertex v of the border if that is a small angle
 //        \ |   | /           between short edges. Without it the border goes from p to q along the other
-//         \|___|/            side of the facets of v, and the surface is of the same topological type.
+//         \|___|/            side of the facets of v.
+//
+// Of the same topological type: the facets of v are a disk, and but for p and q the vertices around it are
+// inside the surface. So it has one arc in common with the rest, from p to q, and can be shrunk to that arc.
 
 #include <vector>
 
