@@ -1,12 +1,15 @@
 #include "fpo/remesh/border_teeth.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 #include <numbers>
 
 #include "geom/disjoint_sets.h"
 #include "geom/mesh/angles.h"
+#include "geom/mesh/opened_mesh.h"
+#include "geom/mesh/surface_type.h"
 
 namespace fpo {
 
@@ -19,9 +22,10 @@ using geom::VertexId;
 namespace {
 
 constexpr double corner_turn = std::numbers::pi / 2;
-constexpr double sight = 2;       // in longest edges
+constexpr std::array<double, 2> sights = {2, 4};  // in longest edges
 constexpr double least_area = 8;  // of a part, in squares of these
 
+/// Of a mesh with one border at most at each vertex.
 class Trimming {
  public:
   Trimming(const TriMesh& mesh, const Tooth& tooth)
@@ -33,13 +37,8 @@ class Trimming {
         before_(mesh.num_vertices()),
         facet_(mesh.num_vertices()) {
     for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
-      for (int e = 0; e < 3; ++e) {
-        if (mesh.across(t, e).valid()) continue;
-        const VertexId a = corner(t, e), b = corner(t, e + 1);
-        if (next_[a].valid()) stays_[a] = 1;
-        if (before_[b].valid()) stays_[b] = 1;
-        join(a, b, t);
-      }
+      for (int e = 0; e < 3; ++e)
+        if (!mesh.across(t, e).valid()) join(corner(t, e), corner(t, e + 1), t);
     keep_small_parts();
   }
 
@@ -129,40 +128,43 @@ class Trimming {
   }
 
   /// From x along the border, forward or back, at most so far: the end of that way, or of the border's half.
-  Vec3 seen_from(VertexId x, const Table<VertexId, VertexId>& to, const Table<VertexId, VertexId>& back) {
-    const double far = sight * tooth_.longest;
+  Vec3 seen_from(double far, VertexId x, const Table<VertexId, VertexId>& to,
+                 const Table<VertexId, VertexId>& back) const {
     double way = 0;
     VertexId behind = x;  // goes the other way, to meet halfway
-    while (!stays_[x] && way < far) {
+    while (way < far) {
       const VertexId y = to[x];
       const double length = (at(y) - at(x)).norm();
       if (way + length > far) return at(x) + (far - way) / length * (at(y) - at(x));
       way += length;
       x = y;
       behind = back[behind];
-      if (stays_[behind] || behind == x || back[behind] == x) break;
+      if (behind == x || back[behind] == x) break;
     }
     return at(x);
   }
 
-  /// Does the border turn to the inside by much from before v to behind it?
-  bool is_corner(VertexId v) {
+  /// Does the border turn to the inside by much from before v to behind it, from wherever it is seen?
+  bool is_corner(VertexId v) const {
     const VertexId p = before_[v], q = next_[v];
     Vec3 normal(0, 0, 0);
     for (const FacetId t : fan_) normal += mesh_.normal(t);
-    const Vec3 come = at(p) - seen_from(p, before_, next_), base = at(q) - at(p),
-               go = seen_from(q, next_, before_) - at(q);
     const auto turn = [&](const Vec3& a, const Vec3& b) {
       const double angle = geom::angle_between(a, b);
       return normal.dot(a.cross(b)) > 0 ? angle : -angle;
     };
-    return turn(come, base) + turn(base, go) > corner_turn;
+    return std::ranges::all_of(sights, [&](double sight) {
+      const double far = sight * tooth_.longest;
+      const Vec3 come = at(p) - seen_from(far, p, before_, next_), base = at(q) - at(p),
+                 go = seen_from(far, q, next_, before_) - at(q);
+      return turn(come, base) + turn(base, go) > corner_turn;
+    });
   }
 
   const TriMesh& mesh_;
   Tooth tooth_;
   Table<FacetId, char> is_left_;
-  Table<VertexId, char> stays_;              ///< several borders come together there, or the part is small
+  Table<VertexId, char> stays_;              ///< the part is small
   Table<VertexId, VertexId> next_, before_;  ///< along the border: with the surface on the left
   Table<VertexId, FacetId> facet_;           ///< at the border edge that begins there
   std::vector<FacetId> fan_;                 ///< of the tip that was looked at last
@@ -171,7 +173,8 @@ class Trimming {
 }  // namespace
 
 std::vector<FacetId> without_teeth(const TriMesh& surface, const Tooth& tooth) {
-  return Trimming(surface, tooth).run();
+  geom::DisjointSets sheets = geom::sheets_at_vertices(surface);
+  return Trimming(geom::opened(surface, sheets).mesh, tooth).run();
 }
 
 }  // namespace fpo

@@ -23,8 +23,9 @@ struct Tooth {
 
 /// The facets that are left without teeth of that kind, ascending. What is cut off may leave others, which
 /// are cut off then. A tip is no tooth where the border turns by more than 90 degrees there, seen from twice
-/// the longest edge away: a corner of the surface, however fine its facets are. Nor is it one if its facets
-/// touch the border elsewhere, or if the part of the surface is smaller than eight squares of that length.
+/// and from four times the longest edge away: a corner of the surface, however fine its facets are. Nor is it
+/// one if its facets touch the border elsewhere, or if the part of the surface is smaller than eight squares
+/// of that length. Where the surface meets itself in a vertex each side has a border of its own.
 /// `surface` must have no edge with more than two facets, or with two that run through it the same way.
 /// Deterministic. O(F + teeth * edges seen), a few times.
 std::vector<geom::FacetId> without_teeth(const geom::TriMesh& surface, const Tooth& tooth);

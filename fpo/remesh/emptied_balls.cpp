@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
+#include "fpo/farthest_move.h"
+#include "fpo/interruption.h"
 #include "fpo/remesh/proven_edges.h"
+#include "fpo/remesh/remembered_samples.h"
 
 namespace fpo {
 
@@ -16,11 +20,21 @@ namespace {
 constexpr int rounds = 10;
 constexpr double most_share = 1.5;  // of the usual weight
 constexpr double more = 1.02;       // than what is lacking, which is rounded
+constexpr std::size_t most_sent = 48;       // of samples that leave, one after the other
 
 void change_weight(SurfaceDomain& domain, SiteId x, double share) {
   const SurfaceSample place = domain.sample(x);
   domain.remove(x);
   domain.insert_at(x, place, share);
+}
+
+/// To the farthest point of all; those around follow.
+void send(SurfaceDomain& domain, SiteId x) {
+  std::vector<SiteId> around;
+  domain.neighbours(x, around);
+  move_to_farthest(domain, x);
+  for (const SiteId y : around)
+    if (!domain.is_fixed(y)) domain.move(y, Scope::two_ring);
 }
 
 /// How much weight each end needs.
@@ -56,6 +70,31 @@ std::size_t empty_balls(SurfaceDomain& domain, const Features& features, const F
   }
   return static_cast<std::size_t>(std::ranges::count_if(
       before, [&](const auto& entry) { return domain.weight_share(entry.first) != entry.second; }));
+}
+
+std::size_t send_out_of_balls(SurfaceDomain& domain, const Features& features, const FeatureSamples& samples,
+                              const std::atomic<bool>* interrupted) {
+  std::size_t sent = 0;
+  std::vector<OpenBall> open = open_balls(domain, features, samples);
+  std::set<SiteId> tried;
+  const auto may_leave = [&](const OpenBall& ball) {
+    return ball.deepest.valid() && !domain.is_fixed(ball.deepest) && !tried.contains(ball.deepest);
+  };
+  while (tried.size() < most_sent && !fpo::interrupted(interrupted)) {
+    const auto ball = std::ranges::find_if(open, may_leave);
+    if (ball == open.end()) break;
+    tried.insert(ball->deepest);
+    const RememberedSamples before(domain);
+    send(domain, ball->deepest);
+    std::vector<OpenBall> now = open_balls(domain, features, samples);
+    if (now.size() < open.size()) {
+      open = std::move(now);
+      ++sent;
+    } else {
+      before.put_back(domain);
+    }
+  }
+  return sent;
 }
 
 }  // namespace fpo

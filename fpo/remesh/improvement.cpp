@@ -19,7 +19,9 @@ constexpr std::size_t looks_a_move = 20;          // of the optimization, then: 
 bool is_stopped(const RemeshOptions& options) { return interrupted(options.optimize.interrupted); }
 
 void prove_edges(SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options) {
-  if (how.curves && !is_stopped(options)) empty_balls(domain, *how.curves, how.shared.features);
+  if (!how.curves || is_stopped(options)) return;
+  empty_balls(domain, *how.curves, how.shared.features);
+  send_out_of_balls(domain, *how.curves, how.shared.features, options.optimize.interrupted);
 }
 
 /// Where lengths are even and neither features nor thin parts are in the way.

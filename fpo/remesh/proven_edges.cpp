@@ -32,20 +32,20 @@ class EmptyBalls {
  public:
   explicit EmptyBalls(const SurfaceDomain& domain) : domain_(domain) {}
 
-  /// Does the curve pass from the cell of a to that of b? If not, by how much it fails to where it fails
-  /// least; else 0.
-  double lack(const FeatureCurve& curve, SiteId a, SiteId b) {
-    double least = std::numeric_limits<double>::infinity();
+  /// Does the curve pass from the cell of a to that of b? If so, nothing is lacking; if not, what is lacking
+  /// where that is least.
+  OpenBall ball(const FeatureCurve& curve, SiteId a, SiteId b) {
+    OpenBall ball{a, b, std::numeric_limits<double>::infinity(), {}};
     for (std::size_t i = 0; i < curve.facets.size(); ++i) {
       const Location3 from = vertex(curve.vertices[i]),
                       to = vertex(curve.vertices[(i + 1) % curve.vertices.size()]);
       if (!geom::beats_at_vertex(from, ranked(a), ranked(b)) &&
           geom::beats_at_vertex(to, ranked(a), ranked(b))) {
-        if (is_empty(from, to, a, b)) return 0;
-        least = std::min(least, most_lead_);
+        if (is_empty(from, to, a, b)) return {a, b, 0, {}};
+        if (most_lead_ < ball.lack) ball.lack = most_lead_, ball.deepest = deepest_;
       }
     }
-    return least;
+    return ball;
   }
 
  private:
@@ -82,13 +82,15 @@ class EmptyBalls {
       if (std::min(g.at(low), g.at(high)) > margin * g.size) continue;
       if (!geom::beats_on_edge(from, to, ranked(a), ranked(b), ranked(x))) continue;
       empty = false;
-      most_lead_ = std::max(most_lead_, -g.at((low + high) / 2));
+      const double lead = -g.at((low + high) / 2);
+      if (lead > most_lead_) most_lead_ = lead, deepest_ = x;
     }
     return empty;
   }
 
   const SurfaceDomain& domain_;
   double most_lead_ = 0;      ///< of others over both, where is_empty() looked last
+  SiteId deepest_;            ///< whose that is
   std::vector<SiteId> near_;  // workspace
 };
 
@@ -101,8 +103,8 @@ std::vector<OpenBall> open_balls(const SurfaceDomain& domain, const Features& fe
   for (std::size_t c = 0; c < samples.chains.size(); ++c)
     for (std::size_t i = 0; i + 1 < samples.chains[c].size(); ++i) {
       const SiteId a = samples.chains[c][i], b = samples.chains[c][i + 1];
-      const double lack = balls.lack(features.curves[c], a, b);
-      if (lack > 0) open.push_back({a, b, lack});
+      const OpenBall ball = balls.ball(features.curves[c], a, b);
+      if (ball.lack > 0) open.push_back(ball);
     }
   return open;
 }

@@ -16,6 +16,7 @@ namespace fpo {
 struct OpenBall {
   SiteId a, b;
   double lack = 0;  ///< the power that both need more for the ball to be empty, about; infinite: none does
+  SiteId deepest;   ///< of the samples in the ball, if there is a place between a and b
 };
 
 /// Those, in the order of the chains. Cost: that of num_proven_edges().

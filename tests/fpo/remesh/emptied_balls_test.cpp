@@ -1,5 +1,7 @@
 #include "fpo/remesh/emptied_balls.h"
 
+#include <atomic>
+
 #include "doctest.h"
 #include "fpo/remesh/proven_edges.h"
 #include "geom/mesh/aabb_tree.h"
@@ -71,5 +73,26 @@ TEST_CASE("emptied balls: nothing changes where all edges are proven, or a sampl
     CHECK(empty_balls(domain, cube.features, cube.on_curves) == 0);
     CHECK(cube.num_open(domain) == open);
     CHECK(cube.num_changed(domain) == 0);
+  }
+}
+
+TEST_CASE("emptied balls: a sample that is too deep in a ball leaves, a fixed one and those outside stay") {
+  for (const double share : {0.0, 0.2, 1.01}) {
+    CAPTURE(share);
+    const Cube cube(share);
+    SurfaceDomain domain = cube.domain();
+    const bool is_open = cube.num_open(domain) > 0;
+    CHECK(is_open == (share < 1));
+    CHECK(send_out_of_balls(domain, cube.features, cube.on_curves, nullptr) == (is_open ? 1 : 0));
+    CHECK(cube.num_open(domain) == 0);
+    CHECK(cube.num_changed(domain) == (is_open ? 1 : 0));
+    domain.check();
+
+    SurfaceDomain fixed(cube.mesh, cube.sizing, cube.samples, {.num_fixed = cube.samples.size()});
+    CHECK(send_out_of_balls(fixed, cube.features, cube.on_curves, nullptr) == 0);
+    CHECK(cube.num_changed(fixed) == 0);
+    const std::atomic<bool> interrupted = true;
+    SurfaceDomain stopped = cube.domain();
+    CHECK(send_out_of_balls(stopped, cube.features, cube.on_curves, &interrupted) == 0);
   }
 }
