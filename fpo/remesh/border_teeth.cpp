@@ -23,7 +23,7 @@ namespace {
 
 constexpr double corner_turn = std::numbers::pi / 2;
 constexpr std::array<double, 2> sights = {2, 4};  // in longest edges
-constexpr double least_area = 8;  // of a part, in squares of these
+constexpr double least_area = 8;                  // of a part, in squares of these
 
 /// Of a mesh with one border at most at each vertex.
 class Trimming {

@@ -18,9 +18,9 @@ using geom::SiteId;
 namespace {
 
 constexpr int rounds = 10;
-constexpr double most_share = 1.5;  // of the usual weight
-constexpr double more = 1.02;       // than what is lacking, which is rounded
-constexpr std::size_t most_sent = 48;       // of samples that leave, one after the other
+constexpr double most_share = 1.5;     // of the usual weight
+constexpr double more = 1.02;          // than what is lacking, which is rounded
+constexpr std::size_t most_sent = 48;  // of samples that leave, one after the other
 
 void change_weight(SurfaceDomain& domain, SiteId x, double share) {
   const SurfaceSample place = domain.sample(x);

@@ -109,7 +109,7 @@ TEST_CASE("border teeth: the type is kept, and no tooth is left") {
   CHECK(pinches_less > 20);
 }
 
-TEST_CASE("border teeth: two plates that meet in the tips of their teeth, or a tooth on a side of the other") {
+TEST_CASE("border teeth: two plates that meet in tips of teeth, or in a tip and a corner") {
   const TriMesh plate = fixtures::sawtooth_plate(20, 1.5);
   const FacetId tooth = FacetId(plate.num_facets() - 1);
   const Vec3 tip = plate.corner(tooth, 2), corner = plate.position(VertexId(0));
@@ -123,8 +123,7 @@ TEST_CASE("border teeth: two plates that meet in the tips of their teeth, or a t
     for (const Vec3& p : plate.vertices()) vertices.push_back(turned(p) + shift);
     for (const TriMesh::Facet& f : plate.facets()) {
       TriMesh::Facet other = f;
-      for (VertexId& v : other)
-        v = v == at_corner ? at_tip : VertexId(v.index() + plate.num_vertices());
+      for (VertexId& v : other) v = v == at_corner ? at_tip : VertexId(v.index() + plate.num_vertices());
       facets.push_back(other);
     }
     const TriMesh both(std::move(vertices), std::move(facets));
