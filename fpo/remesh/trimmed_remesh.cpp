@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <exception>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -39,11 +38,9 @@ bool is_good(const RemeshResult& result) {
   return result.type.ok() && result.broken_feature_edges == 0 && result.measures.theta_min >= small_angle;
 }
 
-/// `whole`: none if it was refused.
-bool is_worth_it(const RemeshResult& trimmed, const std::optional<RemeshResult>& whole) {
-  if (!trimmed.type.ok() || (whole && !is_better(trimmed, *whole))) return false;
-  return !whole || !whole->type.ok() ||
-         2 * trimmed.measures.angles_below_30 <= whole->measures.angles_below_30;
+bool is_worth_it(const RemeshResult& trimmed, const RemeshResult& whole) {
+  if (!trimmed.type.ok() || !is_better(trimmed, whole)) return false;
+  return !whole.type.ok() || 2 * trimmed.measures.angles_below_30 <= whole.measures.angles_below_30;
 }
 
 bool has_plain_borders(const TriMesh& surface) {
@@ -97,37 +94,23 @@ std::optional<RemeshResult> try_part(const TriMesh& surface, const Submesh& part
   return {};
 }
 
-/// Without smaller and without larger teeth. `best`: none if the whole surface was refused.
-void try_without_teeth(const TriMesh& surface, const RemeshOptions& options, const RemeshFunction& remesh,
-                       std::optional<RemeshResult>& best) {
-  const double spacing = even_spacing(surface, options);
-  std::size_t left = surface.num_facets();
-  for (const Tooth& tooth : teeth) {
-    if ((best && is_good(*best)) || interrupted(options.optimize.interrupted)) return;
-    std::vector<FacetId> facets = without_teeth(surface, {tooth.longest * spacing, tooth.angle});
-    if (std::exchange(left, facets.size()) == facets.size()) continue;
-    std::optional<RemeshResult> other =
-        try_part(surface, geom::submesh(surface, std::move(facets)), options, remesh);
-    if (other && is_worth_it(*other, best)) best = std::move(other);
-  }
-}
-
 }  // namespace
 
 RemeshResult remesh_trimmed_or_not(const TriMesh& surface, const RemeshOptions& options,
                                    const RemeshFunction& remesh) {
-  if (!may_be_trimmed(options)) return remesh(surface, options);
-  std::optional<RemeshResult> best;
-  std::exception_ptr refusal;
-  try {
-    best = remesh(surface, options);
-    if (is_good(*best) || best->stood_in) return std::move(*best);
-  } catch (const geom::InputError&) {
-    refusal = std::current_exception();
+  RemeshResult best = remesh(surface, options);
+  if (!may_be_trimmed(options) || is_good(best) || best.stood_in || !has_plain_borders(surface)) return best;
+  const double spacing = even_spacing(surface, options);
+  std::size_t left = surface.num_facets();
+  for (const Tooth& tooth : teeth) {
+    if (is_good(best) || interrupted(options.optimize.interrupted)) break;
+    std::vector<FacetId> facets = without_teeth(surface, {tooth.longest * spacing, tooth.angle});
+    if (std::exchange(left, facets.size()) == facets.size()) continue;
+    std::optional<RemeshResult> other =
+        try_part(surface, geom::submesh(surface, std::move(facets)), options, remesh);
+    if (other && is_worth_it(*other, best)) best = std::move(*other);
   }
-  if (has_plain_borders(surface)) try_without_teeth(surface, options, remesh, best);
-  if (!best) std::rethrow_exception(refusal);
-  return std::move(*best);
+  return best;
 }
 
 }  // namespace fpo

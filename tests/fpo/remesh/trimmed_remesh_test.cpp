@@ -85,14 +85,4 @@ TEST_CASE("trimmed remesh: not where features are asked for, nor where it is no 
     return remesh(surface, how);
   };
   CHECK(remesh_trimmed_or_not(plate, options, refusing).type.bare_samples == 1);
-
-  // What refuses the whole surface may take what is left, if that is of the type.
-  const auto choosy = [&](const TriMesh& surface, const RemeshOptions& how) {
-    if (surface.num_facets() == plate.num_facets()) throw geom::InputError("too few");
-    return remesh(surface, how);
-  };
-  is_of_type = true;
-  CHECK(remesh_trimmed_or_not(plate, options, choosy).given_up.find("9 facets") != std::string::npos);
-  is_of_type = false;
-  CHECK_THROWS_WITH_AS(remesh_trimmed_or_not(plate, options, choosy), "too few", geom::InputError);
 }
