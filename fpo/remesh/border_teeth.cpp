@@ -32,7 +32,7 @@ class Trimming {
       : mesh_(mesh),
         tooth_(tooth),
         is_left_(mesh.num_facets(), 1),
-        stays_(mesh.num_vertices(), 0),
+        is_small_(mesh.num_vertices(), 0),
         next_(mesh.num_vertices()),
         before_(mesh.num_vertices()),
         facet_(mesh.num_vertices()) {
@@ -66,7 +66,7 @@ class Trimming {
       area[parts.find(corner(t, 0).index())] += mesh_.area(t);
     const double least = least_area * tooth_.longest * tooth_.longest;
     for (VertexId v(0); v.index() < mesh_.num_vertices(); v = VertexId(v.value + 1))
-      if (area[parts.find(v.index())] < least) stays_[v] = 1;
+      if (area[parts.find(v.index())] < least) is_small_[v] = 1;
   }
 
   /// What is left across an edge, or none.
@@ -102,7 +102,7 @@ class Trimming {
 
   /// Is it a tip? If so, fan_ holds the facets around it, from the border on.
   bool is_tooth(VertexId v) {
-    if (!is_on_border(v) || stays_[v]) return false;
+    if (!is_on_border(v) || is_small_[v]) return false;
     const VertexId p = before_[v], q = next_[v];
     if (!(std::max((at(p) - at(v)).norm(), (at(q) - at(v)).norm()) < tooth_.longest)) return false;
     fan_.clear();
@@ -164,7 +164,7 @@ class Trimming {
   const TriMesh& mesh_;
   Tooth tooth_;
   Table<FacetId, char> is_left_;
-  Table<VertexId, char> stays_;              ///< the part is small
+  Table<VertexId, char> is_small_;           ///< the part is small
   Table<VertexId, VertexId> next_, before_;  ///< along the border: with the surface on the left
   Table<VertexId, FacetId> facet_;           ///< at the border edge that begins there
   std::vector<FacetId> fan_;                 ///< of the tip that was looked at last

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "fpo/farthest_move.h"
 #include "fpo/interruption.h"
 #include "fpo/remesh/proven_edges.h"
 #include "fpo/remesh/remembered_samples.h"
+#include "fpo/remesh/sent_away.h"
 
 namespace fpo {
 
@@ -26,15 +26,6 @@ void change_weight(SurfaceDomain& domain, SiteId x, double share) {
   const SurfaceSample place = domain.sample(x);
   domain.remove(x);
   domain.insert_at(x, place, share);
-}
-
-/// To the farthest point of all; those around follow.
-void send(SurfaceDomain& domain, SiteId x) {
-  std::vector<SiteId> around;
-  domain.neighbours(x, around);
-  move_to_farthest(domain, x);
-  for (const SiteId y : around)
-    if (!domain.is_fixed(y)) domain.move(y, Scope::two_ring);
 }
 
 /// How much weight each end needs.
@@ -85,7 +76,7 @@ std::size_t send_out_of_balls(SurfaceDomain& domain, const Features& features, c
     if (ball == open.end()) break;
     tried.insert(ball->deepest);
     const RememberedSamples before(domain);
-    send(domain, ball->deepest);
+    send_to_farthest(domain, ball->deepest);
     std::vector<OpenBall> now = open_balls(domain, features, samples);
     if (now.size() < open.size()) {
       open = std::move(now);

@@ -29,20 +29,25 @@ std::vector<SiteId> near_defects(SurfaceDomain& domain, const std::vector<Defect
 
 }  // namespace
 
+bool send_to_farthest(SurfaceDomain& domain, SiteId x) {
+  std::vector<SiteId> around;
+  domain.neighbours(x, around);
+  if (!move_to_farthest(domain, x)) return false;
+  for (const SiteId y : around)
+    if (!domain.is_fixed(y)) domain.move(y, Scope::two_ring);
+  return true;
+}
+
 std::size_t send_away(SurfaceDomain& domain, const std::function<Dual()>& next_dual,
                       const std::atomic<bool>* interrupted, Dual& best) {
   std::size_t sent = 0;
   int trials = 0;
-  std::vector<SiteId> around;
   for (bool goes_on = true; goes_on && !best.type.ok() && best.num_faults() <= few_faults;) {
     goes_on = false;
     const RememberedSamples before(domain);
     for (const SiteId x : near_defects(domain, best.defects)) {
       if (++trials > most_sent || fpo::interrupted(interrupted)) return sent;
-      domain.neighbours(x, around);
-      if (!move_to_farthest(domain, x)) continue;
-      for (const SiteId y : around)
-        if (!domain.is_fixed(y)) domain.move(y, Scope::two_ring);
+      if (!send_to_farthest(domain, x)) continue;
       Dual next = next_dual();
       if (next.num_faults() < best.num_faults()) {
         best = std::move(next);

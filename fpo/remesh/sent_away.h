@@ -9,6 +9,10 @@
 
 namespace fpo {
 
+/// x, which is not fixed, leaves for the farthest point of all, and those around its old place follow in
+/// their 2-rings. False if there is no empty circle: then nothing moves.
+bool send_to_farthest(SurfaceDomain& domain, SiteId x);
+
 /// Where the dual has few faults: one of the samples near them leaves for the farthest point of all, those
 /// around it follow, and that stays if there are fewer faults then. As long as that helps, in some fifty
 /// trials at most; fixed samples stay. `best`: the dual of the domain as it is, and afterwards; `next_dual`

@@ -90,6 +90,20 @@ TEST_CASE("border teeth: corners of the surface stay, however fine facets are") 
   CHECK(number_left(crumb, {3, 75 * degree}) == crumb.num_facets());
 }
 
+TEST_CASE("border teeth: what is a corner from nearby only is a tooth") {
+  // One tooth, between a notch six deep and a step three squares away: from four away the border turns by 108
+  // degrees there, from eight by 80.
+  const TriMesh plate = fixtures::sawtooth_plate(20, 1.5);
+  std::vector<FacetId> facets;
+  for (int t = 0; t < 800; ++t) {
+    const int x = t / 2 % 20, y = t / 40;
+    if (!(x >= 8 && x < 11 && y >= 14) && !(x < 4 && y == 19)) facets.emplace_back(t);
+  }
+  facets.emplace_back(803);
+  const TriMesh mesh = geom::submesh(plate, std::move(facets)).mesh;
+  CHECK(number_left(mesh, {2, 75 * degree}) == mesh.num_facets() - 1);
+}
+
 TEST_CASE("border teeth: the type is kept, and no tooth is left") {
   std::size_t cut = 0, pinches_less = 0;
   for (std::uint64_t seed = 1; seed <= 40; ++seed)
