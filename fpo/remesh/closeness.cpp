@@ -115,13 +115,20 @@ class AllDistances {
     return sum;
   }
 
-  /// One after the other: the largest so far spares the others most of the look.
+  /// The largest so far spares others most of the look: first that of some triangles, then that of each range,
+  /// which is the same for any number of threads.
   double largest() {
-    double most = 0;
-    for_triangles(domain_.dual(), [&](const EmptyCircle& circle) {
-      most = std::max(most, one().farthest(circle, most).distance);
+    std::vector<const EmptyCircle*> triangles;
+    for_triangles(domain_.dual(), [&](const EmptyCircle& circle) { triangles.push_back(&circle); });
+    double some = 0;
+    for (std::size_t i = 0; i < triangles.size(); i += looked_at_first)
+      some = std::max(some, one().farthest(*triangles[i], some).distance);
+    std::vector<double> most((triangles.size() + grain - 1) / grain, some);
+    in_ranges(triangles.size(), [&](Distances& distances, std::size_t i) {
+      double& so_far = most[i / grain];
+      so_far = std::max(so_far, distances.farthest(*triangles[i], so_far).distance);
     });
-    return most;
+    return triangles.empty() ? 0 : std::ranges::max(most);
   }
 
   FlawMeasures beyond(double bound) {
@@ -135,7 +142,7 @@ class AllDistances {
   }
 
  private:
-  static constexpr std::size_t grain = 1024;
+  static constexpr std::size_t grain = 1024, looked_at_first = 32;
 
   template <class Visit>
   void in_ranges(std::size_t count, const Visit& visit) {

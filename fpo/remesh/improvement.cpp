@@ -32,8 +32,8 @@ bool comes_closer_by_itself(const SurfaceDomain& domain, const Improvement& how,
          result.thin_parts.faults_before == 0;
 }
 
-void come_nearer(SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options,
-                 const RememberedSamples& before, RemeshResult& result) {
+FidelityOptions fidelity_options(const Improvement& how, const RemeshOptions& options,
+                                 const RemeshResult& result) {
   FidelityOptions fidelity;
   fidelity.enough_delta = options.angles.enough_delta;
   fidelity.interrupted = options.optimize.interrupted;
@@ -48,18 +48,36 @@ void come_nearer(SurfaceDomain& domain, const Improvement& how, const RemeshOpti
     fidelity.share_of_largest = 0.5;
     fidelity.enough_delta = std::min(0.9, fidelity.enough_delta);
   }
-  result.fidelity = improve_fidelity(domain, how.angles, fidelity);
-  const bool wanted = options.closer == Closer::always;
-  if (!wanted && !comes_closer_by_itself(domain, how, options, result)) return;
+  return fidelity;
+}
+
+/// `by_itself`: nobody has asked for it.
+ClosenessOptions closeness_options(const SurfaceDomain& domain, const RemeshOptions& options, bool by_itself,
+                                   const RememberedSamples& before, const RemeshResult& result) {
   ClosenessOptions closeness;
   closeness.enough_delta = std::min(options.closer_delta, options.angles.enough_delta);
-  closeness.most_moves = wanted ? least_fidelity_moves + moves_to_come_closer * domain.num_samples()
-                                : least_fidelity_moves + result.optimization.moves / 12;
-  if (!wanted) closeness.most_far = most_far, closeness.most_looks = looks_a_move * result.optimization.moves;
+  closeness.most_moves = by_itself ? least_fidelity_moves + result.optimization.moves / 12
+                                   : least_fidelity_moves + moves_to_come_closer * domain.num_samples();
+  if (by_itself)
+    closeness.most_far = most_far, closeness.most_looks = looks_a_move * result.optimization.moves;
   closeness.older = &before;
   closeness.threads = options.threads;
   closeness.interrupted = options.optimize.interrupted;
-  result.closeness = come_closer(domain, how.angles, closeness);
+  return closeness;
+}
+
+/// Fidelity looks from the remesh to the surface, closeness both ways: where it does its work by itself,
+/// nothing is left to fidelity.
+void come_nearer(SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options,
+                 const RememberedSamples& before, RemeshResult& result) {
+  const bool by_itself = comes_closer_by_itself(domain, how, options, result);
+  const FidelityOptions fidelity = fidelity_options(how, options, result);
+  if (!by_itself) result.fidelity = improve_fidelity(domain, how.angles, fidelity);
+  if (by_itself || options.closer == Closer::always)
+    result.closeness =
+        come_closer(domain, how.angles, closeness_options(domain, options, by_itself, before, result));
+  if (by_itself && result.closeness.tried == 0)
+    result.fidelity = improve_fidelity(domain, how.angles, fidelity);
 }
 
 /// What follows the optimization: angles, fidelity, closeness; edges of curves are proven before and after.

@@ -267,7 +267,8 @@ RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoic
     return best;
   const bool parted_at_once = best.has_levels && !parted;
   if (parted_at_once && !is_useful(best)) attempt(together, {});
-  if ((is_hopeless(best) && !may_be_faced(best)) || geom::topology(surface).nonmanifold_edges > 0)
+  if ((is_hopeless(best) && !may_be_faced(best)) ||
+      (!best.type.ok() && geom::topology(surface).nonmanifold_edges > 0))
     return best;
   if (!parted && !parted_at_once && !is_in_ruins(best)) attempt(with_levels, {&best, true});
   if (best.broken_feature_edges > 0) {

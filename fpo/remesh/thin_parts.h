@@ -17,7 +17,7 @@ struct ThinPartOptions {
   double gradation = 0.3;        ///< of the wanted length about a thin place
   double most_scale = 2;         ///< nothing is lowered that would stretch the edges elsewhere by more
   int rounds = 6;                ///< at most; 0: only looks
-  int iterations = 10;           ///< of farthest point optimization in each round
+  int iterations = 5;            ///< of farthest point optimization in each round
   int polishing = 40;            ///< at the end, at most
   double polishing_gain = 1e-3;  ///< of mean delta in five of these, or they end; and those of rounds, too,
                                  ///< if more than a tenth of the samples are on features
@@ -43,7 +43,7 @@ struct ThinParts {
 /// lacking elsewhere: it goes on from the best. Gives up where so many faults come up that near sheets must
 /// be to blame, or where more than a tenth of the samples are at fault and two rounds have not mended a tenth
 /// of that. Returns the domain with the fewest faults, its sizing lowered or the same; the one given if that
-/// has none. Exactly as many samples; fixed ones stay. Deterministic. Cost: that of some ten iterations a
+/// has none. Exactly as many samples; fixed ones stay. Deterministic. Cost: that of some five iterations a
 /// round, and those of the polishing.
 std::unique_ptr<SurfaceDomain> make_room_for_thin_parts(std::unique_ptr<SurfaceDomain> domain,
                                                         const FeatureSamples& features,

@@ -199,7 +199,7 @@ void TiledRun::work_on(const TiledSurface& whole, std::size_t tile, std::uint64_
 bool TiledRun::round() {
   moved_ = 0;
   ++round_;
-  sweeps_ = std::min({round_, tile_options_.sweeps, options_.max_iterations - iteration_});
+  sweeps_ = std::min({2 * round_, tile_options_.sweeps, options_.max_iterations - iteration_});
   const std::vector<CutCost> costs = cut_costs();
   owe(sweeps_);
   std::vector<Tile> tiles =

@@ -16,7 +16,7 @@ using geom::FacetId;
 using geom::SiteId;
 using geom::Vec3;
 
-constexpr double least_share = 0.3;  // of the samples below a cut; above it likewise
+constexpr double least_share = 0.4;  // of the samples below a cut; above it likewise
 constexpr int num_tries = 16;
 
 /// Of a sample at this coordinate.
@@ -53,19 +53,22 @@ class Tiling {
     all.box = Box3(Vec3::Constant(-infinity), Vec3::Constant(infinity));
     for (std::size_t i = 0; i < samples_.size(); ++i) all.samples.emplace_back(i);
     for (std::size_t t = 0; t < mesh_.num_facets(); ++t) all.facets.emplace_back(t);
-    cut(std::move(all));
+    int times = 0;
+    for (std::size_t parts = 1; samples_.size() > parts * most_samples_; parts *= 2) ++times;
+    cut(std::move(all), times);
     return std::move(tiles_);
   }
 
  private:
-  void cut(Tile tile) {
+  /// At least so many times one after the other, so that tiles are alike.
+  void cut(Tile tile, int times) {
     Box3 box;
     for (const SiteId x : tile.samples) {
       tile.sample_box.extend(position(x));
       box.extend(in_frame(frame_, position(x)));
     }
     int axis = 0;
-    if (tile.samples.size() <= most_samples_ || !(box.sizes().maxCoeff(&axis) > 0)) {
+    if ((times <= 0 && tile.samples.size() <= most_samples_) || !(box.sizes().maxCoeff(&axis) > 0)) {
       tiles_.push_back(std::move(tile));
       return;
     }
@@ -84,8 +87,8 @@ class Tiling {
       if (most >= plane) upper.facets.push_back(t);
     }
     tile = Tile();
-    cut(std::move(lower));
-    cut(std::move(upper));
+    cut(std::move(lower), times - 1);
+    cut(std::move(upper), times - 1);
   }
 
   /// A cut that is cheap of so many.

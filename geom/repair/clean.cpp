@@ -3,6 +3,7 @@
 #include "geom/check.h"
 #include "geom/mesh/scaling.h"
 #include "geom/repair/flat_facets.h"
+#include "geom/repair/parts.h"
 #include "geom/repair/repeated.h"
 #include "geom/repair/weld.h"
 
@@ -28,6 +29,7 @@ Cleaning clean(const TriMesh& mesh, Table<FacetId, TriMesh::Facet>& facets) {
   done.repeated += drop_repeated(facets);
   const Flattening flat = mend_flat(mesh.vertices(), facets);
   done.flat += flat.dropped + flat.flipped;
+  done.hanging = drop_hanging_crumbs(mesh.vertices(), facets);
   return done;
 }
 
@@ -39,6 +41,7 @@ std::string in_words(const Cleaning& done) {
   append(text, done.repeated, "dropped ", "repeated facet", "repeated facets");
   append(text, done.doubled, "dropped ", "doubled facet", "doubled facets");
   append(text, done.flat, "removed ", "facet without area", "facets without area");
+  append(text, done.hanging, "dropped ", "crumb that hangs on vertices", "crumbs that hang on vertices");
   return text;
 }
 

@@ -1,5 +1,7 @@
 #include "geom/repair/parts.h"
 
+#include <algorithm>
+
 #include "geom/disjoint_sets.h"
 #include "geom/mesh/half_edges.h"
 #include "geom/repair/flat_facets.h"
@@ -37,33 +39,74 @@ double share_of_small_parts(const TriMesh& mesh, double n, double least) {
   return area > 0 ? small / area : 0;
 }
 
+namespace {
+
+/// Removes the facets of those parts, unless that is too much of the area. Returns the number of parts removed.
+std::size_t drop_parts(const std::vector<const MeshPart*>& crumbs, double most_area,
+                       Table<FacetId, TriMesh::Facet>& facets) {
+  double area = 0;
+  for (const MeshPart* part : crumbs) area += part->area;
+  if (area > most_area || crumbs.empty()) return 0;
+  Table<FacetId, char> marked(facets.size(), 0);
+  for (const MeshPart* part : crumbs)
+    for (const FacetId t : part->facets) marked[t] = 1;
+  drop_marked(marked, facets);
+  return crumbs.size();
+}
+
+double area_of(const std::vector<MeshPart>& parts) {
+  double area = 0;
+  for (const MeshPart& part : parts) area += part.area;
+  return area;
+}
+
+/// For each part the largest of those that hang together with it by vertices.
+std::vector<std::size_t> largest_in_reach(const std::vector<MeshPart>& parts, std::size_t num_vertices,
+                                          const Table<FacetId, TriMesh::Facet>& facets) {
+  DisjointSets sets(num_vertices);
+  for (const TriMesh::Facet& f : facets)
+    sets.merge(f[0].index(), f[1].index()), sets.merge(f[0].index(), f[2].index());
+  constexpr std::size_t none = static_cast<std::size_t>(-1);
+  const auto set_of = [&](std::size_t i) { return sets.find(facets[parts[i].facets.front()][0].index()); };
+  std::vector<std::size_t> largest(num_vertices, none), result;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    std::size_t& best = largest[set_of(i)];
+    if (best == none || parts[i].area > parts[best].area) best = i;
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i) result.push_back(largest[set_of(i)]);
+  return result;
+}
+
+}  // namespace
+
 std::size_t drop_crumbs(const Table<VertexId, Vec3>& vertices, Table<FacetId, TriMesh::Facet>& facets,
                         const CrumbLimits& limits) {
   const std::vector<MeshPart> parts = mesh_parts(vertices, facets);
-  double area = 0;
-  std::size_t largest = 0;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    area += parts[i].area;
-    if (parts[i].area > parts[largest].area) largest = i;
-  }
+  const double area = area_of(parts);
+  const auto largest = std::ranges::max_element(parts, {}, &MeshPart::area);
   const double few = std::max(static_cast<double>(limits.few_facets),
                               limits.open_share * static_cast<double>(facets.size()));
-  Table<FacetId, char> marked(facets.size(), 0);
-  std::size_t dropped = 0;
-  double dropped_area = 0;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const MeshPart& part = parts[i];
-    const bool small =
-        part.closed ? part.area < limits.closed_share * area
-                    : part.area < limits.open_share * area || static_cast<double>(part.facets.size()) <= few;
-    if (i == largest || !small) continue;
-    ++dropped;
-    dropped_area += part.area;
-    for (const FacetId t : part.facets) marked[t] = 1;
+  std::vector<const MeshPart*> crumbs;
+  for (auto part = parts.begin(); part != parts.end(); ++part) {
+    const bool small = part->closed ? part->area < limits.closed_share * area
+                                    : part->area < limits.open_share * area ||
+                                          static_cast<double>(part->facets.size()) <= few;
+    if (part != largest && small) crumbs.push_back(&*part);
   }
-  if (dropped_area > limits.most_share * area) return 0;
-  if (dropped > 0) drop_marked(marked, facets);
-  return dropped;
+  return drop_parts(crumbs, limits.most_share * area, facets);
+}
+
+std::size_t drop_hanging_crumbs(const Table<VertexId, Vec3>& vertices,
+                                Table<FacetId, TriMesh::Facet>& facets) {
+  const std::vector<MeshPart> parts = mesh_parts(vertices, facets);
+  if (parts.size() < 2) return 0;
+  const double area = area_of(parts);
+  const std::vector<std::size_t> largest = largest_in_reach(parts, vertices.size(), facets);
+  std::vector<const MeshPart*> crumbs;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (largest[i] != i && !parts[i].closed && parts[i].area < hanging_share * area)
+      crumbs.push_back(&parts[i]);
+  return drop_parts(crumbs, CrumbLimits().most_share * area, facets);
 }
 
 }  // namespace geom

@@ -141,11 +141,11 @@ TEST_CASE("thin parts: nothing is moved where it is only looked, and the type is
 
 TEST_CASE("thin parts: lengths that n is too small for are evened out until the type is right") {
   const TriMesh mesh = geom::make_shape("horn", 16);
-  RemeshOptions options = default_options(250, SizingKind::local_feature_size);
+  RemeshOptions options = default_options(320, SizingKind::local_feature_size);
   options.optimize.max_iterations = 10;
   options.features.reset();
   const RemeshResult result = remesh(mesh, options);
-  CHECK(result.mesh.num_vertices() == 250);
+  CHECK(result.mesh.num_vertices() == 320);
   CHECK(result.type.ok());
   CHECK(result.least_length > options.limits.smallest);
 }

@@ -192,6 +192,58 @@ TEST_CASE("clean: collinear() is exact") {
   CHECK(!geom::collinear(Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, 0x1p-150, 0)));
 }
 
+namespace {
+
+/// A triangle of that size that hangs on a vertex, pointing away from the mesh.
+std::array<VertexId, 2> hang_on(MeshArrays& mesh, VertexId v, double size) {
+  const Vec3 at = mesh.vertices[v], out = at.normalized(), across = out.unitOrthogonal();
+  const VertexId a = mesh.add(at + size * (out - across / 2)), b = mesh.add(at + size * (out + across / 2));
+  mesh.add_triangle(v, a, b);
+  return {a, b};
+}
+
+}  // namespace
+
+TEST_CASE("clean: crumbs that hang on vertices go, with what hangs on them, and nothing else does") {
+  const TriMesh sphere = geom::make_shape("sphere", 12);
+  const auto with = [&](auto&& add) {
+    MeshArrays mesh{sphere.vertices(), sphere.facets()};
+    add(mesh);
+    return mesh.take();
+  };
+  const TriMesh fringe = with([](MeshArrays& mesh) {
+    for (const int v : {3, 40, 77})  // a chain of three
+      for (VertexId at(v); const double size : {0.01, 0.02, 0.015}) at = hang_on(mesh, at, size)[0];
+  });
+  REQUIRE(topology(fringe).nonmanifold_vertices == 9);
+  const Cleaned result = geom::cleaned(fringe);
+  CHECK(result.done.hanging == 9);
+  CHECK(geom::in_words(result.done) == "dropped 9 crumbs that hang on vertices");
+  CHECK(result.mesh.facets() == sphere.facets());
+  CHECK(topology(result.mesh).euler == topology(fringe).euler);
+
+  const auto stays = [](const TriMesh& mesh) { CHECK(fixtures::identical(geom::cleaned(mesh).mesh, mesh)); };
+  stays(with([](MeshArrays& mesh) { hang_on(mesh, VertexId(7), 0.6); }));  // a part of its own
+  stays(with([](MeshArrays& mesh) {                                        // hangs on nothing
+    mesh.add_triangle(mesh.add({2, 0, 0}), mesh.add({2.01, 0, 0}), mesh.add({2, 0.01, 0}));
+  }));
+  stays(with([](MeshArrays& mesh) {  // closed
+    const auto [a, b] = hang_on(mesh, VertexId(7), 0.01);
+    const VertexId top = mesh.add(1.02 * mesh.vertices[VertexId(7)]);
+    mesh.add_triangle(VertexId(7), b, top), mesh.add_triangle(b, a, top),
+        mesh.add_triangle(a, VertexId(7), top);
+  }));
+  MeshArrays board;  // of black fields only: no part is larger than the others
+  constexpr int k = 40;
+  for (int i = 0; i <= k * (k + 1) + k; ++i) board.add(Vec3(i % (k + 1), i / (k + 1), 0));
+  for (int i = 0; i < k; ++i)
+    for (int j = i % 2; j < k; j += 2) {
+      const int v = i * (k + 1) + j;
+      board.add_triangle(VertexId(v), VertexId(v + 1), VertexId(v + k + 1));
+    }
+  stays(board.take());
+}
+
 TEST_CASE("clean: in words") {
   geom::Cleaning done;
   done.welded = 2;
