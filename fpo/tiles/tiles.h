@@ -37,9 +37,9 @@ struct TilingOptions {
 };
 
 /// Cuts the samples' box, in a random frame, across its longest side, and each part again, all as often, so
-/// that tiles are about as large as each other, and until none has too many samples (or all of its samples lie
-/// at one place). A cut passes at a random one of the middle samples: at the one of several tries that costs
-/// least. A function of the arguments. O(F log n + n log^2 n).
+/// that tiles are about as large as each other, and until none has too many samples (or all of its samples
+/// lie at one place). A cut passes at a random one of the middle samples: at the one of several tries that
+/// costs least. A function of the arguments. O(F log n + n log^2 n).
 std::vector<Tile> make_tiles(const geom::TriMesh& mesh, std::span<const SurfaceSample> samples,
                              const TilingOptions& options);
 

@@ -27,10 +27,11 @@ struct Cleaned {
   Cleaning done;
 };
 
-/// Facets that are repeated, doubled or without area go, and crumbs that hang on vertices; border edges whose ends have exactly equal
-/// coordinates are welded where two coincide, not more. The vertices stay as they are, with their ids, though
-/// some may be left without a facet. A mesh without such faults comes back as it is; so does one of which
-/// nothing would be left, or whose coordinates are beyond what scaling.h takes. O(F log F).
+/// Facets that are repeated, doubled or without area go, and crumbs that hang on vertices; border edges whose
+/// ends have exactly equal coordinates are welded where two coincide, not more. The vertices stay as they
+/// are, with their ids, though some may be left without a facet. A mesh without such faults comes back as it
+/// is; so does one of which nothing would be left, or whose coordinates are beyond what scaling.h takes.
+/// O(F log F).
 Cleaned cleaned(const TriMesh& mesh);
 
 }  // namespace geom

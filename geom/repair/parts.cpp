@@ -41,7 +41,7 @@ double share_of_small_parts(const TriMesh& mesh, double n, double least) {
 
 namespace {
 
-/// Removes the facets of those parts, unless that is too much of the area. Returns the number of parts removed.
+/// Removes the facets of those parts, unless that is too much of the area. Returns how many parts.
 std::size_t drop_parts(const std::vector<const MeshPart*>& crumbs, double most_area,
                        Table<FacetId, TriMesh::Facet>& facets) {
   double area = 0;

@@ -47,7 +47,7 @@ TEST_CASE("near sheets: where they are most of a surface they are set apart at o
   CHECK(shell.type.ok());
   CHECK(shell.measures.theta_min > 33);
   CHECK(!remeshed(geom::make_shape("sphere", 12), 300).has_levels);
-  CHECK(!remeshed(geom::make_shape("two-spheres", 12), 300).has_levels);
+  CHECK(!remeshed(geom::make_shape("two-spheres", 12), 400).has_levels);
 }
 
 TEST_CASE("near sheets: of a thin plate two creases of each pair are given up, and all angles are good") {
