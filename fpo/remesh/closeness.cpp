@@ -115,8 +115,8 @@ class AllDistances {
     return sum;
   }
 
-  /// The largest so far spares others most of the look: first that of some triangles, then that of each range,
-  /// which is the same for any number of threads.
+  /// The largest so far spares others most of the look: first that of some triangles, then of each range.
+  /// Ranges do not depend on the number of threads.
   double largest() {
     std::vector<const EmptyCircle*> triangles;
     for_triangles(domain_.dual(), [&](const EmptyCircle& circle) { triangles.push_back(&circle); });
