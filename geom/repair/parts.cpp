@@ -106,7 +106,7 @@ std::size_t drop_hanging_crumbs(const Table<VertexId, Vec3>& vertices,
   for (std::size_t i = 0; i < parts.size(); ++i)
     if (largest[i] != i && !parts[i].closed && parts[i].area < hanging_share * area)
       crumbs.push_back(&parts[i]);
-  return drop_parts(crumbs, CrumbLimits().most_share * area, facets);
+  return drop_parts(crumbs, most_hanging * area, facets);
 }
 
 }  // namespace geom

@@ -34,9 +34,10 @@ std::size_t drop_crumbs(const Table<VertexId, Vec3>& vertices, Table<FacetId, Tr
 /// Open parts of less area than that share of all are crumbs if they hang on a larger part, by vertices alone
 /// or over other parts: what a scanner leaves at its jumps.
 constexpr double hanging_share = 1e-3;
+constexpr double most_hanging = 0.1;  ///< of the area: more in all are no crumbs, and stay
 
-/// Removes those, unless they have more than limits.most_share of the area in all. Returns how many. A crumb
-/// that hangs on one vertex leaves the Euler number as it was. O(F log F).
+/// Removes those, and returns how many. One that hangs on a single vertex leaves the Euler number as it was.
+/// O(F log F).
 std::size_t drop_hanging_crumbs(const Table<VertexId, Vec3>& vertices,
                                 Table<FacetId, TriMesh::Facet>& facets);
 
