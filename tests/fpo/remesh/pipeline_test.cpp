@@ -3,6 +3,7 @@
 #include "doctest.h"
 #include "fpo/remesh/remesh_defaults.h"
 #include "geom/check.h"
+#include "geom/shapes/mesh_parts.h"
 #include "geom/shapes/shapes.h"
 #include "tests/fixtures/effort.h"
 #include "tests/fixtures/surfaces.h"
@@ -133,6 +134,23 @@ TEST_CASE("pipeline: a plate thinner than the spacing of its samples is closed a
   CHECK(result.localization.remaining == 0);
   CHECK(result.mesh.num_vertices() == 150);
   MESSAGE("plate: euler ", t.euler, ", non-manifold edges ", t.nonmanifold_edges);
+}
+
+TEST_CASE("pipeline: sheets of a surface with an edge of three facets are set apart, too") {
+  const geom::TriMesh head = geom::make_shape("sphere", 6);
+  const geom::TriMesh eye = geom::mapped(head, [](const geom::Vec3& p) {
+    return geom::Vec3(0.4 * p + geom::Vec3(0.85, 0.1, 0.05));
+  });  // they cross each other
+  const geom::TriMesh both = geom::joined(head, eye);
+  geom::MeshArrays mesh{both.vertices(), both.facets()};
+  const geom::TriMesh::Facet f = mesh.facets[geom::FacetId(head.num_facets() / 2)];
+  const geom::Vec3 middle = (mesh.vertices[f[0]] + mesh.vertices[f[1]]) / 2;
+  const double length = (mesh.vertices[f[0]] - mesh.vertices[f[1]]).norm();
+  mesh.add_triangle(f[1], f[0], mesh.add(middle + length * middle.normalized()));
+  const RemeshResult result = remesh(mesh.take(), default_options(600, SizingKind::uniform));
+  CHECK(result.type.ok());
+  CHECK(result.has_levels);
+  CHECK(result.measures.theta_min >= 30);
 }
 
 TEST_CASE("pipeline: where edges of curves are lost samples of close curves face each other in the end") {
