@@ -31,10 +31,16 @@ std::vector<MeshPart> mesh_parts(const Table<VertexId, Vec3>& vertices,
   return parts;
 }
 
+double area_of(const std::vector<MeshPart>& parts) {
+  double area = 0;
+  for (const MeshPart& part : parts) area += part.area;
+  return area;
+}
+
 double share_of_small_parts(const TriMesh& mesh, double n, double least) {
   const std::vector<MeshPart> parts = mesh_parts(mesh.vertices(), mesh.facets());
-  double area = 0, small = 0;
-  for (const MeshPart& part : parts) area += part.area;
+  const double area = area_of(parts);
+  double small = 0;
   for (const MeshPart& part : parts) small += n * part.area < least * area ? part.area : 0;
   return area > 0 ? small / area : 0;
 }
@@ -52,12 +58,6 @@ std::size_t drop_parts(const std::vector<const MeshPart*>& crumbs, double most_a
     for (const FacetId t : part->facets) marked[t] = 1;
   drop_marked(marked, facets);
   return crumbs.size();
-}
-
-double area_of(const std::vector<MeshPart>& parts) {
-  double area = 0;
-  for (const MeshPart& part : parts) area += part.area;
-  return area;
 }
 
 /// For each part the largest of those that hang together with it by vertices.

@@ -15,6 +15,8 @@ struct MeshPart {
 std::vector<MeshPart> mesh_parts(const Table<VertexId, Vec3>& vertices,
                                  const Table<FacetId, TriMesh::Facet>& facets);
 
+double area_of(const std::vector<MeshPart>& parts);
+
 /// The share of the area in parts that get fewer than `least` of n samples spread evenly. O(F log F).
 double share_of_small_parts(const TriMesh& mesh, double n, double least);
 
@@ -36,8 +38,8 @@ std::size_t drop_crumbs(const Table<VertexId, Vec3>& vertices, Table<FacetId, Tr
 constexpr double hanging_share = 1e-3;
 constexpr double most_hanging = 0.1;  ///< of the area: more in all are no crumbs, and stay
 
-/// Removes those, and returns how many. One that hangs on a single vertex leaves the Euler number as it was.
-/// O(F log F).
+/// Removes those, and returns how many. A disk that hangs on a single vertex leaves the Euler number as it
+/// was: its own is 1, of which the vertex that stays is 1. O(F log F).
 std::size_t drop_hanging_crumbs(const Table<VertexId, Vec3>& vertices,
                                 Table<FacetId, TriMesh::Facet>& facets);
 

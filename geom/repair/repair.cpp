@@ -130,8 +130,7 @@ class Work {
   }
 
   void fill_holes(double length) {
-    double area = 0;
-    for (const MeshPart& part : mesh_parts(vertices_, facets_)) area += part.area;
+    const double area = area_of(mesh_parts(vertices_, facets_));
     HoleLimits limits{factor_ * length, 0};
     if (length < 0) limits = usual_holes(diagonal(), area);
     const HoleFilling done = geom::fill_holes(vertices_, facets_, limits);
