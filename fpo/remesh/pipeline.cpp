@@ -235,7 +235,8 @@ bool should_drop_creases(const RemeshResult& result, const RemeshOptions& option
 
 /// Sheets that are left to us are together unless they are near each other nearly everywhere, or that does
 /// harm and being apart helps. Samples of close curves face each other if edges of curves are lost else.
-/// Nothing of that where creases that may be dropped spoil it all.
+/// Nothing of that where creases that may be dropped spoil it all, nor where the remesh is of another type
+/// and the input has edges of more than two facets: most such are faulty all over, and each way is as slow.
 RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoice& choice,
                                 const RemeshOptions& options) {
   RemeshResult best = remesh_with(surface, choice, options);

@@ -27,6 +27,7 @@ constexpr double longest_edge = 4;       // in spacings: a tile is some fifty wi
 constexpr std::size_t most_parts = 100;  // of facets, a sample: needles stay long
 constexpr double near_cut = 4;           // in spacings: nearer to a cut many samples cannot be moved
 constexpr int iterations_at_large = 3;   // before there are tiles
+constexpr int sweeps_gained = 2;         // by each round on the one before, while they are few
 
 /// The samples on the surface, or while there are tiles on one without large facets.
 class TiledSamples {
@@ -199,7 +200,7 @@ void TiledRun::work_on(const TiledSurface& whole, std::size_t tile, std::uint64_
 bool TiledRun::round() {
   moved_ = 0;
   ++round_;
-  sweeps_ = std::min({2 * round_, tile_options_.sweeps, options_.max_iterations - iteration_});
+  sweeps_ = std::min({sweeps_gained * round_, tile_options_.sweeps, options_.max_iterations - iteration_});
   const std::vector<CutCost> costs = cut_costs();
   owe(sweeps_);
   std::vector<Tile> tiles =

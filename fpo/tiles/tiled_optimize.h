@@ -20,7 +20,7 @@ namespace fpo {
 
 struct TileOptions {
   std::size_t most_samples = 3000;  ///< in a tile
-  int sweeps = 10;                  ///< iterations a round
+  int sweeps = 10;                  ///< iterations a round; the first rounds have fewer
   int threads = 1;
 };
 

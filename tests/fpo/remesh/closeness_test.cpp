@@ -120,6 +120,31 @@ TEST_CASE("closeness: mostly the surfaces are nearer, never farther; samples as 
   CHECK(nearer >= 4);
 }
 
+TEST_CASE("closeness: threads change nothing, and the largest distance is that of all triangles") {
+  const TriMesh mesh = fixtures::blob(12);
+  constexpr std::size_t n = 1200;  // more triangles than two ranges have
+  ClosenessOptions options;
+  options.rounds = 1;
+  options.most_moves = 200;
+  std::vector<SurfaceSample> by_one;
+  ClosenessResult of_one;
+  for (const int threads : {1, 2, 8}) {
+    SurfaceDomain domain = optimized(mesh, n, 3);
+    const double largest = surface_distance(dual_mesh(domain), domain.mesh()).max;
+    options.threads = threads;
+    const ClosenessResult result = come_closer(domain, {}, options);
+    CHECK(result.largest_before == doctest::Approx(largest).epsilon(0.02));
+    if (threads == 1) {
+      by_one = samples_in(domain);
+      of_one = result;
+    }
+    CHECK(result.tried > 0);
+    CHECK(result.largest_before == of_one.largest_before);
+    CHECK(result.largest_after == of_one.largest_after);
+    for (std::size_t i = 0; i < n; ++i) CHECK(domain.sample(SiteId(i)).position == by_one[i].position);
+  }
+}
+
 TEST_CASE("closeness: a largest distance that is one of many is left alone, and looks can be few") {
   const TriMesh mesh = geom::make_shape("sphere", 12);
   SurfaceDomain domain = optimized(mesh, 100, 20);

@@ -153,6 +153,21 @@ TEST_CASE("pipeline: sheets of a surface with an edge of three facets are set ap
   CHECK(result.measures.theta_min >= 30);
 }
 
+TEST_CASE("pipeline: fidelity has its turn where closeness has not") {
+  int left_out = 0;
+  for (const std::size_t n : {200, 400, 800}) {
+    const RemeshResult result = remesh(fixtures::blob(8), default_options(n, SizingKind::uniform));
+    CHECK((result.closeness.tried > 0) != (result.fidelity.tried > 0));
+    left_out += result.fidelity.tried == 0;
+    RemeshOptions kept = default_options(n, SizingKind::uniform);
+    kept.closer = Closer::never;
+    const RemeshResult other = remesh(fixtures::blob(8), kept);
+    CHECK(other.closeness.tried == 0);
+    CHECK(other.fidelity.tried > 0);
+  }
+  CHECK(left_out > 0);
+}
+
 TEST_CASE("pipeline: where edges of curves are lost samples of close curves face each other in the end") {
   RemeshOptions options;
   options.num_samples = 900;

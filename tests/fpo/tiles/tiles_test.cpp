@@ -43,6 +43,24 @@ TEST_CASE("tiles: the boxes fill space, every sample is in one, every facet in a
   }
 }
 
+TEST_CASE("tiles: all are about as large") {
+  const TriMesh mesh = fixtures::blob(12);
+  for (const std::size_t n : {1100, 1500, 2000}) {
+    const auto samples = random_samples(mesh, n, 3);
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      CAPTURE(n);
+      CAPTURE(seed);
+      const std::vector<Tile> tiles = make_tiles(mesh, samples, {n / 3 + 1, seed});  // two cuts deep
+      const auto by_size = [](const Tile& a, const Tile& b) { return a.samples.size() < b.samples.size(); };
+      const auto [least, most] = std::ranges::minmax_element(tiles, by_size);
+      CHECK(least->samples.size() >= n * 13 / 100);  // .4 of .4, or of a third
+      CHECK(most->samples.size() <= n / 3 + 1);
+      CHECK(tiles.size() >= 4);
+      CHECK(tiles.size() <= 5);  // one of .36 is cut again
+    }
+  }
+}
+
 TEST_CASE("tiles: another seed cuts elsewhere, the same seed there again") {
   const TriMesh mesh = fixtures::blob(4);
   const auto samples = random_samples(mesh, 200, 1);
