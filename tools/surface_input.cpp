@@ -87,8 +87,9 @@ void declare_repair(CommandLine& cli, RepairArguments& repair) {
   cli.toggle(
       {.name = "repair",
        .help = "weld, drop duplicates and crumbs, split what is no manifold, orient, close holes; without "
-               "it only border edges that coincide are welded, and facets that are repeated, doubled or "
-               "without area and crumbs that hang on vertices dropped, with --no-repair nothing is done"},
+               "it only border edges that coincide but for rounding are welded, and facets that are "
+               "repeated, doubled or without area and crumbs that hang on vertices dropped, with --no-repair "
+               "nothing is done"},
       [&repair](bool wanted) {
         repair.all = wanted;
         repair.none = !wanted;

@@ -1,6 +1,6 @@
 #pragma once
-// What is done to every input: faults that files have and surfaces have not are mended without moving a
-// point.
+// What is done to every input: faults that files have and surfaces have not are mended, and no point moves by
+// more than its coordinates are rounded.
 
 #include <string>
 
@@ -28,10 +28,10 @@ struct Cleaned {
 };
 
 /// Facets that are repeated, doubled or without area go, and crumbs that hang on vertices; border edges whose
-/// ends have exactly equal coordinates are welded where two coincide, not more. The vertices stay as they
-/// are, with their ids, though some may be left without a facet. A mesh without such faults comes back as it
-/// is; so does one of which nothing would be left, or whose coordinates are beyond what scaling.h takes.
-/// O(F log F).
+/// ends have equal coordinates, exactly or but for rounding (weld.h), are welded where two coincide, not
+/// more. The vertices stay as they are, with their ids, though some may be left without a facet. A mesh
+/// without such faults comes back as it is; so does one of which nothing would be left, or whose coordinates
+/// are beyond what scaling.h takes. O(F log F).
 Cleaned cleaned(const TriMesh& mesh);
 
 }  // namespace geom

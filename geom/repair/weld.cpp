@@ -109,6 +109,16 @@ Borders borders_of(const Table<VertexId, Vec3>& vertices, const Facets& facets) 
   return result;
 }
 
+/// A share of the diagonal, but at most a hundredth of the median border edge.
+double small_beside(const Borders& borders, double share, const Table<VertexId, Vec3>& vertices,
+                    const Facets& facets) {
+  Box3 box;
+  for (const TriMesh::Facet& f : facets)
+    for (const VertexId v : f) box.extend(vertices[v]);
+  const double small = share * box.diagonal().norm();
+  return borders.edges == 0 ? small : std::min(small, 0.01 * borders.median);
+}
+
 /// What there is when borders are welded.
 struct Left {
   std::size_t borders = 0, pieces = 0;  ///< edges; sets of facets that hang together by vertices
@@ -147,13 +157,15 @@ Welding weld_borders(const Places& places, Facets& facets, Crowds crowds) {
   }
 }
 
-double usual_tolerance(const Table<VertexId, Vec3>& vertices, const Facets& facets) {
-  Box3 box;
-  for (const TriMesh::Facet& f : facets)
-    for (const VertexId v : f) box.extend(vertices[v]);
+double tolerance_of_rounding(const Table<VertexId, Vec3>& vertices, const Facets& facets) {
   const Borders borders = borders_of(vertices, facets);
-  if (borders.edges == 0) return 1e-6 * box.diagonal().norm();
-  double tolerance = std::min(1e-6 * box.diagonal().norm(), 0.01 * borders.median);
+  return borders.edges == 0 ? 0 : small_beside(borders, 0x1p-22, vertices, facets);
+}
+
+double usual_tolerance(const Table<VertexId, Vec3>& vertices, const Facets& facets) {
+  const Borders borders = borders_of(vertices, facets);
+  double tolerance = small_beside(borders, 1e-6, vertices, facets);
+  if (borders.edges == 0) return tolerance;
   if (10 * borders.edges <= borders.all) return tolerance;
   const Left first = left_by(vertices, facets, tolerance);
   Left left = first;

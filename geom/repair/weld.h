@@ -19,8 +19,14 @@ enum class Crowds { leave, weld };
 /// Crowds::leave no edge comes to have more than two facets that had not. O(F log F).
 Welding weld_borders(const Places& places, Table<FacetId, TriMesh::Facet>& facets, Crowds crowds);
 
+/// The distance within which borders coincide but for rounding: 2^-22 diagonals, some steps of single
+/// precision, but at most a hundredth of the median border edge (a stray facet far away makes the diagonal
+/// long); 0 without borders. O(F log F).
+double tolerance_of_rounding(const Table<VertexId, Vec3>& vertices,
+                             const Table<FacetId, TriMesh::Facet>& facets);
+
 /// The distance within which borders are welded if nobody names one: 1e-6 diagonals, but at most a hundredth
-/// of the median border edge (a stray facet far away makes the diagonal long). Where more than a tenth of the
+/// of the median border edge. Where more than a tenth of the
 /// edges are borders even so, as in a soup whose corners differ by more, it is the power of ten times that
 /// which halves them last and leaves at most half of the pieces, below a tenth of the median border edge:
 /// slits in one piece are no soup. O(F log F).

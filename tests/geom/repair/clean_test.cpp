@@ -2,6 +2,7 @@
 
 #include "geom/repair/clean.h"
 
+#include <map>
 #include <set>
 
 #include "doctest.h"
@@ -71,6 +72,44 @@ TEST_CASE("clean: a soup of triangles becomes the surface that it was") {
     CHECK(result.mesh.num_vertices() == 3 * mesh.num_facets());  // none is taken away
     const Cleaned again = geom::cleaned(result.mesh);
     CHECK(!again.done.any());
+  }
+}
+
+TEST_CASE("clean: borders that coincide but for rounding are welded, others are not") {
+  Rng rng(12);
+  for (const char* name : {"sphere", "cube", "tube", "joint"}) {
+    CAPTURE(name);
+    const TriMesh mesh = geom::make_shape(name);
+    for (const double off : {1e-17, 1e-10, 1e-8}) {
+      const Cleaned result = geom::cleaned(fixtures::split_vertices(mesh, off, rng));
+      check_same_surface(mesh, result.mesh);
+      CHECK(!geom::cleaned(result.mesh).done.any());
+    }
+    const TriMesh apart = fixtures::split_vertices(mesh, 1e-5, rng);
+    CHECK(fixtures::identical(geom::cleaned(apart).mesh, apart));
+  }
+}
+
+TEST_CASE("clean: two faces of a part whose common edge was rounded in two ways have one") {
+  for (const double off : {6e-17, 1e-8, 2e-3}) {  // in the corners of one face; the last one is a slit
+    TriMesh mesh = fixtures::box(Vec3(1, 1, 1), 4);
+    MeshArrays parts;
+    for (const bool top : {false, true}) {
+      std::map<VertexId, VertexId> copies;
+      for (TriMesh::Facet f : mesh.facets()) {
+        const bool is_top = std::ranges::all_of(f, [&](VertexId v) { return mesh.vertices()[v].z() == 1; });
+        if (is_top != top) continue;
+        for (VertexId& v : f) {
+          if (!copies.contains(v))
+            copies[v] = parts.add(mesh.vertices()[v] + Vec3(0, 0, top ? (v.index() % 2 ? off : -off) : 0));
+          v = copies[v];
+        }
+        parts.facets.push_back(f);
+      }
+    }
+    const Cleaned result = geom::cleaned(parts.take());
+    CHECK(result.done.welded == (off < 1e-6 ? 16 : 0));
+    CHECK(topology(result.mesh).boundary_edges == (off < 1e-6 ? 0 : 32));
   }
 }
 
