@@ -12,6 +12,7 @@ constexpr std::size_t samples_for_one_mended = 1000;
 constexpr std::size_t samples_for_one_place = 10;
 constexpr std::size_t samples_for_one_fault = 10;
 constexpr std::size_t samples_for_one_unmended = 100;
+constexpr std::size_t most_to_mend = 20;
 constexpr std::size_t samples_for_one_spoilt = 200, least_spoilt = 10;
 constexpr std::size_t triangles_for_one_small_angle = 10;
 constexpr double by_chords = 0.97;  // the angle between chords of two curves over that between the curves
@@ -81,6 +82,11 @@ bool is_undone_by_staggering(const RemeshResult& r) {
 
 bool is_left_behind(const ThinParts& thin_parts, std::size_t n, const RemeshResult& rival) {
   return !thin_parts.right_type && thin_parts.faults_after > 2 * rival.thin_parts.faults_after &&
+         thin_parts.faults_after * samples_for_one_unmended > n;
+}
+
+bool is_past_mending(const ThinParts& thin_parts, std::size_t n) {
+  return !thin_parts.right_type && thin_parts.faults_after > most_to_mend &&
          thin_parts.faults_after * samples_for_one_unmended > n;
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "fpo/interruption.h"
+#include "fpo/remesh/attempts.h"
 #include "fpo/remesh/emptied_balls.h"
 #include "fpo/remesh/mended_dual.h"
 #include "fpo/remesh/remembered_samples.h"
@@ -103,12 +104,17 @@ Dual improved_dual(SurfaceDomain& domain, const Improvement& how, RemeshOptions 
                    RemeshResult& result) {
   const FeatureSamples& features = how.shared.features;
   const RememberedSamples before(domain);
-  improve(domain, how, options, before, result);
+  const bool mends_first = !options.maximal && is_past_mending(result.thin_parts, domain.num_samples());
+  if (!mends_first) improve(domain, how, options, before, result);
   if (options.maximal)
     result.maximal =
         make_maximal(domain, {features.samples.size(), options.threads, options.optimize.interrupted});
   result.hidden = domain.num_hidden();
   Dual dual = mended_dual(domain, features, how.type, options, result);
+  if (mends_first && dual.type.ok()) {
+    improve(domain, how, options, before, result);
+    dual = mended_dual(domain, features, how.type, options, result);
+  }
   for (bool* step : {&options.improve_fidelity, &options.optimize_angles}) {
     if (dual.type.ok() || !result.thin_parts.right_type || options.maximal || is_stopped(options))
       return dual;

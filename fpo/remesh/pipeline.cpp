@@ -178,6 +178,7 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   tell_of_features(task, shared, result);
   tell_of_lengths(task, sizing, angle_options(options), result);
   result.has_levels = apart.has_value();
+  result.has_facing_samples = options.facing_samples;
   if (apart) return_to(*apart, result);
   if (!coarse || is_fine(result) || !options.fixed.empty()) return result;
   RemeshResult other = on_surface(std::move(*coarse), task.input, shared.sizing, options);
@@ -291,6 +292,30 @@ RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoic
   return best;
 }
 
+/// In the way in which the other one was made, if it is left to us.
+RemeshOptions in_the_way_of(const RemeshResult& other, RemeshOptions options) {
+  if (options.sheets != Sheets::automatic) return options;
+  options.sheets = other.has_levels ? Sheets::apart : Sheets::together;
+  options.facing_samples = other.has_facing_samples;
+  return options;
+}
+
+/// With other samples on curves than the best one has: it is taken if it is better. Each way costs as much,
+/// and most help neither or both: if the way in which the best one was made does not, others are not tried.
+bool take_if_better_with(const geom::TriMesh& surface, const FeatureChoice& choice,
+                         const RemeshOptions& options, RemeshResult& best) {
+  const bool is_first_better = take_if_better(
+      unless_interrupted(
+          options,
+          [&] { return remesh_with(surface, choice, in_the_way_of(best, options), {.rival = &best}); }),
+      best);
+  if (!is_first_better || is_fine(best) || options.sheets != Sheets::automatic || interrupted(options))
+    return is_first_better;
+  take_if_better(unless_interrupted(options, [&] { return remesh_with_sheets(surface, choice, options); }),
+                 best);
+  return true;
+}
+
 /// The same, and once more without staggered samples where these may have spoilt it; the better one.
 RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& choice,
                            const RemeshOptions& options) {
@@ -300,8 +325,7 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
     return best;
   RemeshOptions side_by_side = options;
   side_by_side.staggered_samples = false;
-  take_if_better(
-      unless_interrupted(options, [&] { return remesh_with_sheets(surface, choice, side_by_side); }), best);
+  take_if_better_with(surface, choice, side_by_side, best);
   return best;
 }
 
@@ -325,22 +349,22 @@ RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, WithCreases
                                        const RemeshOptions& options) {
   RemeshResult result = std::move(with.result);
   const std::string harm = harm_of_creases(result);
-  const auto attempt = [&](const RemeshOptions& fewer, const FeatureChoice& choice, bool has_to_be_good) {
-    if (interrupted(options)) return false;
-    std::optional<RemeshResult> other =
-        unless_interrupted(options, [&] { return remesh_sheets(surface, choice, fewer); });
-    return other && is_worth_creases(*other, result) && (!has_to_be_good || has_wanted_angles(*other)) &&
-           take_if_better(std::move(other), result);
-  };
   RemeshOptions fewer = options;
   fewer.strong_creases_only = true;
   const FeatureChoice strong = chosen_features(surface, fewer);
-  if (!with.tried_strong && !strong.given_up.empty() && !strong.features.curves.empty())
-    attempt(fewer, strong, false);
-  if (!is_useless(result) && !has_many_small_angles(result)) return result;
+  if (!with.tried_strong && !strong.given_up.empty() && !strong.features.curves.empty()) {
+    RemeshResult other = result;
+    if (take_if_better_with(surface, strong, fewer, other) && is_worth_creases(other, result))
+      result = std::move(other);
+  }
+  if ((!is_useless(result) && !has_many_small_angles(result)) || interrupted(options)) return result;
   RemeshOptions without = options;
   without.features->crease_angle = without.features->weak_crease_angle = 180;
-  if (attempt(without, chosen_features(surface, without), !is_useless(result)))
+  const FeatureChoice borders = chosen_features(surface, without);
+  std::optional<RemeshResult> other =
+      unless_interrupted(options, [&] { return remesh_sheets(surface, borders, without); });
+  if (other && is_worth_creases(*other, result) && (is_useless(result) || has_wanted_angles(*other)) &&
+      take_if_better(std::move(other), result))
     result.given_up = "creases dropped: " + harm + "; --features 45 keeps them";
   return result;
 }
@@ -403,11 +427,12 @@ RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const Reme
     return std::move(with_room->result);
   WithCreases with{{}, with_room.has_value()};
   RemeshResult& result = with.result;
-  if (with_room && settles_creases(*with_room, surface, all.features, options)) {
+  if (with_room) {
+    const bool settled = settles_creases(*with_room, surface, all.features, options);
     result = std::move(with_room->result);
+    if (!settled) take_if_better_with(surface, all, options, result);
   } else {
     result = remesh_sheets(surface, all, options);
-    if (with_room) take_if_better(std::move(with_room->result), result);
   }
   if (result.crease_curves == 0 || !may_drop_creases(options) || result.stood_in || interrupted(options) ||
       geom::topology(surface).nonmanifold_edges > 0 || has_wanted_angles(result) ||

@@ -83,6 +83,7 @@ struct RemeshResult {
   SizingFit fit;                       ///< of the mesh's edges to them
   double least_length = 0;  ///< in even spacings, if n is too small for the lengths asked for; 0: they hold
   bool has_levels = false;  ///< sheets were near, and are set apart
+  bool has_facing_samples = false;   ///< on close curves (facing_samples.h)
   std::size_t feature_samples = 0;   ///< fixed points, corners and samples on curves
   std::size_t staggered_curves = 0;  ///< opposite to the middles of another's edges
   std::size_t feature_edges = 0;     ///< between neighbours on curves

@@ -187,6 +187,19 @@ TEST_CASE(
   CHECK(!is_left_behind(ThinParts(), 2000, rival));  // not looked at
 }
 
+TEST_CASE("attempts: past mending is what has more than 20 faults, and in a hundredth of the samples") {
+  ThinParts parts;
+  parts.faults_after = 21;
+  CHECK(is_past_mending(parts, 2000));
+  CHECK(!is_past_mending(parts, 2100));
+  parts.right_type = true;
+  CHECK(!is_past_mending(parts, 2000));
+  parts = {};
+  parts.faults_after = 20;
+  CHECK(!is_past_mending(parts, 50));
+  CHECK(!is_past_mending(ThinParts(), 50));  // not looked at
+}
+
 TEST_CASE("attempts: without staggered samples it is tried if the type is wrong or most edges are lost") {
   RemeshResult result = measured(false, 30, 0);
   CHECK(!is_undone_by_staggering(result));

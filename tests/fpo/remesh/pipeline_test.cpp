@@ -182,6 +182,8 @@ TEST_CASE("pipeline: where edges of curves are lost samples of close curves face
   const RemeshResult best = remesh(plate, options);
   CHECK(plain.broken_feature_edges > 20);
   CHECK(4 * best.broken_feature_edges < plain.broken_feature_edges);
+  CHECK(!plain.has_facing_samples);
+  CHECK(best.has_facing_samples);
 }
 
 TEST_CASE("pipeline: no iterations are none, in further attempts too") {
