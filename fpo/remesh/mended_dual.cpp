@@ -54,6 +54,7 @@ Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const Wa
   }
   if (of_best && !best.type.ok()) {
     of_best->put_back(domain);
+    counts.brought += nudge_aside(domain, next_dual, options.optimize.interrupted, best);
     counts.brought += send_away(domain, next_dual, options.optimize.interrupted, best);
   }
   if (counts.brought == 0 || !best.type.ok() || !options.optimize_angles) return best;
