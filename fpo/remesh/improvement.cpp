@@ -112,8 +112,13 @@ Dual improved_dual(SurfaceDomain& domain, const Improvement& how, RemeshOptions 
   result.hidden = domain.num_hidden();
   Dual dual = mended_dual(domain, features, how.type, options, result);
   if (mends_first && dual.type.ok()) {
+    const RememberedSamples mended(domain);
     improve(domain, how, options, before, result);
-    dual = mended_dual(domain, features, how.type, options, result);
+    Dual better = mended_dual(domain, features, how.type, options, result);
+    if (better.type.ok())
+      dual = std::move(better);
+    else
+      mended.put_back(domain);
   }
   for (bool* step : {&options.improve_fidelity, &options.optimize_angles}) {
     if (dual.type.ok() || !result.thin_parts.right_type || options.maximal || is_stopped(options))

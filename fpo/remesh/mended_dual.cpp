@@ -60,9 +60,12 @@ Dual mended_dual(SurfaceDomain& domain, const FeatureSamples& features, const Wa
   if (counts.brought == 0 || !best.type.ok() || !options.optimize_angles) return best;
   AngleOptions angles = options.angles;
   angles.interrupted = options.optimize.interrupted;
+  const RememberedSamples mended(domain);
   optimize_angles(domain, angles);  // around the samples brought
   Dual better = next_dual();
-  return better.type.ok() ? better : best;
+  if (better.type.ok()) return better;
+  mended.put_back(domain);
+  return best;
 }
 
 }  // namespace fpo

@@ -36,7 +36,7 @@ std::vector<SiteId> near_faults(SurfaceDomain& domain, const Dual& dual) {
   return near;
 }
 
-/// The first of some places of those samples with which the dual has fewer faults than `best`, which it becomes.
+/// The first of some places of samples with which the dual has fewer faults than `best`, which it becomes.
 class Nudging {
  public:
   Nudging(SurfaceDomain& domain, const std::function<Dual()>& next_dual, const std::atomic<bool>* interrupted)

@@ -16,15 +16,6 @@ void append(std::string& text, std::size_t count, const std::string& before, con
   text += (text.empty() ? "" : ", ") + before + std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-/// Those that two exporters of one point, or two faces of a part, have rounded in different ways.
-Welding weld_rounded(const Table<VertexId, Vec3>& vertices, Table<FacetId, TriMesh::Facet>& facets) try {
-  const double tolerance = tolerance_of_rounding(vertices, facets);
-  if (tolerance == 0) return {};
-  return weld_borders(near_places(vertices, facets, tolerance), facets, Crowds::leave);
-} catch (const InputError&) {  // it reaches over most vertices
-  return {};
-}
-
 /// `mesh`: in the unit box.
 Cleaning clean(const TriMesh& mesh, Table<FacetId, TriMesh::Facet>& facets) {
   Cleaning done;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <tuple>
+#include <utility>
 
 #include "geom/check.h"
 #include "geom/disjoint_sets.h"
@@ -13,8 +15,6 @@ namespace geom {
 namespace {
 
 using Cell = std::array<double, 3>;  // whole numbers
-
-constexpr std::size_t most_pairs = 30'000'000;
 
 /// Vertices by the cubes of a grid in which they lie.
 class Grid {
@@ -82,7 +82,7 @@ struct Pair {
 };
 
 std::vector<Pair> pairs_within(double tolerance, const Table<VertexId, Vec3>& vertices,
-                               const std::vector<VertexId>& some) {
+                               const std::vector<VertexId>& some, std::size_t most_pairs) {
   const Grid grid(vertices, some, 4 * tolerance);
   std::vector<Pair> pairs;
   for (const VertexId a : some)
@@ -126,7 +126,7 @@ Places exact_places(const Table<VertexId, Vec3>& vertices) {
 }
 
 Places near_places(const Table<VertexId, Vec3>& vertices, const Table<FacetId, TriMesh::Facet>& facets,
-                   double tolerance) {
+                   double tolerance, std::size_t most_pairs) {
   Places places = exact_places(vertices);
   if (!(tolerance > 0)) return places;
   FacetsAt facets_at(vertices.size());
@@ -136,9 +136,14 @@ Places near_places(const Table<VertexId, Vec3>& vertices, const Table<FacetId, T
       if (there.empty() || there.back() != t) there.push_back(t);
     }
   DisjointSets clusters(vertices.size());
-  for (const Pair& pair : pairs_within(tolerance, vertices, border_places(places, facets))) {
+  std::set<std::pair<VertexId, VertexId>> refused;  // they have a facet in common, and will
+  for (const Pair& pair : pairs_within(tolerance, vertices, border_places(places, facets), most_pairs)) {
     const VertexId a(clusters.find(pair.a.index())), b(clusters.find(pair.b.index()));
-    if (a == b || have_common(facets_at[a], facets_at[b])) continue;
+    if (a == b || refused.contains(std::minmax(a, b))) continue;
+    if (have_common(facets_at[a], facets_at[b])) {
+      refused.insert(std::minmax(a, b));
+      continue;
+    }
     clusters.merge_to_least(a.index(), b.index());
     std::vector<FacetId> both;
     std::ranges::merge(facets_at[a], facets_at[b], std::back_inserter(both));

@@ -32,7 +32,8 @@ class Work {
 
   void run(const RepairSteps& steps) {
     if (steps.spikes) flatten();
-    if (steps.weld) weld(*steps.weld < 0 ? usual_tolerance(vertices_, facets_) : factor_ * *steps.weld);
+    if (steps.weld)
+      weld(*steps.weld < 0 ? usual_tolerance(vertices_, facets_) : factor_ * *steps.weld, steps.copies);
     if (steps.split) split(Fans::keep_open);
     if (steps.crumbs) drop_crumbs(*steps.crumbs);
     if (steps.orient) orient();
@@ -74,15 +75,18 @@ class Work {
       lines.push_back("dropped " + counted(count, "facet", "facets") + " that collapsed or coincide");
   }
 
-  void weld(double tolerance) {
+  /// `leave_copies`: what lies on another part goes later.
+  void weld(double tolerance, bool leave_copies) {
+    const Table<VertexId, Vec3>* vertices = leave_copies ? &vertices_ : nullptr;
     const Places places = near_places(vertices_, facets_, tolerance);
     drop_faulty(places);
     const std::size_t doubled = drop_doubled(places, facets_);
     if (doubled > 0) lines.push_back("dropped " + counted(doubled, "doubled facet", "doubled facets"));
-    std::size_t pairs = weld_borders(places, facets_, Crowds::weld).pairs;
+    std::size_t pairs = weld_borders(places, facets_, Crowds::weld, vertices).pairs;
     const std::size_t cuts = zip_t_junctions(vertices_, facets_, tolerance);
     if (cuts > 0)
-      pairs += weld_borders(near_places(vertices_, facets_, tolerance), facets_, Crowds::weld).pairs;
+      pairs +=
+          weld_borders(near_places(vertices_, facets_, tolerance), facets_, Crowds::weld, vertices).pairs;
     if (pairs > 0) lines.push_back("welded " + counted(pairs, "pair", "pairs") + " of border edges");
     if (cuts > 0) lines.push_back("zipped " + counted(cuts, "T-junction", "T-junctions"));
     drop_faulty(exact_places(vertices_));

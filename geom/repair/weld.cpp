@@ -14,7 +14,10 @@ namespace {
 
 using Facets = Table<FacetId, TriMesh::Facet>;
 
-constexpr int most_rounds = 64;  // then nothing is welded: there is no end in sight
+constexpr int most_rounds = 64;            // then nothing is welded: there is no end in sight
+constexpr double cos_folded = 0.99985;     // of a degree
+constexpr double beyond_rounding = 16;     // in tolerances
+constexpr std::size_t pairs_a_facet = 32;  // of vertices that are near: more is a crowd
 
 /// An edge of one facet, by the places of its ends.
 struct BorderEdge {
@@ -49,6 +52,21 @@ bool was_one_edge(const Facets& before, std::span<const HalfEdge> now) {
   return std::ranges::all_of(now, [&](const HalfEdge& h) { return ends(h) == ends(now.front()); });
 }
 
+/// Do two facets lie on one another, and not on both sides of the edge that they are to share?
+bool are_folded(const BorderEdge& a, const BorderEdge& b, const Facets& facets,
+                const Table<VertexId, Vec3>& vertices) {
+  const auto away = [&](const BorderEdge& e) {
+    const Vec3 along = (vertices[e.at_high] - vertices[e.at_low]).normalized();
+    Vec3 result(0, 0, 0);
+    for (const VertexId v : facets[e.facet]) {
+      const Vec3 d = vertices[v] - vertices[e.at_low];
+      if (v != e.at_low && v != e.at_high) result = d - d.dot(along) * along;
+    }
+    return Vec3(result.normalized());
+  };
+  return away(a).dot(away(b)) > cos_folded;
+}
+
 /// One attempt; `blocked`: places where nothing is welded.
 Welding welded(const std::vector<BorderEdge>& edges, const std::set<VertexId>& blocked, Crowds crowds,
                std::size_t num_vertices, Facets& facets) {
@@ -73,6 +91,18 @@ Welding welded(const std::vector<BorderEdge>& edges, const std::set<VertexId>& b
   for (TriMesh::Facet& f : facets)
     for (VertexId& v : f) v = VertexId(vertices.find(v.index()));
   return result;
+}
+
+/// Takes pairs of such facets out.
+void leave_folded(const Table<VertexId, Vec3>& vertices, const Facets& facets,
+                  std::vector<BorderEdge>& edges) {
+  std::vector<BorderEdge> kept;
+  for (auto first = edges.begin(), last = first; first != edges.end(); first = last) {
+    last = std::find_if(first, edges.end(), [&](const BorderEdge& e) { return e.ends() != first->ends(); });
+    if (last - first != 2 || !are_folded(*first, *(first + 1), facets, vertices))
+      kept.insert(kept.end(), first, last);
+  }
+  edges = std::move(kept);
 }
 
 /// Places where welding has brought foreign edges together.
@@ -138,8 +168,10 @@ Left left_by(const Table<VertexId, Vec3>& vertices, Facets facets, double tolera
 
 // Pairs weld ends, and ends that are welded may make one edge of two that lie between them. Then nothing is
 // welded there, and all is done again: each round blocks a place more.
-Welding weld_borders(const Places& places, Facets& facets, Crowds crowds) {
-  const std::vector<BorderEdge> edges = border_edges(sorted_half_edges(facets), places);
+Welding weld_borders(const Places& places, Facets& facets, Crowds crowds,
+                     const Table<VertexId, Vec3>* vertices) {
+  std::vector<BorderEdge> edges = border_edges(sorted_half_edges(facets), places);
+  if (vertices) leave_folded(*vertices, facets, edges);
   std::set<VertexId> blocked;
   for (int round = 0;; ++round) {
     if (round == most_rounds)
@@ -157,9 +189,23 @@ Welding weld_borders(const Places& places, Facets& facets, Crowds crowds) {
   }
 }
 
-double tolerance_of_rounding(const Table<VertexId, Vec3>& vertices, const Facets& facets) {
+Welding weld_rounded(const Table<VertexId, Vec3>& vertices, Facets& facets) try {
   const Borders borders = borders_of(vertices, facets);
-  return borders.edges == 0 ? 0 : small_beside(borders, 0x1p-22, vertices, facets);
+  if (borders.edges == 0) return {};
+  const double tolerance = small_beside(borders, 0x1p-22, vertices, facets);
+  const auto weld_within = [&](double distance, Facets& welded) {
+    const Places places = near_places(vertices, welded, distance, pairs_a_facet * welded.size());
+    return weld_borders(places, welded, Crowds::leave, &vertices);
+  };
+  Facets farther = facets, near = facets;
+  const std::size_t would_be = weld_within(beyond_rounding * tolerance, farther).pairs;
+  if (would_be == 0) return {};
+  const Welding result = weld_within(tolerance, near);
+  if (result.pairs != would_be) return {};
+  facets = std::move(near);
+  return result;
+} catch (const InputError&) {  // a crowd
+  return {};
 }
 
 double usual_tolerance(const Table<VertexId, Vec3>& vertices, const Facets& facets) {

@@ -16,14 +16,17 @@ enum class Crowds { leave, weld };
 
 /// Facets are led to the vertex of least id among those that are welded; no vertex is removed or moved. Only
 /// ends of border edges that pair up are welded, so closed sheets that touch stay apart, and with
-/// Crowds::leave no edge comes to have more than two facets that had not. O(F log F).
-Welding weld_borders(const Places& places, Table<FacetId, TriMesh::Facet>& facets, Crowds crowds);
+/// Crowds::leave no edge comes to have more than two facets that had not. `vertices`: if given, pairs whose
+/// facets lie on one another, within a degree, are left: those are copies of one sheet, or its two sides.
+/// O(F log F).
+Welding weld_borders(const Places& places, Table<FacetId, TriMesh::Facet>& facets, Crowds crowds,
+                     const Table<VertexId, Vec3>* vertices = nullptr);
 
-/// The distance within which borders coincide but for rounding: 2^-22 diagonals, some steps of single
-/// precision, but at most a hundredth of the median border edge (a stray facet far away makes the diagonal
-/// long); 0 without borders. O(F log F).
-double tolerance_of_rounding(const Table<VertexId, Vec3>& vertices,
-                             const Table<FacetId, TriMesh::Facet>& facets);
+/// Welds borders that coincide but for rounding: within 2^-22 diagonals, some steps of single precision, but
+/// at most a hundredth of the median border edge (a stray facet far away makes the diagonal long). Nothing if
+/// within sixteen times that it would not be just the same edges: then no rounding keeps them apart. Nor
+/// where facets lie on one another, or too many vertices are that near. O(F log F).
+Welding weld_rounded(const Table<VertexId, Vec3>& vertices, Table<FacetId, TriMesh::Facet>& facets);
 
 /// The distance within which borders are welded if nobody names one: 1e-6 diagonals, but at most a hundredth
 /// of the median border edge. Where more than a tenth of the

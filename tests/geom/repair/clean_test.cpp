@@ -2,6 +2,7 @@
 
 #include "geom/repair/clean.h"
 
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -111,6 +112,48 @@ TEST_CASE("clean: two faces of a part whose common edge was rounded in two ways 
     CHECK(result.done.welded == (off < 1e-6 ? 16 : 0));
     CHECK(topology(result.mesh).boundary_edges == (off < 1e-6 ? 0 : 32));
   }
+}
+
+TEST_CASE("clean: sheets that lie on one another are not welded, copies nor the two sides of one") {
+  Rng rng(13);
+  const TriMesh disk = geom::make_shape("wave-disk", 12);
+  for (const bool turned : {false, true})
+    for (const double off : {1e-12, 1e-8}) {
+      TriMesh copy = geom::mapped(disk, [&](const Vec3& p) { return Vec3(p + off * random_direction(rng)); });
+      if (turned) copy = fixtures::with_flips(copy, 1, rng);
+      const TriMesh both = geom::joined(disk, copy);
+      CHECK(fixtures::identical(geom::cleaned(both).mesh, both));
+    }
+}
+
+TEST_CASE("clean: borders are welded by rounding all or not at all") {
+  Rng rng(14);
+  for (const char* name : {"torus", "cube", "moebius"})
+    for (double off = 1e-8; off < 1e-5; off *= 1.5) {
+      CAPTURE(name);
+      CAPTURE(off);
+      const TriMesh mesh = geom::make_shape(name, 6);
+      const TriMesh soup = fixtures::split_vertices(mesh, off, rng);
+      const Cleaned result = geom::cleaned(soup);
+      if (result.done.welded > 0)
+        CHECK(topology(result.mesh).boundary_edges == topology(mesh).boundary_edges);
+      else
+        CHECK(fixtures::identical(result.mesh, soup));
+      if (off < 1e-7) CHECK(result.done.welded > 0);
+      if (off > 1e-6) CHECK(result.done.welded == 0);
+    }
+}
+
+TEST_CASE("clean: crowds of vertices within rounding are left at once") {
+  Rng rng(15);
+  MeshArrays fan;  // of loose facets
+  for (int i = 0; i < 3000; ++i) {
+    const auto rim = [&](double at) { return Vec3(std::cos(at), std::sin(at), 0); };
+    const VertexId tip = fan.add(1e-8 * random_direction(rng));
+    fan.facets.push_back({tip, fan.add(rim(i * 0.002)), fan.add(rim(i * 0.002 + 0.001))});
+  }
+  const TriMesh mesh = fan.take();
+  CHECK(fixtures::identical(geom::cleaned(mesh).mesh, mesh));
 }
 
 TEST_CASE("clean: closed sheets that only touch stay apart") {
