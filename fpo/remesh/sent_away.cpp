@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t few_faults = 12;
 constexpr int most_sent = 48;                         // of samples that leave, one after the other
-constexpr int most_nudged = 48;                       // of places tried in a row that do not help
+constexpr int most_nudged = 20;                       // of places tried in a row that do not help
 constexpr std::array<double, 2> nudges = {0.2, 0.4};  // in wanted lengths
 constexpr int directions = 6;
 

@@ -22,7 +22,7 @@ std::size_t send_away(SurfaceDomain& domain, const std::function<Dual()>& next_d
                       const std::atomic<bool>* interrupted, Dual& best);
 
 /// Where the dual has few faults: one of the samples near them is put aside by a fifth of the wanted length,
-/// or two, and stays there if there are fewer faults then. As long as one of some fifty places helps; the
+/// or two, and stays there if there are fewer faults then. As long as one of twenty places helps; the
 /// rest as above. How many were put aside.
 std::size_t nudge_aside(SurfaceDomain& domain, const std::function<Dual()>& next_dual,
                         const std::atomic<bool>* interrupted, Dual& best);
