@@ -41,7 +41,8 @@ struct Options {
   std::optional<FeatureOptions> features = automatic_features();
   Eigen::MatrixXd fixed{0, 3};  ///< points of the surface that become vertices: the first ones, bit for bit
   /// As fpo-remesh does with files: facets that name a vertex twice, are repeated, doubled or without area
-  /// go, borders that coincide exactly are welded (geom/repair/clean.h). A sound surface is not touched.
+  /// go, borders that coincide but for rounding are welded (geom/repair/clean.h). A sound surface is not
+  /// touched.
   bool clean = true;
   bool at_least = false;  ///< more than `count`, about as many as it takes for the input's type (at_least.h)
   std::uint64_t seed = 1;

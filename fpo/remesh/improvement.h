@@ -20,7 +20,9 @@ struct Improvement {
 AngleOptions angle_options(const RemeshOptions& options);
 
 /// The dual of the samples, improved as far as that leaves it of the input's type: without fidelity, then
-/// without angles, too, if room was made for thin parts and that is undone. The result is told what was done.
+/// without angles, too, if room was made for thin parts and that is undone. What is past mending (attempts.h)
+/// is mended first, and improved only if it is of the type then, and stays so. The result is told what was
+/// done.
 Dual improved_dual(SurfaceDomain& domain, const Improvement& how, RemeshOptions options,
                    RemeshResult& result);
 

@@ -22,17 +22,17 @@ enum class Crowds { leave, weld };
 Welding weld_borders(const Places& places, Table<FacetId, TriMesh::Facet>& facets, Crowds crowds,
                      const Table<VertexId, Vec3>* vertices = nullptr);
 
-/// Welds borders that coincide but for rounding: within 2^-22 diagonals, some steps of single precision, but
-/// at most a hundredth of the median border edge (a stray facet far away makes the diagonal long). Nothing if
-/// within sixteen times that it would not be just the same edges: then no rounding keeps them apart. Nor
-/// where facets lie on one another, or too many vertices are that near. O(F log F).
+/// Welds borders that coincide but for rounding: within 2^-22 diagonals, four steps of single precision where
+/// coordinates are up to a diagonal, but at most a hundredth of the median border edge (a stray facet
+/// far away makes the diagonal long). Nothing unless as many pairs are within sixteen times that: what keeps
+/// others apart is no rounding, or a part would be welded in some places only. Nor where facets lie on one
+/// another, or too many vertices are that near. O(F log F).
 Welding weld_rounded(const Table<VertexId, Vec3>& vertices, Table<FacetId, TriMesh::Facet>& facets);
 
 /// The distance within which borders are welded if nobody names one: 1e-6 diagonals, but at most a hundredth
-/// of the median border edge. Where more than a tenth of the
-/// edges are borders even so, as in a soup whose corners differ by more, it is the power of ten times that
-/// which halves them last and leaves at most half of the pieces, below a tenth of the median border edge:
-/// slits in one piece are no soup. O(F log F).
+/// of the median border edge. Where more than a tenth of the edges are borders even so, as in a soup whose
+/// corners differ by more, it is the power of ten times that which halves them last and leaves at most half
+/// of the pieces, below a tenth of the median border edge: slits in one piece are no soup. O(F log F).
 double usual_tolerance(const Table<VertexId, Vec3>& vertices, const Table<FacetId, TriMesh::Facet>& facets);
 
 /// A larger one that leaves at most half of the borders where the usual one leaves more, below a fifth of the
