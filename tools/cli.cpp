@@ -2,6 +2,9 @@
 
 #include <fcntl.h>
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include <algorithm>
 #include <cerrno>
@@ -213,9 +216,23 @@ int run_tool(CommandLine& cli, const std::function<int(CommandLine&)>& tool) {
 
 }  // namespace
 
+namespace {
+
+/// Large arrays go back to the system when they are freed. By itself glibc stops that once such have been
+/// freed: a run of 300,000 samples takes a quarter more then, in gaps between what is still used.
+void give_large_arrays_back() {
+#ifdef __GLIBC__
+  constexpr int large = 4 << 20;
+  mallopt(M_MMAP_THRESHOLD, large);
+#endif
+}
+
+}  // namespace
+
 int run(const std::string& program, int argc, const char* const* argv,
         const std::function<int(CommandLine&)>& tool) {
   occupy_standard_streams();
+  give_large_arrays_back();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error like a full disk
   CommandLine cli(program, std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
   try {

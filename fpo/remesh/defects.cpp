@@ -25,8 +25,36 @@ BranchEdges branch_edges(const FeatureSamples& features) {
 
 namespace {
 
-/// The edges opposite a vertex in its triangles.
-using Link = std::span<const std::array<VertexId, 2>>;
+/// An edge of a link from one end to the other.
+using LinkEdge = std::array<VertexId, 2>;
+
+/// The triangles around each vertex.
+class Stars {
+ public:
+  explicit Stars(const TriMesh& mesh) : mesh_(mesh), end_(mesh.num_vertices() + 1, 0) {
+    for (const TriMesh::Facet& f : mesh.facets())
+      for (const VertexId v : f) ++end_[v.index() + 1];
+    std::partial_sum(end_.begin(), end_.end(), end_.begin());
+    corners_.resize(3 * mesh.num_facets());
+    std::uint32_t corner = 0;
+    for (const TriMesh::Facet& f : mesh.facets())
+      for (const VertexId v : f) corners_[end_[v.index()]++] = corner++;  // end_: so far
+  }
+  /// Appends the edges opposite v, both ways.
+  void append_link(VertexId v, std::vector<LinkEdge>& sides) const {
+    for (std::size_t i = v.index() == 0 ? 0 : end_[v.index() - 1]; i < end_[v.index()]; ++i) {
+      const TriMesh::Facet& f = mesh_.facet(geom::FacetId(std::size_t{corners_[i] / 3}));
+      const VertexId a = f[(corners_[i] + 1) % 3], b = f[(corners_[i] + 2) % 3];
+      sides.push_back({a, b});
+      sides.push_back({b, a});
+    }
+  }
+
+ private:
+  const TriMesh& mesh_;
+  std::vector<std::uint32_t> end_;      ///< of each star among all of them
+  std::vector<std::uint32_t> corners_;  ///< three of a triangle
+};
 
 /// At an edge: not more than two, or as many as there are to be.
 bool may_be(const BranchEdges& branches, const geom::MeshEdge& edge, std::size_t triangles) {
@@ -40,28 +68,26 @@ struct LinkShape {
   VertexId branching;
 };
 
-/// The link of v.
-LinkShape shape_of(VertexId v, Link link, const BranchEdges& branches) {
-  if (link.empty()) return {false, VertexId()};
-  using Side = std::array<VertexId, 2>;
-  std::vector<Side> sides;  // both ways, those that begin at a vertex next to each other
-  for (const auto& [a, b] : link) sides.insert(sides.end(), {{a, b}, {b, a}});
-  std::ranges::sort(sides);
+/// The link of v. `sides`: its edges both ways, those that begin at a vertex next to each other; `reached`: a
+/// workspace.
+LinkShape shape_of(VertexId v, std::span<const LinkEdge> sides, const BranchEdges& branches,
+                   std::vector<VertexId>& reached) {
+  if (sides.empty()) return {false, VertexId()};
   const auto sides_of = [&](VertexId v) {
-    const auto first = std::ranges::lower_bound(sides, v, {}, [](const Side& side) { return side[0]; });
+    const auto first = std::ranges::lower_bound(sides, v, {}, [](const LinkEdge& edge) { return edge[0]; });
     auto last = first;
     while (last != sides.end() && last->front() == v) ++last;
     return std::span(first, last);
   };
   std::size_t num_vertices = 0;
   for (std::size_t i = 0; i < sides.size(); ++num_vertices) {
-    const std::span<const Side> others = sides_of(sides[i].front());
+    const std::span<const LinkEdge> others = sides_of(sides[i].front());
     const VertexId w = sides[i].front();
     const bool is_twice = std::ranges::adjacent_find(others) != others.end();  // a triangle
     if (is_twice || !may_be(branches, geom::mesh_edge(v, w), others.size())) return {false, w};
     i += others.size();
   }
-  std::vector<VertexId> reached{link.front()[0]};
+  reached.assign(1, sides.front()[0]);
   for (std::size_t i = 0; i < reached.size(); ++i)
     for (const auto& [u, w] : sides_of(reached[i]))
       if (std::ranges::find(reached, w) == reached.end()) reached.push_back(w);
@@ -71,17 +97,15 @@ LinkShape shape_of(VertexId v, Link link, const BranchEdges& branches) {
 }  // namespace
 
 std::vector<Defect> find_defects(const TriMesh& mesh, const BranchEdges& branches) {
-  std::vector<std::uint32_t> end(mesh.num_vertices() + 1, 0);  // of each link, among all of them
-  for (const TriMesh::Facet& f : mesh.facets())
-    for (const VertexId v : f) ++end[v.index() + 1];
-  std::partial_sum(end.begin(), end.end(), end.begin());
-  std::vector<std::array<VertexId, 2>> links(3 * mesh.num_facets());
-  for (const TriMesh::Facet& f : mesh.facets())  // end: so far
-    for (std::size_t i = 0; i < 3; ++i) links[end[f[i].index()]++] = {f[(i + 1) % 3], f[(i + 2) % 3]};
+  const Stars stars(mesh);
   std::vector<Defect> defects;
+  std::vector<LinkEdge> sides;
+  std::vector<VertexId> reached;
   for (std::size_t v = 0; v < mesh.num_vertices(); ++v) {
-    const std::size_t begin = v == 0 ? 0 : end[v - 1];
-    const LinkShape shape = shape_of(VertexId(v), Link(links).subspan(begin, end[v] - begin), branches);
+    sides.clear();
+    stars.append_link(VertexId(v), sides);
+    std::ranges::sort(sides);
+    const LinkShape shape = shape_of(VertexId(v), sides, branches, reached);
     if (!shape.fan_or_disk) defects.push_back({SiteId(v), SiteId(shape.branching.value)});
   }
   return defects;

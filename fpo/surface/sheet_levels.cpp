@@ -5,8 +5,10 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <queue>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -32,27 +34,53 @@ constexpr double step =
     1.25;  // levels are powers of it, so that patches of about the same sizes have the same
 
 /// Places and how far those beside each other are.
-struct Graph {
-  struct Arc {
-    std::uint32_t to;
-    double length;
-  };
-  std::vector<std::vector<Arc>> arcs;
+class Graph {
+ public:
+  Graph() = default;
+  /// for_each_pair(visit) calls visit(a, b) for all who are beside each other, once or more often, twice the
+  /// same. `length(a, b)`: between them.
+  template <class Pairs, class Length>
+  Graph(std::size_t size, const Pairs& for_each_pair, const Length& length) : begin_(size + 1, 0) {
+    for_each_pair([&](std::size_t a, std::size_t b) { ++begin_[a], ++begin_[b]; });
+    std::inclusive_scan(begin_.begin(), begin_.end(), begin_.begin());
+    to_.resize(begin_.back());
+    for_each_pair([&](std::size_t a, std::size_t b) {
+      to_[--begin_[a]] = static_cast<std::uint32_t>(b);
+      to_[--begin_[b]] = static_cast<std::uint32_t>(a);
+    });
+    drop_doubles();
+    lengths_.reserve(to_.size());
+    for (std::size_t a = 0; a < size; ++a)
+      for (const std::uint32_t b : beside(a)) lengths_.push_back(length(a, b));
+  }
+  std::size_t size() const { return begin_.size() - 1; }
+  /// Ascending.
+  std::span<const std::uint32_t> beside(std::size_t a) const {
+    return {to_.data() + begin_[a], to_.data() + begin_[a + 1]};
+  }
+  /// How far these are, in the same order.
+  const double* lengths(std::size_t a) const { return lengths_.data() + begin_[a]; }
 
-  explicit Graph(std::size_t size) : arcs(size) {}
-  std::size_t size() const { return arcs.size(); }
-  void join(std::size_t a, std::size_t b, double length) {
-    arcs[a].push_back({static_cast<std::uint32_t>(b), length});
-    arcs[b].push_back({static_cast<std::uint32_t>(a), length});
-  }
-  void sort() {
-    for (std::vector<Arc>& list : arcs) {
-      std::ranges::sort(list, {}, &Arc::to);
-      list.erase(
-          std::unique(list.begin(), list.end(), [](const Arc& a, const Arc& b) { return a.to == b.to; }),
-          list.end());
+ private:
+  /// Sorts the lists.
+  void drop_doubles() {
+    std::size_t kept = 0;
+    for (std::size_t a = 0; a + 1 < begin_.size(); ++a) {
+      const auto first = to_.begin() + static_cast<std::ptrdiff_t>(begin_[a]),
+                 last = to_.begin() + static_cast<std::ptrdiff_t>(begin_[a + 1]);
+      std::sort(first, last);
+      begin_[a] = kept;
+      const auto end = std::unique_copy(first, last, to_.begin() + static_cast<std::ptrdiff_t>(kept));
+      kept = static_cast<std::size_t>(end - to_.begin());
     }
+    begin_.back() = kept;
+    to_.resize(kept);
+    to_.shrink_to_fit();
   }
+
+  std::vector<std::size_t> begin_{0};  ///< of each list; then the end
+  std::vector<std::uint32_t> to_;
+  std::vector<double> lengths_;
 };
 
 /// Dijkstra's search from places with distances to begin with, over and over.
@@ -71,8 +99,11 @@ class Search {
       const auto [d, v] = queue_.top();
       queue_.pop();
       if (d > distance_[v] || !visit(v, d)) continue;
-      for (const Graph::Arc& arc : graph_.arcs[v])
-        if (d + arc.length <= limit) offer(arc.to, d + arc.length);
+      const double* length = graph_.lengths(v);
+      for (const std::uint32_t to : graph_.beside(v)) {
+        if (d + *length <= limit) offer(to, d + *length);
+        ++length;
+      }
     }
   }
   /// Of the last search; infinite: not reached.
@@ -93,21 +124,20 @@ class Search {
 };
 
 Graph edges_of(const TriMesh& mesh) {
-  Graph graph(mesh.num_vertices());
-  for (const TriMesh::Facet& facet : mesh.facets())
-    for (std::size_t e = 0; e < 3; ++e) {
-      const VertexId a = facet[e], b = facet[(e + 1) % 3];
-      graph.join(a.index(), b.index(), (mesh.position(a) - mesh.position(b)).norm());
-    }
-  graph.sort();
-  return graph;
+  const auto edges = [&](const auto& visit) {
+    for (const TriMesh::Facet& facet : mesh.facets())
+      for (std::size_t e = 0; e < 3; ++e) visit(facet[e].index(), facet[(e + 1) % 3].index());
+  };
+  return Graph(mesh.num_vertices(), edges, [&](std::size_t a, std::size_t b) {
+    return (mesh.position(VertexId(a)) - mesh.position(VertexId(b))).norm();
+  });
 }
 
 /// One assignment of levels.
 class SheetLevels {
  public:
   SheetLevels(const TriMesh& mesh, std::vector<double> h, const SheetOptions& options)
-      : mesh_(mesh), h_(std::move(h)), options_(options), graph_(edges_of(mesh)), near_(0) {}
+      : mesh_(mesh), h_(std::move(h)), options_(options), graph_(edges_of(mesh)) {}
 
   /// Empty: no places are in conflict.
   Table<VertexId, double> find() {
@@ -166,7 +196,7 @@ void SheetLevels::place_probes() {
   probe_of_.assign(graph_.size(), 0);
   Search search(graph_);
   for (std::uint32_t v = 0; v < graph_.size(); ++v) {
-    if (known[v] <= probe_spacing * h_[v] || graph_.arcs[v].empty()) continue;
+    if (known[v] <= probe_spacing * h_[v] || graph_.beside(v).empty()) continue;
     const auto probe = static_cast<std::uint32_t>(probes_.size());
     probes_.push_back({v, static_cast<std::uint32_t>(components.find(v)),
                        mesh_.position(VertexId(std::size_t{v})),
@@ -179,13 +209,14 @@ void SheetLevels::place_probes() {
       return true;
     });
   }
-  near_ = Graph(probes_.size());
-  for (std::uint32_t v = 0; v < graph_.size(); ++v)
-    for (const Graph::Arc& arc : graph_.arcs[v]) {
-      const std::uint32_t a = probe_of_[v], b = probe_of_[arc.to];
-      if (a < b) near_.join(a, b, (probes_[a].position - probes_[b].position).norm());
-    }
-  near_.sort();
+  const auto pairs = [&](const auto& visit) {
+    for (std::uint32_t v = 0; v < graph_.size(); ++v)
+      for (const std::uint32_t to : graph_.beside(v))
+        if (probe_of_[v] < probe_of_[to]) visit(probe_of_[v], probe_of_[to]);
+  };
+  near_ = Graph(probes_.size(), pairs, [&](std::size_t a, std::size_t b) {
+    return (probes_[a].position - probes_[b].position).norm();
+  });
 }
 
 /// Not simply beside each other on one sheet?
@@ -276,8 +307,8 @@ void SheetLevels::color_patches() {
   for (std::uint32_t a = 0; a < probes_.size(); ++a) {
     if (patch_of_[a] < 0) continue;
     const auto p = static_cast<std::size_t>(patch_of_[a]);
-    for (const Graph::Arc& arc : near_.arcs[a])
-      if (patch_of_[arc.to] >= 0 && patch_of_[arc.to] != patch_of_[a]) beside[p].insert(patch_of_[arc.to]);
+    for (const std::uint32_t b : near_.beside(a))
+      if (patch_of_[b] >= 0 && patch_of_[b] != patch_of_[a]) beside[p].insert(patch_of_[b]);
     for (const std::uint32_t b : in_conflict_[a])
       if (patch_of_[b] != patch_of_[a]) against[p].insert(patch_of_[b]);
   }
@@ -312,7 +343,7 @@ Table<VertexId, double> SheetLevels::levels() {
   using Source = std::pair<std::uint32_t, double>;
   std::vector<Source> wishes;  // levels above that of the component
   for (std::uint32_t v = 0; v < graph_.size(); ++v)
-    if (const std::uint32_t probe = probe_of_[v]; !graph_.arcs[v].empty() && patch_of_[probe] >= 0) {
+    if (const std::uint32_t probe = probe_of_[v]; !graph_.beside(v).empty() && patch_of_[probe] >= 0) {
       const auto p = static_cast<std::size_t>(patch_of_[probe]);
       wishes.emplace_back(v, color_[p] * patch_height_[p]);
     }
@@ -337,7 +368,7 @@ Table<VertexId, double> SheetLevels::levels() {
   for (const auto& [v, t] : wishes) wish[v] = t;
   Table<VertexId, double> result(graph_.size(), 0.0);
   for (std::uint32_t v = 0; v < graph_.size(); ++v) {
-    if (graph_.arcs[v].empty()) continue;
+    if (graph_.beside(v).empty()) continue;
     const double g = options_.slope, t = wish[v];
     const bool is_granted = high[v] == t / g && low[v] == -t / g;  // else it takes what the others leave
     const double level = is_granted ? t : 0.5 * g * (high[v] - low[v]);

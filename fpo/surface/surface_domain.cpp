@@ -3,14 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "fpo/surface/surface_removal.h"
 
 namespace fpo {
 
-SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const WeightedSamples& samples,
+SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, WeightedSamples samples,
                              const SurfaceOptions& options, MoveGuard* guard)
-    : options_(options), state_(std::make_unique<SurfaceState>(mesh, samples, options, guard)) {
+    : options_(options), state_(std::make_unique<SurfaceState>(mesh, std::move(samples), options, guard)) {
   options_.known_cells = {};
 }
 

@@ -25,6 +25,9 @@ class SurfaceDomain final : public Domain {
   /// Keeps the guard, if there is one, who is asked in each move.
   SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing, std::span<const SurfaceSample> samples,
                 const SurfaceOptions& options = {}, MoveGuard* guard = nullptr);
+  /// The same, of samples that need no copy. Of the options those of weights do not count.
+  SurfaceDomain(const geom::TriMesh& mesh, WeightedSamples samples, const SurfaceOptions& options,
+                MoveGuard* guard = nullptr);
   /// With uniform sizing.
   SurfaceDomain(const geom::TriMesh& mesh, std::span<const SurfaceSample> samples,
                 const SurfaceOptions& options = {});
@@ -75,8 +78,6 @@ class SurfaceDomain final : public Domain {
   SurfaceDomain rebuilt() const;
 
  private:
-  SurfaceDomain(const geom::TriMesh& mesh, const WeightedSamples& samples, const SurfaceOptions& options,
-                MoveGuard* guard);
   void insert(SiteId x, CircleId at = CircleId());
 
   SurfaceOptions options_;

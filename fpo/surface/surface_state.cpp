@@ -1,5 +1,6 @@
 #include "fpo/surface/surface_state.h"
 
+#include <utility>
 #include <vector>
 
 #include "geom/mesh/scaling.h"
@@ -17,9 +18,9 @@ std::unique_ptr<geom::NeighbourOracle> make_oracle(Engine engine, const geom::Tr
 
 }  // namespace
 
-SurfaceState::SurfaceState(const geom::TriMesh& mesh, const WeightedSamples& all,
-                           const SurfaceOptions& options, MoveGuard* guard)
-    : samples(all),
+SurfaceState::SurfaceState(const geom::TriMesh& mesh, WeightedSamples all, const SurfaceOptions& options,
+                           MoveGuard* guard)
+    : samples(std::move(all)),
       guard(guard),
       paper(make_oracle(options.engine, mesh)),
       dual(mesh, options.corners, paper.get()),
@@ -27,14 +28,16 @@ SurfaceState::SurfaceState(const geom::TriMesh& mesh, const WeightedSamples& all
   std::vector<SiteId> order;
   std::vector<geom::WeightedPoint3> points;
   std::vector<geom::FacetId> homes;
+  order.reserve(samples.size());
   points.reserve(samples.size());
+  homes.reserve(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
     order.emplace_back(i);
     points.push_back(point_of(SiteId(i)));
     homes.push_back(samples[SiteId(i)].facet);
   }
   geom::Rng(options.seed).shuffle(std::span(order));
-  apply(dual.build(points, homes, order, options.threads, options.known_cells));
+  apply(dual.build(std::move(points), homes, order, options.threads, options.known_cells));
 }
 
 geom::WeightedPoint3 SurfaceState::point_of(SiteId x) const {

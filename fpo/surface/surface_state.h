@@ -15,7 +15,7 @@ namespace fpo {
 
 struct SurfaceState {
   /// All samples are in. Keeps references to the mesh and the guard. Cost and errors: those of SurfaceDomain.
-  SurfaceState(const geom::TriMesh& mesh, const WeightedSamples& all, const SurfaceOptions& options,
+  SurfaceState(const geom::TriMesh& mesh, WeightedSamples all, const SurfaceOptions& options,
                MoveGuard* guard);
   SurfaceState(const SurfaceState&) = delete;
   SurfaceState& operator=(const SurfaceState&) = delete;

@@ -16,13 +16,14 @@ WeightedSamples::WeightedSamples(const Sizing& sizing, std::span<const SurfaceSa
       factor_(options.weight_factor),
       equal_(sizing.is_uniform() || !options.weighted),
       unweighted_(equal_),
-      places_(samples.begin(), samples.end()),
-      shares_(samples.size(), 1.0) {
+      places_(samples.begin(), samples.end()) {
   geom::require(!samples.empty(), "there must be at least one sample");
 }
 
 void WeightedSamples::set_share(SiteId x, double share) {
   geom::ensure(share >= 0, "the share of a weight must not be negative");
+  if (share == 1 && shares_.empty()) return;
+  if (shares_.empty()) shares_.assign(places_.size(), 1);
   shares_[x] = share;
   unweighted_ &= share == 1;
 }
@@ -39,8 +40,8 @@ double WeightedSamples::weight_at(const SurfaceSample& place) const {
 
 /// Equal weights are 0, whatever they are. A smaller one is negative then.
 double WeightedSamples::weight(SiteId x) const {
-  if (equal_ && shares_[x] == 1) return 0;
-  return geom::snapped((shares_[x] - (equal_ ? 1 : 0)) * full_weight(x), weight_unit);
+  if (equal_ && share(x) == 1) return 0;
+  return geom::snapped((share(x) - (equal_ ? 1 : 0)) * full_weight(x), weight_unit);
 }
 
 }  // namespace fpo

@@ -27,7 +27,7 @@ class WeightedSamples {
   void put(SiteId x, const SurfaceSample& place) { places_[x] = place; }
   /// The share of its full weight that x has, here and wherever it goes: not negative.
   void set_share(SiteId x, double share);
-  double share(SiteId x) const { return shares_[x]; }
+  double share(SiteId x) const { return shares_.empty() ? 1 : shares_[x]; }
   /// What the sizing gives x: (c h)^2, also if it is uniform.
   double full_weight(SiteId x) const;
   /// What a sample with all of its weight would have in the diagram there.
@@ -43,7 +43,7 @@ class WeightedSamples {
   bool equal_;     ///< full weights do not count
   bool unweighted_;
   geom::Table<SiteId, SurfaceSample> places_;
-  geom::Table<SiteId, double> shares_;
+  geom::Table<SiteId, double> shares_;  ///< none as long as all are 1
 };
 
 }  // namespace fpo

@@ -44,9 +44,10 @@ class TiledSamples {
   IterationReport measured(int threads) const {
     return measure_positions(samples_, sizing_, task_.surface.num_fixed, threads);
   }
-  /// Of what was given, with what is known of the cells there.
-  SurfaceDomain domain(std::optional<KnownCells> known = {}) const;
+  /// Of what was given, with what is known of the cells there. Takes all().
+  SurfaceDomain domain(std::optional<KnownCells> known = {});
 
+  bool needs_split() const { return has_long_edges(task_.mesh, task_.sizing, longest_edge); }
   bool is_split() const { return split_.has_value(); }
   void split();    ///< from now on mesh() has no large facets, unless these are needles by the thousand
   void unsplit();  ///< from now on it is what was given
@@ -58,17 +59,18 @@ class TiledSamples {
   Sizing sizing_;                      ///< on mesh()
 };
 
-SurfaceDomain TiledSamples::domain(std::optional<KnownCells> known) const {
+SurfaceDomain TiledSamples::domain(std::optional<KnownCells> known) {
   SurfaceOptions options = task_.surface;
+  WeightedSamples all(task_.sizing, std::exchange(samples_, {}), options);
   std::vector<geom::KnownCell> cells;
-  if (known) cells = known->of_all({task_.sizing, samples_, options});
+  if (known) cells = known->of_all(all);
   known.reset();  // it is as large as they are
   options.known_cells = cells;
-  return SurfaceDomain(task_.mesh, task_.sizing, samples_, options);
+  return SurfaceDomain(task_.mesh, std::move(all), options);
 }
 
 void TiledSamples::split() {
-  if (!has_long_edges(task_.mesh, task_.sizing, longest_edge)) return;
+  if (!needs_split()) return;
   const std::size_t most = task_.mesh.num_facets() + most_parts * samples_.size();
   split_ = split_long_edges(task_.mesh, task_.sizing, longest_edge, samples_, most);
   if (!sizing_.is_uniform()) sizing_ = Sizing(split_->mesh, split_->h);
@@ -264,7 +266,8 @@ bool TiledRun::begin_at_large(SurfaceDomain& domain) {
   const OptimizeResult done = optimize(domain, first);
   result_.moves = done.moves;
   result_.reason = done.reason;
-  for (std::size_t i = 0; i < samples_.size(); ++i) samples_.all()[i] = domain.sample(SiteId(i));
+  samples_.all().reserve(domain.num_samples());
+  for (std::size_t i = 0; i < domain.num_samples(); ++i) samples_.all().push_back(domain.sample(SiteId(i)));
   return done.reason == StopReason::iteration_cap && iteration_ < options_.max_iterations;
 }
 
@@ -291,12 +294,11 @@ SurfaceDomain TiledRun::take() {
       whole.reset();  // two of them would be the most memory of the run
       return samples_.domain();
     }
-    known_.emplace(whole->dual());
+    if (!samples_.needs_split()) known_.emplace(whole->dual());  // else facets are going to be others
   } else {
     report(samples_.measured(tile_options_.threads));
   }
   samples_.split();
-  if (samples_.is_split()) known_.reset();  // facets are others
   result_.reason = rounds();
   if (samples_.is_split() || result_.reason == StopReason::interrupted) known_.reset();
   samples_.unsplit();

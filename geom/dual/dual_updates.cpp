@@ -6,6 +6,11 @@
 #include "geom/check.h"
 
 namespace geom {
+namespace {
+
+constexpr std::size_t most_of_a_move = 1000;
+
+}  // namespace
 
 void DualUpdates::begin() {
   certify_all();
@@ -13,12 +18,13 @@ void DualUpdates::begin() {
   state_.circles.recycle(unlisted_);
   unlisted_.clear();
   change_.circles_erased.clear();
-  change_.circles_created.clear();
   change_.circles_moved.clear();
   change_.cells.clear();
+  if (change_.circles_created.size() > most_of_a_move) change_.circles_created = {};  // those of build()
+  change_.circles_created.clear();
 }
 
-const DualChange& DualUpdates::build(std::span<const WeightedPoint3> points, std::span<const FacetId> homes,
+const DualChange& DualUpdates::build(std::vector<WeightedPoint3> points, std::span<const FacetId> homes,
                                      std::span<const SiteId> order, int threads,
                                      std::span<const KnownCell> known) {
   ensure(state_.search.size() == 0 && !points.empty(), "restricted dual: built once, of some sites");
@@ -28,9 +34,10 @@ const DualChange& DualUpdates::build(std::span<const WeightedPoint3> points, std
     state_.admit(SiteId(i), points[i]);
     state_.home[SiteId(i)] = homes[i];
   }
+  points = {};  // the state has them
   for (const SiteId p : order) {
     state_.search.enter(p);
-    if (state_.paper) state_.paper->insert(p, points[p.index()], SiteId());
+    if (state_.paper) state_.paper->insert(p, state_.sites[p], SiteId());
   }
   state_.choose_search();
   redivision_.build(threads, change_);

@@ -26,7 +26,7 @@ class DualUpdates {
       : state_(state), fast_(state), redivision_(redivision) {}
 
   // As those of RestrictedDual.
-  const DualChange& build(std::span<const WeightedPoint3> points, std::span<const FacetId> homes,
+  const DualChange& build(std::vector<WeightedPoint3> points, std::span<const FacetId> homes,
                           std::span<const SiteId> order, int threads, std::span<const KnownCell> known);
   const DualChange& insert(SiteId p, const WeightedPoint3& point, FacetId home, CircleId at);
   const DualChange& remove(SiteId p);

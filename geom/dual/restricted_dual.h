@@ -27,9 +27,9 @@ class RestrictedDual {
   /// threads do not matter to the result. Cost: the facets and the fragments, times the logarithm of the
   /// number of sites. `homes`: for each site a facet that it was rounded from.
   /// `known`: of each site's cell here, or empty.
-  const Change& build(std::span<const WeightedPoint3> points, std::span<const FacetId> homes,
+  const Change& build(std::vector<WeightedPoint3> points, std::span<const FacetId> homes,
                       std::span<const SiteId> order, int threads, std::span<const KnownCell> known = {}) {
-    return updates_.build(points, homes, order, threads, known);
+    return updates_.build(std::move(points), homes, order, threads, known);
   }
   /// `home`: a facet that the point was rounded from, or none (then the general way is taken). `at`: a circle
   /// that p beats, or none: then it is looked for.

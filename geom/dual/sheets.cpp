@@ -53,10 +53,21 @@ Sheets::Sheets(const TriMesh& mesh, const FacetTree& facets, const FacetBalls& b
   }
 }
 
+/// The place of the site, which another may have had.
+Sheets::OfSite& Sheets::of_site(SiteId site) {
+  const std::size_t i = site.index() % most_kept;
+  if (i >= kept_.size()) kept_.resize(i + 1);
+  OfSite& place = kept_[i];
+  if (place.site != site) {
+    place = OfSite();
+    place.site = site;
+  }
+  return place;
+}
+
 const Sheet* Sheets::around(SiteId site, const Location3& at, double distance) {
   const Vec3& x = at.position;
-  if (site.index() >= of_site_.size()) of_site_.resize(site.index() + 1);
-  OfSite& known = of_site_[site];
+  OfSite& known = of_site(site);
   if (known.sheet.level == at.level && known.sheet.covers(x, distance)) return &known.sheet;
   if (static_cast<float>(at.level) == known.failed_level && distance > nearly_so * double{known.failed} &&
       (x - known.failed_at.cast<double>()).norm() < nearly_there * distance)
@@ -76,10 +87,7 @@ const Sheet* Sheets::around(SiteId site, const Location3& at, double distance) {
   return nullptr;
 }
 
-void Sheets::keep(SiteId site, const Sheet& sheet) {
-  if (site.index() >= of_site_.size()) of_site_.resize(site.index() + 1);
-  of_site_[site].sheet = sheet;
-}
+void Sheets::keep(SiteId site, const Sheet& sheet) { of_site(site).sheet = sheet; }
 
 bool Sheets::has_one_component(const Sheet& sheet, double radius, std::span<const Neighbour> link) {
   const double factor = 4 * ample * sheet.slope * radius;

@@ -36,6 +36,7 @@
 // by far. Distances and products here are computed with relative errors of some 1e-15, normals within 1e-7
 // (needles, whose normals are not, make no sheet); the code asks for a millionth more than the bounds say.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -69,9 +70,12 @@ struct Sheet {
   double distance_from(const Vec3& p) const { return double{width} / (1 + 2e-6) - (p - center).norm(); }
 };
 
-/// Sheets, made where they are asked for and kept, one for each site.
+/// Sheets, made where they are asked for and kept: one for each site, or where there are very many sites for
+/// those that were asked for last, as these are in an order that goes through the surface.
 class Sheets {
  public:
+  static constexpr std::size_t most_kept = 1U << 17U;  ///< some 128 bytes each
+
   /// Keeps references.
   Sheets(const TriMesh& mesh, const FacetTree& facets, const FacetBalls& balls);
 
@@ -80,11 +84,12 @@ class Sheets {
   const Sheet* around(SiteId site, const Location3& at, double distance);
   /// The one that is kept, of that level, or null.
   const Sheet* known(SiteId site, double level) const {
-    if (site.index() >= of_site_.size()) return nullptr;
-    const Sheet& sheet = of_site_[site].sheet;
+    const std::size_t i = site.index() % most_kept;
+    if (i >= kept_.size() || kept_[i].site != site) return nullptr;
+    const Sheet& sheet = kept_[i].sheet;
     return sheet.width > 0 && sheet.level == level ? &sheet : nullptr;
   }
-  void reserve(std::size_t num_sites) { of_site_.reserve(num_sites); }
+  void reserve(std::size_t num_sites) { kept_.reserve(std::min(num_sites, most_kept)); }
   /// Keeps one that was made elsewhere: the surface must be the same there.
   void keep(SiteId site, const Sheet& sheet);
   /// Is there surely no second component of the cell of p within the distance that the sheet covers, given
@@ -103,7 +108,9 @@ class Sheets {
     float failed = std::numeric_limits<float>::infinity();  ///< a distance for which there was none
     Eigen::Vector3f failed_at{0, 0, 0};
     float failed_level = 0;
+    SiteId site;
   };
+  OfSite& of_site(SiteId site);
   Sheet sheet_among_gathered(const Location3& center, double radius);
   bool keep_near(const Location3& center, double radius);
   enum class Within { no, partly, whole };
@@ -116,7 +123,7 @@ class Sheets {
   const FacetTree& facets_;
   const FacetBalls& balls_;
   Table<FacetId, Vec3> normal_of_;  ///< units; 0 of needles, whose normals are not known within 1e-7
-  Table<SiteId, OfSite> of_site_;
+  std::vector<OfSite> kept_;        ///< at the site's id, modulo most_kept
   std::vector<FacetId> gathered_, near_, stack_;  // workspaces
   std::vector<Vec3> normals_;
   std::vector<Vec2> gradients_;

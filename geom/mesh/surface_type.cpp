@@ -35,13 +35,17 @@ std::size_t corner_at(const TriMesh& mesh, FacetId t, VertexId v) {
 /// Vertices and their borders, counted once for each sheet.
 void count_at_vertices(const TriMesh& mesh, SurfaceType& type) {
   const std::size_t num_corners = 3 * mesh.num_facets();
-  DisjointSets sheets = sheets_at_vertices(mesh), loops(num_corners);
-  std::vector<char> on_border(num_corners, 0);
+  DisjointSets sheets = sheets_at_vertices(mesh), loops(0);
+  std::vector<char> on_border;  // both of no size if there is no border
   for_each_edge(mesh, [&](auto first, auto last) {
     type.branches |= last - first > 2;
     if (last - first != 1) return;
     const std::size_t a = sheets.find(corner_at(mesh, first->facet, first->low)),
                       b = sheets.find(corner_at(mesh, first->facet, first->high));
+    if (on_border.empty()) {
+      on_border.assign(num_corners, 0);
+      loops = DisjointSets(num_corners);
+    }
     on_border[a] = on_border[b] = 1;
     loops.merge(a, b);
   });
@@ -50,7 +54,7 @@ void count_at_vertices(const TriMesh& mesh, SurfaceType& type) {
     if (sheets.find(c) != c) continue;
     PartType& part = type.parts[type.part_of[FacetId(c / 3)]];
     ++part.euler;
-    part.border_loops += on_border[c] && loops.find(c) == c;
+    part.border_loops += !on_border.empty() && on_border[c] && loops.find(c) == c;
     char& sheets_here = sheets_of[mesh.facet(FacetId(c / 3))[c % 3].index()];
     type.split_vertices += sheets_here == 1;
     if (sheets_here < 2) ++sheets_here;
@@ -79,8 +83,10 @@ PartType SurfaceType::whole() const {
   return sum;
 }
 
-SurfaceType surface_type(const TriMesh& mesh) {
-  SurfaceType type;
+namespace {
+
+/// Facets that hang together by edges are a part; its Euler number so far is that of facets and edges alone.
+void find_parts(const TriMesh& mesh, SurfaceType& type) {
   DisjointSets joined(mesh.num_facets());
   for_each_edge(mesh, [&](auto first, auto last) {
     for (auto h = first + 1; h != last; ++h) joined.merge_to_least(first->facet.index(), h->facet.index());
@@ -94,6 +100,13 @@ SurfaceType surface_type(const TriMesh& mesh) {
     ++type.parts[type.part_of.back()].euler;
   }
   for_each_edge(mesh, [&](auto first, auto) { --type.parts[type.part_of[first->facet]].euler; });
+}
+
+}  // namespace
+
+SurfaceType surface_type(const TriMesh& mesh) {
+  SurfaceType type;
+  find_parts(mesh, type);
   count_at_vertices(mesh, type);
   find_one_sided(mesh, type);
   return type;

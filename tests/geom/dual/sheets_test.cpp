@@ -369,3 +369,25 @@ TEST_CASE("sheets: those of a site are kept, and made anew where they do not do"
   CHECK(!sphere.sheets.around(p, Vec3(0, 0, 1), 2.9));
   CHECK(sphere.sheets.around(p, Vec3(0, 0, 1), 0.1));
 }
+
+TEST_CASE("sheets: of more sites than are kept, two that share a place are never taken for each other") {
+  Place sphere(make_shape("sphere", 6));
+  const SiteId p(3), q(p.index() + Sheets::most_kept);
+  const Vec3 x = Vec3(0.3, 0.5, 0.9).normalized(), y = -x;
+  REQUIRE(sphere.sheets.around(p, x, 0.1));
+  CHECK(!sphere.sheets.known(q, 0));
+  const Sheet* const other = sphere.sheets.around(q, y, 0.1);
+  REQUIRE(other);
+  CHECK(other->center == y);
+  CHECK(sphere.sheets.known(q, 0) == other);
+  CHECK(!sphere.sheets.known(p, 0));
+  // That there is none at a place is not held against who comes there next.
+  CHECK(!sphere.sheets.around(q, x, 3.0));
+  const Sheet* const again = sphere.sheets.around(p, x, 0.1);
+  REQUIRE(again);
+  CHECK(again->center == x);
+  const Sheet kept = *again;
+  sphere.sheets.keep(q, kept);
+  CHECK(sphere.sheets.known(q, 0));
+  CHECK(!sphere.sheets.known(p, 0));
+}
