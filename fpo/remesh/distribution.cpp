@@ -90,6 +90,13 @@ SurfaceDomain distributed_samples(const geom::TriMesh& surface, const SharedSizi
   return optimized_samples(surface, shared, start, options, result);
 }
 
+SurfaceDomain same_samples(const geom::TriMesh& surface, const SharedSizing& shared,
+                           const RemeshResult& before, const RemeshOptions& options, RemeshResult& result) {
+  result.shortest_edges = before.shortest_edges;
+  result.optimization = before.optimization;
+  return SurfaceDomain(surface, shared.sizing, before.samples, surface_options(shared, options));
+}
+
 SurfaceDomain settled_samples(const geom::TriMesh& surface, const SharedSizing& shared,
                               const RemeshResult& coarse, const RemeshOptions& options,
                               RemeshResult& result) {

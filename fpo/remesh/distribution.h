@@ -14,6 +14,10 @@ SurfaceDomain distributed_samples(const geom::TriMesh& surface, const SharedSizi
                                   const RemeshResult* start, const RemeshOptions& options,
                                   RemeshResult& result);
 
+/// Those that this leads to from the beginning, as they were found before.
+SurfaceDomain same_samples(const geom::TriMesh& surface, const SharedSizing& shared,
+                           const RemeshResult& before, const RemeshOptions& options, RemeshResult& result);
+
 /// What is left to do where the samples of a coarser surface are brought to: the features are its own, and
 /// may have pushed them aside.
 SurfaceDomain settled_samples(const geom::TriMesh& surface, const SharedSizing& shared,

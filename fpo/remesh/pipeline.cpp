@@ -111,9 +111,7 @@ void tell_of_lengths(const RemeshTask& task, const Sizing& sizing, const AngleOp
 }
 
 /// No mesh, for that is better made otherwise, with these samples to begin with.
-RemeshResult only_samples(const SurfaceDomain& domain, const ThinParts& thin_parts) {
-  RemeshResult result;
-  result.thin_parts = thin_parts;
+RemeshResult only_samples(const SurfaceDomain& domain, RemeshResult result) {
   result.samples = samples_of(domain);
   while (result.feature_samples < result.samples.size() &&
          domain.is_fixed(geom::SiteId(result.feature_samples)))
@@ -141,14 +139,15 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   const geom::TriMesh& surface = apart ? apart->mesh : task.surface();
   const WantedType type(surface, branch_edges(shared.features));
   auto distributed = std::make_unique<SurfaceDomain>(
-      coarse ? settled_samples(surface, shared, *coarse, options, result)
-             : distributed_samples(surface, shared, task.start, options, result));
+      coarse      ? settled_samples(surface, shared, *coarse, options, result)
+      : task.same ? same_samples(surface, shared, *task.same, options, result)
+                  : distributed_samples(surface, shared, task.start, options, result));
   const bool may_part = options.sheets == Sheets::automatic && !task.start && !apart;
   std::unique_ptr<SurfaceDomain> samples =
       with_room(std::move(distributed), shared, type, options, result, may_part);
   if (may_part && result.thin_parts.faults_before > 0) {
     if (has_near_sheets(task, shared, options) && !interrupted(options))
-      return only_samples(*samples, result.thin_parts);
+      return only_samples(*samples, std::move(result));
     samples = with_room(std::move(samples), shared, type, options, result);
   }
   if (interrupted(options) && task.start && task.start->mesh.num_facets() > 0) throw geom::Interrupted();
@@ -179,6 +178,7 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   tell_of_lengths(task, sizing, angle_options(options), result);
   result.has_levels = apart.has_value();
   result.has_facing_samples = options.facing_samples;
+  result.has_strong_creases_only = options.strong_creases_only;
   if (apart) return_to(*apart, result);
   if (!coarse || is_fine(result) || !options.fixed.empty()) return result;
   RemeshResult other = on_surface(std::move(*coarse), task.input, shared.sizing, options);
@@ -190,6 +190,7 @@ struct Beginning {
   const RemeshResult* start = nullptr;
   bool only_apart = false;
   const RemeshResult* rival = nullptr;
+  const RemeshResult* same = nullptr;
 };
 
 RemeshResult remesh_with(const geom::TriMesh& surface, const FeatureChoice& choice,
@@ -205,6 +206,7 @@ RemeshResult remesh_with(const geom::TriMesh& surface, const FeatureChoice& choi
     result = remesh_task(task, options);
     return_to(narrow->split, result);
   } else {
+    task.same = begin.same;  // else its samples are on another mesh
     result = remesh_task(task, options);
   }
   result.given_up = choice.given_up;
@@ -253,14 +255,15 @@ RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoic
   const bool parted = has_only_samples(best);
   if (parted) {
     const RemeshResult begun = std::move(best);
+    const RemeshResult* const same = begun.protection.moved == 0 ? &begun : nullptr;
     best = remesh_with(surface, choice, with_levels, {&begun, true});
     const bool hopeless = (is_hopeless(best) || is_in_ruins(best)) && is_hopeless(begun);
     if (!best.has_levels) {
       std::optional<RemeshResult> other =
-          unless_interrupted(options, [&] { return remesh_with(surface, choice, together); });
+          unless_interrupted(options, [&] { return remesh_with(surface, choice, together, {.same = same}); });
       best = other ? std::move(*other) : remesh_with(surface, choice, together, {&begun});
     } else if (!best.type.ok() && !hopeless && !should_drop_creases(best, options)) {
-      attempt(together, {});
+      attempt(together, {.same = same});
     }
   }
   if (options.sheets != Sheets::automatic || options.method != Method::fpo || is_fine(best) ||
@@ -290,14 +293,6 @@ RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoic
     if (best.type.ok()) best.least_length = least;
   }
   return best;
-}
-
-/// In the way in which the other one was made, if it is left to us.
-RemeshOptions in_the_way_of(const RemeshResult& other, RemeshOptions options) {
-  if (options.sheets != Sheets::automatic) return options;
-  options.sheets = other.has_levels ? Sheets::apart : Sheets::together;
-  options.facing_samples = other.has_facing_samples;
-  return options;
 }
 
 /// With other samples on curves than the best one has: it is taken if it is better. Each way costs as much.

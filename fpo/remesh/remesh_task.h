@@ -41,6 +41,7 @@ struct RemeshTask {
   bool only_apart = false;              ///< there is nothing to do without sheets that are near each other
   const RemeshResult* start = nullptr;  ///< its samples are those to begin with
   const RemeshResult* rival = nullptr;  ///< there is nothing to do if the diagram is far worse (attempts.h)
+  const RemeshResult* same = nullptr;   ///< its samples are those that the optimization leads to
   const geom::TriMesh& surface() const { return narrow ? narrow->split.mesh : input; }
 };
 
