@@ -214,10 +214,6 @@ int run_tool(CommandLine& cli, const std::function<int(CommandLine&)>& tool) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// Large arrays go back to the system when they are freed. By itself glibc stops that once such have been
 /// freed: a run of 300,000 samples takes a quarter more then, in gaps between what is still used.
 void give_large_arrays_back() {

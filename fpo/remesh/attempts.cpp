@@ -98,13 +98,6 @@ bool is_worth_creases(const RemeshResult& with_fewer, const RemeshResult& with_a
          (!with_all.type.ok() && 2 * with_fewer.advice.places.size() < with_all.advice.places.size());
 }
 
-RemeshOptions in_the_way_of(const RemeshResult& other, RemeshOptions options) {
-  if (options.sheets != Sheets::automatic) return options;
-  options.sheets = other.has_levels ? Sheets::apart : Sheets::together;
-  options.facing_samples = other.has_facing_samples;
-  return options;
-}
-
 bool is_better(const RemeshResult& a, const RemeshResult& b) { return rank(a) > rank(b); }
 
 }  // namespace fpo

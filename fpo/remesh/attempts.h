@@ -61,10 +61,6 @@ bool is_past_mending(const ThinParts& thin_parts, std::size_t n);
 /// creases may be given up for it.
 bool is_worth_creases(const RemeshResult& with_fewer, const RemeshResult& with_all);
 
-/// To remesh in the way in which the other one was made, as far as that is left to us: sheets and facing
-/// samples.
-RemeshOptions in_the_way_of(const RemeshResult& other, RemeshOptions options);
-
 /// First by the type; if neither has it, by the places that are at fault and the edges of curves that are
 /// lost. Then by the smallest angle, up to 30 degrees, in units of that, less ten times the share of edges of
 /// curves that are lost: a tenth of the edges weighs as much as all angles. Then by the smallest angle.

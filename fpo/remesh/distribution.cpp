@@ -35,6 +35,11 @@ SurfaceDomain optimized_samples(const geom::TriMesh& surface, const SharedSizing
   OptimizeOptions optimization = options.optimize;
   optimization.seed = options.seed;
   optimization.order = VisitOrder::in_turn;  // the initial samples are in random order already
+  if (optimization.on_iteration)
+    optimization.on_iteration = [&result, &options](const IterationReport& report) {
+      result.iterations.push_back(report);
+      options.optimize.on_iteration(report);
+    };
   const SurfaceOptions diagram = surface_options(shared, options);
   std::vector<SurfaceSample> samples = initial_samples(surface, shared, options.num_samples, options.seed);
   if (start) {
@@ -94,6 +99,9 @@ SurfaceDomain same_samples(const geom::TriMesh& surface, const SharedSizing& sha
                            const RemeshResult& before, const RemeshOptions& options, RemeshResult& result) {
   result.shortest_edges = before.shortest_edges;
   result.optimization = before.optimization;
+  result.iterations = before.iterations;
+  if (options.optimize.on_iteration)  // who keeps those of the last optimization has these again
+    for (const IterationReport& report : before.iterations) options.optimize.on_iteration(report);
   return SurfaceDomain(surface, shared.sizing, before.samples, surface_options(shared, options));
 }
 

@@ -178,7 +178,6 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   tell_of_lengths(task, sizing, angle_options(options), result);
   result.has_levels = apart.has_value();
   result.has_facing_samples = options.facing_samples;
-  result.has_strong_creases_only = options.strong_creases_only;
   if (apart) return_to(*apart, result);
   if (!coarse || is_fine(result) || !options.fixed.empty()) return result;
   RemeshResult other = on_surface(std::move(*coarse), task.input, shared.sizing, options);
@@ -293,6 +292,14 @@ RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoic
     if (best.type.ok()) best.least_length = least;
   }
   return best;
+}
+
+/// In the way in which the other one was made, if it is left to us.
+RemeshOptions in_the_way_of(const RemeshResult& other, RemeshOptions options) {
+  if (options.sheets != Sheets::automatic) return options;
+  options.sheets = other.has_levels ? Sheets::apart : Sheets::together;
+  options.facing_samples = other.has_facing_samples;
+  return options;
 }
 
 /// With other samples on curves than the best one has: it is taken if it is better. Each way costs as much.

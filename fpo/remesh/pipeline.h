@@ -83,11 +83,10 @@ struct RemeshResult {
   SizingFit fit;                       ///< of the mesh's edges to them
   double least_length = 0;  ///< in even spacings, if n is too small for the lengths asked for; 0: they hold
   bool has_levels = false;  ///< sheets were near, and are set apart
-  bool has_facing_samples = false;       ///< on close curves (facing_samples.h)
-  bool has_strong_creases_only = false;  ///< as RemeshOptions::strong_creases_only
-  std::size_t feature_samples = 0;       ///< fixed points, corners and samples on curves
-  std::size_t staggered_curves = 0;      ///< opposite to the middles of another's edges
-  std::size_t feature_edges = 0;         ///< between neighbours on curves
+  bool has_facing_samples = false;   ///< on close curves (facing_samples.h)
+  std::size_t feature_samples = 0;   ///< fixed points, corners and samples on curves
+  std::size_t staggered_curves = 0;  ///< opposite to the middles of another's edges
+  std::size_t feature_edges = 0;     ///< between neighbours on curves
   /// Of these, those that are in the diagram because a ball is empty (proven_edges.h). Not counted (0) where
   /// sheets are apart.
   std::size_t proven_edges = 0;
@@ -103,6 +102,7 @@ struct RemeshResult {
   EdgeAdvice edge_advice;                ///< where, and how many samples would do
   ShortestEdgeResult shortest_edges;
   OptimizeResult optimization;
+  std::vector<IterationReport> iterations;  ///< that it told of, if anybody was told
   bool stood_in = false;         ///< of needles or noise: most was done on another surface (stand_in.h)
   double radius_factor = 0;      ///< methods with disks: their radius in units of the wanted edge length
   std::vector<Reached> reached;  ///< the measures that another method than fpo has of itself

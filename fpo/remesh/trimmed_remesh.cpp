@@ -82,13 +82,6 @@ RemeshResult remesh_part(const TriMesh& surface, const Submesh& part, RemeshOpti
   return result;
 }
 
-/// Without teeth the way in which the best one was made is taken, as far as it is left to us: each other way
-/// would cost as much once more.
-RemeshOptions for_part(const RemeshResult& best, RemeshOptions options) {
-  options.strong_creases_only |= best.has_strong_creases_only;
-  return in_the_way_of(best, std::move(options));
-}
-
 /// None if it is interrupted, or n is too small for what is left.
 std::optional<RemeshResult> try_part(const TriMesh& surface, const Submesh& part,
                                      const RemeshOptions& options, const RemeshFunction& remesh) try {
@@ -114,7 +107,7 @@ RemeshResult remesh_trimmed_or_not(const TriMesh& surface, const RemeshOptions& 
     std::vector<FacetId> facets = without_teeth(surface, {tooth.longest * spacing, tooth.angle});
     if (std::exchange(left, facets.size()) == facets.size()) continue;
     std::optional<RemeshResult> other =
-        try_part(surface, geom::submesh(surface, std::move(facets)), for_part(best, options), remesh);
+        try_part(surface, geom::submesh(surface, std::move(facets)), options, remesh);
     if (other && is_worth_it(*other, best)) best = std::move(*other);
   }
   return best;

@@ -10,9 +10,7 @@ namespace fpo {
 /// 30 degrees, and nobody asked for features: perhaps that of what is left without teeth smaller than 1.5
 /// spacings and sharper than 75 degrees or, if that does not do, than 2.5 and 85. It has to be of the type,
 /// and to have at most half as many angles below 30 degrees where the other one is of the type as well.
-/// Creases, sheets and samples on curves are chosen as they were for the best one so far: other ways are not
-/// tried again. `given_up` says how much was cut off. Samples, cells and sizes are those of the whole
-/// surface.
+/// `given_up` says how much was cut off. Samples, cells and sizes are those of the whole surface.
 RemeshResult remesh_trimmed_or_not(const geom::TriMesh& surface, const RemeshOptions& options,
                                    const RemeshFunction& remesh);
 

@@ -20,7 +20,7 @@ void DualUpdates::begin() {
   change_.circles_erased.clear();
   change_.circles_moved.clear();
   change_.cells.clear();
-  if (change_.circles_created.size() > most_of_a_move) change_.circles_created = {};  // those of build()
+  if (change_.circles_created.size() > most_of_a_move) std::vector<CircleId>().swap(change_.circles_created);
   change_.circles_created.clear();
 }
 
@@ -34,7 +34,7 @@ const DualChange& DualUpdates::build(std::vector<WeightedPoint3> points, std::sp
     state_.admit(SiteId(i), points[i]);
     state_.home[SiteId(i)] = homes[i];
   }
-  points = {};  // the state has them
+  std::vector<WeightedPoint3>().swap(points);  // the state has them
   for (const SiteId p : order) {
     state_.search.enter(p);
     if (state_.paper) state_.paper->insert(p, state_.sites[p], SiteId());

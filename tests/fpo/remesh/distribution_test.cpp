@@ -1,5 +1,8 @@
 #include "fpo/remesh/distribution.h"
 
+#include <utility>
+#include <vector>
+
 #include "doctest.h"
 #include "fpo/remesh/remesh_defaults.h"
 #include "tests/fixtures/surfaces.h"
@@ -38,11 +41,16 @@ TEST_CASE("distribution: the same samples once more are those that the optimizat
       options.optimize.max_iterations = 6;
       options.shortest_edge_removal = true;
       options.tile_samples = tile_samples;
+      std::vector<IterationReport> told;
+      options.optimize.on_iteration = [&](const IterationReport& report) { told.push_back(report); };
       const SharedSizing shared{sizing_on(blob, n, is_even), {}};
       RemeshResult first, again, same;
       const SurfaceDomain a = distributed_samples(blob, shared, nullptr, options, first);
+      const std::vector<IterationReport> told_first = std::exchange(told, {});
+      CHECK(told_first.size() > 1);
       for (std::size_t i = 0; i < n; ++i) first.samples.push_back(a.sample(SiteId(i)));
       const SurfaceDomain b = distributed_samples(blob, shared, nullptr, options, again);
+      told.clear();
       const SurfaceDomain c = same_samples(blob, shared, first, options, same);
       CHECK(oracle::circles_of(b.dual(), all_of(b)) == oracle::circles_of(c.dual(), all_of(c)));
       for (std::size_t i = 0; i < n; ++i) {
@@ -50,6 +58,8 @@ TEST_CASE("distribution: the same samples once more are those that the optimizat
         CHECK(c.sample(SiteId(i)).facet == b.sample(SiteId(i)).facet);
         CHECK(c.samples().weight(SiteId(i)) == b.samples().weight(SiteId(i)));
       }
+      REQUIRE(told.size() == told_first.size());
+      for (std::size_t i = 0; i < told.size(); ++i) CHECK(told[i].delta == told_first[i].delta);
       CHECK(same.optimization.moves == again.optimization.moves);
       CHECK(same.optimization.last.delta == again.optimization.last.delta);
       CHECK(same.shortest_edges.moves == again.shortest_edges.moves);

@@ -86,33 +86,3 @@ TEST_CASE("trimmed remesh: not where features are asked for, nor where it is no 
   };
   CHECK(remesh_trimmed_or_not(plate, options, refusing).type.bare_samples == 1);
 }
-
-TEST_CASE("trimmed remesh: without teeth all is done as for the best one so far") {
-  const TriMesh plate = fixtures::sawtooth_plate(20, 2.4);
-  for (const Sheets sheets : {Sheets::automatic, Sheets::together})
-    for (const int way : {0, 1, 2, 3}) {
-      CAPTURE(static_cast<int>(sheets));
-      CAPTURE(way);
-      RemeshOptions options = plain_options(150);
-      options.sheets = sheets;
-      std::vector<RemeshOptions> asked;
-      const auto remesh = [&](const TriMesh& surface, const RemeshOptions& how) {
-        asked.push_back(how);
-        RemeshResult result;
-        result.measures.theta_min = asked.size() == 1 ? 20 : 40;
-        result.measures.angles_below_30 = asked.size() == 1 ? 3 : 0;
-        result.has_levels = result.has_strong_creases_only = way == 1 || way == 3;
-        result.has_facing_samples = way >= 2;
-        result.sizing = VertexField(surface.num_vertices(), 1.0);
-        return result;
-      };
-      remesh_trimmed_or_not(plate, options, remesh);
-      REQUIRE(asked.size() == 2);
-      CHECK(asked[0].sheets == sheets);
-      CHECK(!asked[0].strong_creases_only);
-      CHECK(asked[1].strong_creases_only == (way == 1 || way == 3));
-      const bool is_free = sheets == Sheets::automatic;
-      CHECK(asked[1].facing_samples == (is_free && way >= 2));
-      CHECK(asked[1].sheets == (is_free && (way == 1 || way == 3) ? Sheets::apart : Sheets::together));
-    }
-}
