@@ -117,6 +117,7 @@ SurfaceDomain settled_samples(const geom::TriMesh& surface, const SharedSizing& 
   const OptimizeResult last = optimize(domain, once);
   result.stood_in = true;
   result.optimization = coarse.optimization;
+  result.iterations = coarse.iterations;
   result.optimization.moves += last.moves;
   result.optimization.last.delta = last.last.delta;
   result.optimization.last.mean_delta = last.last.mean_delta;

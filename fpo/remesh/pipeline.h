@@ -102,7 +102,7 @@ struct RemeshResult {
   EdgeAdvice edge_advice;                ///< where, and how many samples would do
   ShortestEdgeResult shortest_edges;
   OptimizeResult optimization;
-  std::vector<IterationReport> iterations;  ///< that it told of, if anybody was told
+  std::vector<IterationReport> iterations;  ///< of fpo, as on_iteration was told; empty if there is none
   bool stood_in = false;         ///< of needles or noise: most was done on another surface (stand_in.h)
   double radius_factor = 0;      ///< methods with disks: their radius in units of the wanted edge length
   std::vector<Reached> reached;  ///< the measures that another method than fpo has of itself
