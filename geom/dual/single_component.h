@@ -18,14 +18,24 @@ class SingleComponent {
   bool is_all(double cell_reach, double distance);
 
  private:
-  bool owns_nothing_of(FacetId t, double distance);
-  bool is_lost(const Frame::Place& center, double radius) const;
+  bool is_beaten_by_rim(const Frame::Place& center, double radius) const;
+  bool is_beaten_by_rival(const Frame::Place& center, double radius);
+  bool owns_nothing_of(FacetId t);
+  void find_rivals(double distance);
   bool keep_part(const Frame::Seen& site, double size);
+
+  /// A site from p.
+  struct Rival {
+    Frame::Seen seen;
+    double length, slack;
+  };
 
   Surroundings& around_;
   // Workspaces.
   std::vector<Frame::Place> part_, clipped_;
-  std::vector<SiteId> others_;
+  std::vector<double> values_;
+  std::vector<SiteId> found_;
+  std::vector<Rival> rivals_;  ///< empty: not looked for
   std::vector<FacetId> facets_;
   std::vector<Sheets::Neighbour> link_;
 };
