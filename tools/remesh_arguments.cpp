@@ -234,6 +234,10 @@ void declare_search(CommandLine& cli, RemeshArguments& a) {
                "result; auto: 3000 if there are more than 6000 samples",
        .standard = "auto"},
       [&](const std::string& text) { a.choices.tile_samples = tile_samples_of(text); });
+  cli.toggle({.name = "coarse-start",
+              .help = "where INPUT has 30 facets a sample and more, all iterations but the last ten on a "
+                      "coarser surface near it"},
+             a.remesh.coarse_start);
 }
 
 void declare_sizing(CommandLine& cli, RemeshArguments& a, Unsettled& u) {

@@ -138,6 +138,11 @@ void add_rest(Summary& s, const RemeshArguments& a, const fpo::RemeshResult& res
     s.line(worded("lengths   none below %.1f even spacings: there are too few samples for those asked for",
                   result.least_length));
   }
+  if (result.coarse_facets > 0) {
+    s.count("coarse_facets", result.coarse_facets);
+    s.line(worded("coarser   all iterations but the last on a surface of %zu facets (--no-coarse-start)",
+                  result.coarse_facets));
+  }
   if (result.thin_parts.places > 0) {
     s.count("thin_places", result.thin_parts.places);
     s.number("edges_elsewhere_longer_by", result.thin_parts.scale, 4);

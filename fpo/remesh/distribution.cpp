@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fpo/remesh/coarse_start.h"
 #include "fpo/remesh/stand_in.h"
 #include "fpo/remesh/start.h"
 #include "geom/mesh/scaling.h"
@@ -22,49 +23,85 @@ constexpr double gain_apart = 3e-4;  // of mean delta, in five iterations: a mov
 constexpr int start_saves = 3;       // times as many iterations, for samples that are spread already
 
 void remove_short_edges(SurfaceDomain& domain, const RemeshOptions& options, RemeshResult& result) {
-  if (!options.shortest_edge_removal) return;
   ShortestEdgeOptions removal;
   removal.interrupted = options.optimize.interrupted;
   result.shortest_edges = remove_shortest_edges(domain, removal);
 }
 
-/// Farthest point optimization.
-SurfaceDomain optimized_samples(const geom::TriMesh& surface, const SharedSizing& shared,
-                                const RemeshResult* start, const RemeshOptions& options,
-                                RemeshResult& result) {
-  OptimizeOptions optimization = options.optimize;
-  optimization.seed = options.seed;
-  optimization.order = VisitOrder::in_turn;  // the initial samples are in random order already
-  if (optimization.on_iteration)
-    optimization.on_iteration = [&result, &options](const IterationReport& report) {
-      result.iterations.push_back(report);
-      options.optimize.on_iteration(report);
-    };
-  const SurfaceOptions diagram = surface_options(shared, options);
-  std::vector<SurfaceSample> samples = initial_samples(surface, shared, options.num_samples, options.seed);
-  if (start) {
-    take_inner(brought_to(surface, start->samples), start->feature_samples, diagram.num_fixed, samples);
-    optimization.max_iterations =
-        std::min(optimization.max_iterations, std::max(optimization.max_iterations / start_saves, 1));
-  } else if (surface.has_levels()) {
-    optimization.least_gain = gain_apart;
-  }
-  if (options.tile_samples == 0 || samples.size() <= options.tile_samples || surface.has_levels()) {
-    SurfaceDomain domain(surface, shared.sizing, samples, diagram);
-    remove_short_edges(domain, options, result);
-    result.optimization = optimize(domain, optimization);
+/// What is optimized, and how.
+struct Optimization {
+  const geom::TriMesh& surface;
+  const Sizing& sizing;
+  SurfaceOptions diagram;
+  OptimizeOptions how;
+};
+
+/// Farthest point optimization, in tiles if the samples are many.
+SurfaceDomain optimized(const Optimization& task, std::vector<SurfaceSample> samples,
+                        const RemeshOptions& options, OptimizeResult& result) {
+  if (options.tile_samples == 0 || samples.size() <= options.tile_samples || task.surface.has_levels()) {
+    SurfaceDomain domain(task.surface, task.sizing, samples, task.diagram);
+    result = optimize(domain, task.how);
     return domain;
-  }
-  if (options.shortest_edge_removal) {
-    SurfaceDomain domain(surface, shared.sizing, samples, diagram);
-    remove_short_edges(domain, options, result);
-    samples = samples_of(domain);
   }
   TileOptions tiles;
   tiles.most_samples = options.tile_samples;
   tiles.threads = options.threads;
-  return optimize_in_tiles({surface, shared.sizing, std::move(samples), diagram}, tiles, optimization,
-                           result.optimization);
+  return optimize_in_tiles({task.surface, task.sizing, std::move(samples), task.diagram}, tiles, task.how,
+                           result);
+}
+
+/// The same, all iterations but the last on the coarser surface.
+SurfaceDomain optimized_in_parts(const geom::TriMesh& coarse, Optimization task,
+                                 std::vector<SurfaceSample> samples, const RemeshOptions& options,
+                                 OptimizeResult& result) {
+  OptimizeResult first;
+  const Sizing sizing = sizing_on(coarse, task.sizing);
+  std::vector<SurfaceSample> settled =
+      brought_to(task.surface, samples_of(optimized({coarse, sizing, task.diagram, first_part(task.how)},
+                                                    brought_to(coarse, samples), options, first)));
+  std::copy_n(samples.begin(), task.diagram.num_fixed, settled.begin());
+  result = first;
+  if (first.reason == StopReason::interrupted)
+    return SurfaceDomain(task.surface, task.sizing, settled, task.diagram);
+  task.how = last_part(task.how, first);
+  SurfaceDomain domain = optimized(task, std::move(settled), options, result);
+  result = both_parts(first, result);
+  return domain;
+}
+
+/// By farthest point optimization.
+SurfaceDomain optimized_samples(const geom::TriMesh& surface, const SharedSizing& shared,
+                                const RemeshResult* start, const RemeshOptions& options,
+                                RemeshResult& result) {
+  Optimization task{surface, shared.sizing, surface_options(shared, options), options.optimize};
+  task.how.seed = options.seed;
+  task.how.order = VisitOrder::in_turn;  // the initial samples are in random order already
+  if (task.how.on_iteration)
+    task.how.on_iteration = [&result, &options](const IterationReport& report) {
+      result.iterations.push_back(report);
+      options.optimize.on_iteration(report);
+    };
+  std::vector<SurfaceSample> samples = initial_samples(surface, shared, options.num_samples, options.seed);
+  if (start) {
+    take_inner(brought_to(surface, start->samples), start->feature_samples, task.diagram.num_fixed, samples);
+    result.coarse_facets = start->coarse_facets;
+    task.how.max_iterations =
+        std::min(task.how.max_iterations, std::max(task.how.max_iterations / start_saves, 1));
+  } else if (surface.has_levels()) {
+    task.how.least_gain = gain_apart;
+  }
+  if (options.shortest_edge_removal) {
+    SurfaceDomain domain(surface, shared.sizing, samples, task.diagram);
+    remove_short_edges(domain, options, result);
+    samples = samples_of(domain);
+  } else if (options.coarse_start && !start && has_two_parts(task.how)) {
+    if (const auto coarse = coarse_surface(surface, shared.sizing, options.num_samples)) {
+      result.coarse_facets = coarse->num_facets();
+      return optimized_in_parts(*coarse, std::move(task), std::move(samples), options, result.optimization);
+    }
+  }
+  return optimized(task, std::move(samples), options, result.optimization);
 }
 
 /// Another method. Its disks have their squared radii as weights; without disks the cells are Voronoi cells.
@@ -100,6 +137,7 @@ SurfaceDomain same_samples(const geom::TriMesh& surface, const SharedSizing& sha
   result.shortest_edges = before.shortest_edges;
   result.optimization = before.optimization;
   result.iterations = before.iterations;
+  result.coarse_facets = before.coarse_facets;
   if (options.optimize.on_iteration)  // who keeps those of the last optimization has these again
     for (const IterationReport& report : before.iterations) options.optimize.on_iteration(report);
   return SurfaceDomain(surface, shared.sizing, before.samples, surface_options(shared, options));

@@ -58,6 +58,9 @@ struct RemeshOptions {
   /// Its seed and order are overruled. Other methods than fpo heed the greatest number of iterations (of
   /// radii tried, with disks), the interruption and the callbacks.
   OptimizeOptions optimize;
+  /// All iterations of fpo but the last on a coarser surface where cells have dozens of facets
+  /// (coarse_start.h). Not with shortest edge removal.
+  bool coarse_start = true;
   double disk_radius = 0;        ///< mps, cps: of the disks, if the sizing is uniform; 0: by num_samples
   std::size_t tile_samples = 0;  ///< in a tile (tiled_optimize.h), if there are more; 0: no tiles
   int threads = 1;               ///< no matter to the result
@@ -102,6 +105,8 @@ struct RemeshResult {
   EdgeAdvice edge_advice;                ///< where, and how many samples would do
   ShortestEdgeResult shortest_edges;
   OptimizeResult optimization;
+  /// Of the coarser surface on which the first iterations were made (coarse_start.h); 0: there is none.
+  std::size_t coarse_facets = 0;
   std::vector<IterationReport> iterations;  ///< of fpo, as on_iteration was told; empty if there is none
   bool stood_in = false;         ///< of needles or noise: most was done on another surface (stand_in.h)
   double radius_factor = 0;      ///< methods with disks: their radius in units of the wanted edge length

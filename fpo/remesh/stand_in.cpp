@@ -16,7 +16,7 @@ using geom::Vec3;
 using geom::VertexId;
 
 constexpr double long_facet = 1, most_needles = 40;  // in spacings
-constexpr double short_edge = 1.0 / 8, new_edge = 1.0 / 6, long_edge = 1.0 / 2, near = 1.0 / 50;
+constexpr double long_edge = 1.0 / 2, near = 1.0 / 50;
 constexpr double most_stretch = 1.2;
 constexpr int most_passes = 32;
 constexpr std::size_t most_facets_at_vertex = 64;  // that is given up
@@ -30,8 +30,9 @@ double longest_edge(const TriMesh& mesh, FacetId t) {
 
 class Collapsing {
  public:
-  Collapsing(const TriMesh& mesh, double spacing)
-      : positions_(mesh.vertices()),
+  Collapsing(const TriMesh& mesh, const VertexField& spacing, const StandInEdges& edges)
+      : edges_(edges),
+        positions_(mesh.vertices()),
         facets_(mesh.facets()),
         spacing_(spacing),
         gone_(facets_.size(), 0),
@@ -74,7 +75,7 @@ class Collapsing {
       return x != y ? x < y : a.vertex < b.vertex;
     });
     for (const Neighbour& to : neighbours_) {
-      if (!(distance(v, to.vertex) < short_edge * spacing_)) break;
+      if (!(distance(v, to.vertex) < edges_.collapsed * spacing_[v])) break;
       if (!keeps_type(v, to) || !keeps_shape(v, to.vertex)) continue;
       replace(v, to.vertex);
       return true;
@@ -124,10 +125,9 @@ class Collapsing {
     for (const Neighbour& n : neighbours_) {
       if (n.vertex == u) continue;
       const double before = distance(v, n.vertex), after = distance(u, n.vertex);
-      const bool stretched = before > long_edge * spacing_ && after <= most_stretch * before;
-      if (after > new_edge * spacing_ && !stretched) return false;
-      if (n.facets == 1 && !lies_near(positions_[v], {positions_[u], positions_[n.vertex], positions_[u]}))
-        return false;
+      const bool stretched = before > long_edge * spacing_[v] && after <= most_stretch * before;
+      if (after > edges_.made * spacing_[v] && !stretched) return false;
+      if (n.facets == 1 && !lies_near(v, {positions_[u], positions_[n.vertex], positions_[u]})) return false;
     }
     bool is_near = false;
     for (const FacetId t : at_[v]) {
@@ -135,13 +135,13 @@ class Collapsing {
       if (now[0] == now[1] || now[1] == now[2] || now[2] == now[0]) continue;  // it goes
       const Vec3 m = (now[1] - now[0]).cross(now[2] - now[0]), n = (old[1] - old[0]).cross(old[2] - old[0]);
       if (!(m.dot(n) > 0.7 * m.norm() * n.norm())) return false;
-      is_near = is_near || lies_near(positions_[v], now);
+      is_near = is_near || lies_near(v, now);
     }
     return is_near;
   }
-  bool lies_near(const Vec3& x, const std::array<Vec3, 3>& q) const {
-    const double most = near * spacing_;
-    return geom::closest_point(x, q).distance2 <= most * most;
+  bool lies_near(VertexId v, const std::array<Vec3, 3>& q) const {
+    const double most = near * spacing_[v];
+    return geom::closest_point(positions_[v], q).distance2 <= most * most;
   }
   std::array<Vec3, 3> corners(FacetId t, VertexId from, VertexId to) const {
     std::array<Vec3, 3> q;
@@ -162,9 +162,10 @@ class Collapsing {
     at_[v].clear();
   }
 
+  StandInEdges edges_;
   Table<VertexId, Vec3> positions_;
   Table<FacetId, TriMesh::Facet> facets_;
-  double spacing_;
+  const VertexField& spacing_;
   Table<FacetId, char> gone_;
   Table<VertexId, std::vector<FacetId>> at_;  ///< some may be gone
   std::vector<Neighbour> neighbours_;         ///< of the vertex in hand
@@ -181,7 +182,13 @@ bool has_needles(const TriMesh& surface, std::size_t n, double spacing) {
   return sum > most_needles * static_cast<double>(n);
 }
 
-TriMesh stand_in(const TriMesh& surface, double spacing) { return Collapsing(surface, spacing).run(); }
+TriMesh stand_in(const TriMesh& surface, const VertexField& spacing, const StandInEdges& edges) {
+  return Collapsing(surface, spacing, edges).run();
+}
+
+TriMesh stand_in(const TriMesh& surface, double spacing) {
+  return stand_in(surface, VertexField(surface.num_vertices(), spacing));
+}
 
 std::vector<SurfaceSample> brought_to(const TriMesh& surface, std::vector<SurfaceSample> samples) {
   const geom::AabbTree tree(surface);

@@ -19,10 +19,18 @@ namespace fpo {
 /// there is no room for them.
 bool has_needles(const geom::TriMesh& surface, std::size_t n, double spacing);
 
-/// The surface with edges much shorter than the spacing collapsed into one of their ends, where the surface
-/// stays near (each time within 1/50 of the spacing), of the same type and on its side, borders on
+/// In spacings: edges that are shorter are collapsed, none longer are made.
+struct StandInEdges {
+  double collapsed = 1.0 / 8, made = 1.0 / 6;
+};
+
+/// The surface with edges shorter than the spacing at a vertex collapsed into their other end, where the
+/// surface stays near (each time within 1/50 of the spacing), of the same type and on its side, borders on
 /// themselves. Vertices keep their ids and places, some are left without a facet. O(F) a pass over the edges,
 /// some passes. Deterministic.
+geom::TriMesh stand_in(const geom::TriMesh& surface, const VertexField& spacing,
+                       const StandInEdges& edges = {});
+/// The same spacing everywhere.
 geom::TriMesh stand_in(const geom::TriMesh& surface, double spacing);
 
 /// The points of the surface that are nearest to the samples of another one.
