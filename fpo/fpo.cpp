@@ -118,6 +118,7 @@ RemeshOptions remesh_options(const geom::TriMesh& input, const Options& given) {
   options.maximal = given.maximal;
   options.surface.corners = given.corners;
   options.surface.farthest = given.farthest;
+  options.coarse_start = given.coarse_start;
   if (given.min_angle) set_least_angle(options.angles, *given.min_angle);
   if (given.min_delta) options.angles.enough_delta = options.closer_delta = *given.min_delta;
   options.optimize.interrupted = given.interrupted;

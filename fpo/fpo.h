@@ -63,6 +63,7 @@ struct Options {
   std::optional<double> weight_scale{};
   std::optional<std::size_t> tile_samples{};  ///< 0: no tiles
   std::optional<bool> optimize_angles{}, improve_fidelity{}, come_closer{};
+  bool coarse_start = true;  ///< of surfaces with dozens of facets a sample (coarse_start.h)
   /// Looked at before each move: once true, the moves so far are the result.
   const std::atomic<bool>* interrupted = nullptr;
   /// Called after each iteration, and before each move with its number (of about count times iterations),

@@ -103,6 +103,7 @@ void add_choices(const fpo_options& given, fpo::Options& options) {
   options.sheets = sheets_of(given.sheets);
   options.at_least = given.at_least != 0;
   options.maximal = given.maximal != 0;
+  options.coarse_start = given.coarse_start != 0;
   options.clean = given.clean != 0;
   options.mend = given.mend != 0;
   options.rest = given.rest != 0;
@@ -263,6 +264,7 @@ extern "C" {
   options->sheets = fpo_sheets_auto;
   options->clean = standard.clean;
   options->mend = standard.mend;
+  options->coarse_start = standard.coarse_start;
   options->min_angle = options->min_delta = -1;
   options->gradation = options->min_size = options->max_size = options->weight_scale = -1;
   options->tile_samples = -1;

@@ -58,7 +58,8 @@ typedef struct fpo_options {
   int64_t tile_samples;        /* at most, in a tile; 0: no tiles; negative: default */
   int32_t search;              /* everywhere, nearby, or fpo_by_default */
   int32_t optimize_angles, improve_fidelity, come_closer; /* fpo_no, fpo_yes, fpo_by_default */
-  const double* fixed; /* x, y, z of points of the surface that become the first vertices; may be null */
+  int32_t coarse_start; /* 0: all iterations on the surface itself, be there dozens of facets a sample */
+  const double* fixed;  /* x, y, z of points of the surface that become the first vertices; may be null */
   int64_t num_fixed;
 } fpo_options;
 

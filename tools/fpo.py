@@ -35,7 +35,7 @@ class Options(ctypes.Structure):
     _fields_ += [(name, Double) for name in ('min_angle', 'min_delta', 'gradation', 'min_size', 'max_size',
                                              'weight_scale')]
     _fields_ += [('tile_samples', Long), ('search', Int), ('optimize_angles', Int), ('improve_fidelity', Int),
-                 ('come_closer', Int),
+                 ('come_closer', Int), ('coarse_start', Int),
                  ('fixed', ctypes.POINTER(Double)), ('num_fixed', Long)]
 
 

@@ -91,13 +91,14 @@ const std::vector<Wish> wishes = {
        o.weight_scale = 0.5, o.seed = 9;
      }},
     {{"-n", "250", "--no-optimize-angles", "--no-improve-fidelity", "--no-mend", "--tiles", "100",
-      "--features", "none"},
+      "--features", "none", "--no-coarse-start"},
      [](auto& o) {
-       o.count = 250, o.optimize_angles = o.improve_fidelity = o.mend = false;
+       o.count = 250, o.optimize_angles = o.improve_fidelity = o.mend = o.coarse_start = false;
        o.tile_samples = 100, o.features.reset();
      },
      [](auto& o) {
        o.count = 250, o.optimize_angles = o.improve_fidelity = o.mend = fpo_no;
+       o.coarse_start = 0;
        o.tile_samples = 100, o.feature_angle = 0;
      }}};
 
