@@ -30,12 +30,12 @@ bool SingleComponent::is_all(double cell_reach, double distance) {
     if (around_.flood.facets().has(t) || !state.clipper.comes_near(t, p, distance) ||
         levels.gap(t, level) > distance)
       return true;
-    const double half = frame.is_level() ? 0 : levels.half(t), flat = state.clipper.radius(t);
-    const double radius = half == 0 ? flat : std::sqrt(flat * flat + half * half) * margin::more;
+    const double flat = state.clipper.radius(t), half = levels.half(t);
+    const double whole = half == 0 ? flat : std::sqrt(flat * flat + half * half) * margin::more;
     const Frame::Place center(state.clipper.middle(t) - p, levels.middle(t) - level);
-    if (is_beaten_by_rim(center, radius)) return true;
+    if (is_beaten_by_rim(center, frame.is_level() ? flat : whole)) return true;
     if (rivals_.empty()) find_rivals(distance);
-    return (radius < distance && is_beaten_by_rival(center, radius)) || owns_nothing_of(t);
+    return (whole < distance && is_beaten_by_rival(center, whole)) || owns_nothing_of(t);
   });
 }
 
@@ -45,7 +45,8 @@ bool SingleComponent::is_beaten_by_rim(const Frame::Place& center, double radius
 }
 
 /// The same of a rival. The lead of one over p is affine, hence in the ball at least what it is at the center
-/// less 2 |d| times the radius. Whoever it is, is often so for the next ball, too.
+/// less 2 |d| times the radius, which must be that of a ball in space and level: a rival may have a level of
+/// its own where the rim has none. Whoever it is, is often so for the next ball, too.
 bool SingleComponent::is_beaten_by_rival(const Frame::Place& center, double radius) {
   for (std::size_t i = 0; i < rivals_.size(); ++i) {
     const auto& [seen, length, slack] = rivals_[i];
