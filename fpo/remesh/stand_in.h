@@ -4,7 +4,8 @@
 // A facet that is longer than a cell is wide is clipped to many cells, and where thousands of such facets lie
 // side by side (a disk of needles, a sphere by latitude and longitude stretched a thousand times) each cell
 // is made of hundreds of pieces: a move costs milliseconds. What is finer than the spacing across the needles
-// matters nothing to where samples go. So they are optimized on a surface without it and brought back.
+// matters nothing to where samples go. So they are optimized on a surface without it and brought back. With
+// longer edges the same serves where facets are far smaller than cells (coarse_start.h).
 
 #include <cstddef>
 #include <vector>
