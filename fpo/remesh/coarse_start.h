@@ -9,17 +9,16 @@
 
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "fpo/optimize.h"
 #include "fpo/surface/sizing.h"
-#include "fpo/surface/surface_sample.h"
 #include "geom/mesh/trimesh.h"
 
 namespace fpo {
 
 /// The coarser surface for n samples. Vertices keep their ids and places. None where there are fewer than 30
-/// facets a sample, where it would have more than half of them, or where the surface has levels. O(F).
+/// facets a sample, where it would have more than half of them, or where the surface has levels. Cost:
+/// that of stand_in().
 std::optional<geom::TriMesh> coarse_surface(const geom::TriMesh& surface, const Sizing& sizing,
                                             std::size_t n);
 

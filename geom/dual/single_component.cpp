@@ -58,7 +58,9 @@ bool SingleComponent::is_beaten_by_rival(const Frame::Place& center, double radi
   return false;
 }
 
-/// The rim, and who may be nearer than p within that distance, on other sheets, say.
+/// The rim, and who may be nearer than p within that distance, on other sheets, say. The slack is for
+/// rounding in balls that come within the distance and are smaller: there |y| < 2 distances, and the lead is
+/// off by some 2^-49 (2 |d| distance + |c|) at most.
 void SingleComponent::find_rivals(double distance) {
   const DualState& state = around_.state;
   const std::span<const SiteId> rim = around_.rim.sites();
