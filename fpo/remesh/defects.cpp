@@ -4,7 +4,10 @@
 #include <array>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <span>
+
+#include "geom/mesh/vertex_fans.h"
 
 namespace fpo {
 
@@ -97,13 +100,21 @@ LinkShape shape_of(VertexId v, std::span<const LinkEdge> sides, const BranchEdge
 }  // namespace
 
 std::vector<Defect> find_defects(const TriMesh& mesh, const BranchEdges& branches) {
-  const Stars stars(mesh);
+  const geom::VertexFans fans(mesh);
+  const auto is_in_doubt = [&](VertexId v) {
+    if (!branches.empty() || fans.num_facets(v) == 0) return true;
+    const geom::VertexFans::Fan fan = fans.at(v);
+    return !fan.is_whole || fan.is_doubled;
+  };
   std::vector<Defect> defects;
   std::vector<LinkEdge> sides;
   std::vector<VertexId> reached;
+  std::optional<Stars> stars;
   for (std::size_t v = 0; v < mesh.num_vertices(); ++v) {
+    if (!is_in_doubt(VertexId(v))) continue;
+    if (!stars) stars.emplace(mesh);
     sides.clear();
-    stars.append_link(VertexId(v), sides);
+    stars->append_link(VertexId(v), sides);
     std::ranges::sort(sides);
     const LinkShape shape = shape_of(VertexId(v), sides, branches, reached);
     if (!shape.fan_or_disk) defects.push_back({SiteId(v), SiteId(shape.branching.value)});

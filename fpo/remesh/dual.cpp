@@ -27,19 +27,19 @@ std::size_t Dual::num_faults() const {
 
 namespace {
 
-void look_at(Dual& dual, const WantedType& type) {
+void look_at(Dual& dual, std::span<const SurfaceSample> samples, const WantedType& type) {
   dual.defects = find_defects(dual.mesh, type.branch_edges);
-  dual.type = check_type(type, dual.mesh, dual.samples);
+  dual.type = check_type(type, dual.mesh, samples);
 }
 
 /// The remesh by the domain's circles, if it is right. Then each cell has all its corners in one cycle or
 /// path: none has orphans but such as border one other cell alone, which have no triangle, whoever has them.
 std::optional<Dual> right_dual(const SurfaceDomain& domain, const WantedType& type) {
   Dual dual;
-  dual.samples = samples_of(domain);
   dual.mesh = extract(domain);
-  look_at(dual, type);
+  look_at(dual, domain.samples().all(), type);
   if (!dual.type.ok() || !dual.defects.empty()) return {};
+  dual.samples = samples_of(domain);  // only now: while the type is found out memory is at its most
   return dual;
 }
 
@@ -54,7 +54,7 @@ Dual dual_of(const SurfaceDomain& domain, const WantedType& type, bool keep_cell
   const std::unique_ptr<geom::RestrictedPower> diagram = domain.diagram();
   dual.localization = localize(*diagram, dual.samples, interrupted);
   dual.mesh = extract(*diagram, dual.samples.size(), dual.localization.owners);
-  look_at(dual, type);
+  look_at(dual, dual.samples, type);
   if (!dual.type.ok() && !type.branches) dual.cell_faults = cell_faults(*diagram, dual.localization.owners);
   if (dual.defects.empty() && !type.branches)
     for (const CellFault& fault : dual.cell_faults) dual.defects.push_back({fault.cell, fault.other});

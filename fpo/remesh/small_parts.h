@@ -4,6 +4,7 @@
 // beforehand, and samples are put there to begin with. Not in the paper, whose models have one component.
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
@@ -39,7 +40,7 @@ class SmallParts {
 
   std::vector<std::vector<geom::FacetId>> parts_;  ///< none if there is one alone
   std::vector<geom::PartType> types_;
-  geom::Table<geom::FacetId, std::size_t> part_of_;
+  geom::Table<geom::FacetId, std::uint32_t> part_of_;
 };
 
 /// Such that a component gets some so many samples, and what is around it hardly more than without. Empty if
@@ -51,7 +52,7 @@ std::vector<Spot> spots_of_body(const geom::TriMesh& mesh, const std::vector<geo
 /// farthest from those there: inner ones from other parts that keep eight, whoever they are.
 struct Peopling {
   const geom::TriMesh& mesh;
-  const geom::Table<geom::FacetId, std::size_t>& part_of;
+  const geom::Table<geom::FacetId, std::uint32_t>& part_of;
   std::map<std::size_t, std::size_t> least;  ///< samples of each such part
   std::size_t num_fixed;                     ///< the first ones
 };

@@ -22,6 +22,7 @@ class WeightedSamples {
 
   std::size_t size() const { return places_.size(); }
   const SurfaceSample& operator[](SiteId x) const { return places_[x]; }
+  std::span<const SurfaceSample> all() const { return places_; }
   const Sizing& sizing() const { return sizing_; }
 
   void put(SiteId x, const SurfaceSample& place) { places_[x] = place; }

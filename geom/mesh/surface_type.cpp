@@ -2,18 +2,26 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "geom/mesh/edges.h"
 #include "geom/mesh/opened_mesh.h"
+#include "geom/mesh/vertex_fans.h"
 
 namespace geom {
 namespace {
 
 /// Which parts have a way round after which left is right: a facet and its mirror image, two nodes each, are
-/// joined across edges of two facets as these run; where both come together the part is one-sided.
+/// joined across edges of two facets as these run; where both come together the part is one-sided. Where all
+/// run alike nothing can.
 void find_one_sided(const TriMesh& mesh, SurfaceType& type) {
+  bool run_alike = true;
+  for_each_edge(mesh, [&](auto first, auto last) {
+    run_alike &= last - first != 2 || first[0].ascending != first[1].ascending;
+  });
+  if (run_alike) return;
   const std::size_t count = type.part_of.size();
   DisjointSets sides(2 * count);
   for_each_edge(mesh, [&](auto first, auto last) {
@@ -32,33 +40,58 @@ std::size_t corner_at(const TriMesh& mesh, FacetId t, VertexId v) {
   return 3 * t.index() + static_cast<std::size_t>(std::ranges::find(f, v) - f.begin());
 }
 
+/// The sheets at vertices by numbers below `count`.
+class NumberedSheets {
+ public:
+  explicit NumberedSheets(const TriMesh& mesh) : mesh_(mesh), count_(mesh.num_vertices()) {
+    const VertexFans fans(mesh);
+    bool are_manifold = true;
+    for (VertexId v(0); v.index() < mesh.num_vertices(); v = VertexId(v.value + 1))
+      are_manifold &= fans.is_manifold(v);
+    if (are_manifold) return;
+    count_ = 3 * mesh.num_facets();
+    corners_ = sheets_at_vertices(mesh);
+  }
+  std::size_t count() const { return count_; }
+  /// That of facet t at its corner v.
+  std::size_t at(FacetId t, VertexId v) {
+    return corners_ ? corners_->find(corner_at(mesh_, t, v)) : v.index();
+  }
+
+ private:
+  const TriMesh& mesh_;
+  std::size_t count_;
+  std::optional<DisjointSets> corners_;  ///< none if each vertex has one sheet
+};
+
 /// Vertices and their borders, counted once for each sheet.
 void count_at_vertices(const TriMesh& mesh, SurfaceType& type) {
-  const std::size_t num_corners = 3 * mesh.num_facets();
-  DisjointSets sheets = sheets_at_vertices(mesh), loops(0);
+  NumberedSheets sheets(mesh);
+  DisjointSets loops(0);
   std::vector<char> on_border;  // both of no size if there is no border
   for_each_edge(mesh, [&](auto first, auto last) {
     type.branches |= last - first > 2;
     if (last - first != 1) return;
-    const std::size_t a = sheets.find(corner_at(mesh, first->facet, first->low)),
-                      b = sheets.find(corner_at(mesh, first->facet, first->high));
+    const std::size_t a = sheets.at(first->facet, first->low), b = sheets.at(first->facet, first->high);
     if (on_border.empty()) {
-      on_border.assign(num_corners, 0);
-      loops = DisjointSets(num_corners);
+      on_border.assign(sheets.count(), 0);
+      loops = DisjointSets(sheets.count());
     }
     on_border[a] = on_border[b] = 1;
     loops.merge(a, b);
   });
-  std::vector<char> sheets_of(mesh.num_vertices(), 0);  // 2: several
-  for (std::size_t c = 0; c < num_corners; ++c) {
-    if (sheets.find(c) != c) continue;
-    PartType& part = type.parts[type.part_of[FacetId(c / 3)]];
-    ++part.euler;
-    part.border_loops += !on_border.empty() && on_border[c] && loops.find(c) == c;
-    char& sheets_here = sheets_of[mesh.facet(FacetId(c / 3))[c % 3].index()];
-    type.split_vertices += sheets_here == 1;
-    if (sheets_here < 2) ++sheets_here;
-  }
+  std::vector<char> counted(sheets.count(), 0), sheets_of(mesh.num_vertices(), 0);  // 2: several
+  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
+    for (const VertexId v : mesh.facet(t)) {
+      const std::size_t sheet = sheets.at(t, v);
+      if (std::exchange(counted[sheet], 1) == 1) continue;
+      PartType& part = type.parts[type.part_of[t]];
+      ++part.euler;
+      part.border_loops += !on_border.empty() && on_border[sheet] && loops.find(sheet) == sheet;
+      char& sheets_here = sheets_of[v.index()];
+      type.split_vertices += sheets_here == 1;
+      if (sheets_here < 2) ++sheets_here;
+    }
 }
 
 }  // namespace
@@ -95,7 +128,8 @@ void find_parts(const TriMesh& mesh, SurfaceType& type) {
   for (std::size_t t = 0; t < mesh.num_facets(); ++t) {
     const std::size_t first = joined.find(t);
     const bool is_new = first == t;
-    type.part_of.push_back(is_new ? type.parts.size() : type.part_of[FacetId(first)]);
+    type.part_of.push_back(is_new ? static_cast<std::uint32_t>(type.parts.size())
+                                  : type.part_of[FacetId(first)]);
     if (is_new) type.parts.emplace_back();
     ++type.parts[type.part_of.back()].euler;
   }

@@ -2,6 +2,7 @@
 // The topological type of a surface, part by part.
 
 #include <compare>
+#include <cstdint>
 #include <vector>
 
 #include "geom/disjoint_sets.h"
@@ -23,7 +24,7 @@ struct PartType {
 /// they are, and are left out of the question which side is left.
 struct SurfaceType {
   std::vector<PartType> parts;
-  Table<FacetId, std::size_t> part_of;
+  Table<FacetId, std::uint32_t> part_of;
   bool branches = false;           ///< an edge has more than two facets
   std::size_t split_vertices = 0;  ///< those of several sheets
 

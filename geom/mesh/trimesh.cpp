@@ -6,6 +6,7 @@
 #include "geom/check.h"
 #include "geom/disjoint_sets.h"
 #include "geom/mesh/edges.h"
+#include "geom/mesh/vertex_fans.h"
 
 namespace geom {
 namespace {
@@ -83,53 +84,40 @@ double TriMesh::area() const {
   return sum;
 }
 
-// A vertex is manifold if its facets, joined across edges at the vertex that have two facets, form one set,
-// and none of those edges has three: then they are a disk or a fan. Boundary loops are the components of the
+// A vertex is manifold if its facets are one fan or one disk. Boundary loops are the components of the
 // boundary edges.
 Topology topology(const TriMesh& mesh) {
   Topology result;
   result.facets = mesh.num_facets();
-  const std::size_t v_count = mesh.num_vertices();
-  DisjointSets components(v_count), loops(v_count);
-  DisjointSets fans(3 * mesh.num_facets());  // facet corners, joined around each vertex
-  const auto corner_at = [&](FacetId t, VertexId v) {
-    const TriMesh::Facet& f = mesh.facet(t);
-    return 3 * t.index() + static_cast<std::size_t>(std::ranges::find(f, v) - f.begin());
-  };
-  std::vector<char> used(v_count, 0), on_boundary(v_count, 0), bad(v_count, 0);
-
+  const VertexFans fans(mesh);
+  DisjointSets components(mesh.num_vertices()), loops(0);
+  std::vector<char> on_boundary;  // both of no size if there is none
   for_each_edge(mesh, [&](auto first, auto last) {
     ++result.edges;
-    const VertexId low = first->low, high = first->high;
-    used[low.index()] = used[high.index()] = 1;
-    components.merge(low.index(), high.index());
+    const std::size_t low = first->low.index(), high = first->high.index();
+    components.merge(low, high);
     if (last - first == 1) {
       ++result.boundary_edges;
-      on_boundary[low.index()] = on_boundary[high.index()] = 1;
-      loops.merge(low.index(), high.index());
+      if (on_boundary.empty()) {
+        on_boundary.assign(mesh.num_vertices(), 0);
+        loops = DisjointSets(mesh.num_vertices());
+      }
+      on_boundary[low] = on_boundary[high] = 1;
+      loops.merge(low, high);
     } else if (last - first == 2) {
       result.misoriented_edges += first[0].ascending == first[1].ascending;
-      for (const VertexId v : {low, high})
-        fans.merge(corner_at(first[0].facet, v), corner_at(first[1].facet, v));
     } else {
       ++result.nonmanifold_edges;
-      bad[low.index()] = bad[high.index()] = 1;
     }
   });
-
-  std::vector<std::size_t> fan_of(v_count, 3 * mesh.num_facets());
-  for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1))
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t v = mesh.facet(t)[i].index(), fan = fans.find(3 * t.index() + i);
-      if (fan_of[v] == 3 * mesh.num_facets()) fan_of[v] = fan;
-      if (fan_of[v] != fan) bad[v] = 1;
-    }
-  for (std::size_t v = 0; v < v_count; ++v) {
-    result.vertices += used[v];
-    result.unreferenced_vertices += !used[v];
-    result.nonmanifold_vertices += bad[v];
-    result.components += used[v] && components.find(v) == v;
-    result.boundary_loops += on_boundary[v] && loops.find(v) == v;
+  for (VertexId v(0); v.index() < mesh.num_vertices(); v = VertexId(v.value + 1)) {
+    const bool is_used = fans.num_facets(v) > 0;
+    result.vertices += is_used;
+    result.unreferenced_vertices += !is_used;
+    result.nonmanifold_vertices += !fans.is_manifold(v);
+    result.components += is_used && components.find(v.index()) == v.index();
+    result.boundary_loops +=
+        !on_boundary.empty() && on_boundary[v.index()] && loops.find(v.index()) == v.index();
   }
   result.euler =
       static_cast<long>(result.vertices) - static_cast<long>(result.edges) + static_cast<long>(result.facets);

@@ -8,26 +8,19 @@
 #include "doctest.h"
 #include "geom/check.h"
 #include "io/mesh_io.h"
+#include "tests/fixtures/connections.h"
 #include "tests/fixtures/models.h"
 #include "tests/fixtures/surfaces.h"
 
 namespace {
 
+using fixtures::connections;
 using geom::FacetId;
 using geom::Table;
 using geom::Topology;
 using geom::TriMesh;
 using geom::Vec3;
 using geom::VertexId;
-
-/// A mesh of which only the connections matter.
-TriMesh connections(std::size_t num_vertices, const std::vector<std::array<int, 3>>& triangles) {
-  Table<VertexId, Vec3> vertices;
-  for (std::size_t i = 0; i < num_vertices; ++i) vertices.push_back(Vec3::Random());
-  Table<FacetId, TriMesh::Facet> facets;
-  for (const auto& [a, b, c] : triangles) facets.push_back({VertexId(a), VertexId(b), VertexId(c)});
-  return TriMesh(std::move(vertices), std::move(facets));
-}
 
 /// A torus of k x k squares.
 TriMesh torus(int k) {
