@@ -198,8 +198,8 @@ SplitSurface split_at(const std::vector<NarrowPlace>& places, const TriMesh& mes
   const double most = static_cast<double>(mesh.num_facets()) + most_facets * even;
   for (int pass = 0; has_long_edges(split.mesh, Sizing(split.mesh, split.h), split_length); ++pass) {
     if (pass == most_passes || static_cast<double>(split.mesh.num_facets()) > most) return {};
-    SplitSurface next =
-        split_alike(split.mesh, Sizing(split.mesh, split.h), split_length, static_cast<std::size_t>(most));
+    SplitSurface next = split_long_edges(split.mesh, Sizing(split.mesh, split.h), split_length, {},
+                                         static_cast<std::size_t>(most));
     for (FacetId& parent : next.parents) parent = split.parents[parent];
     next.h = lengths(next.mesh);
     split = std::move(next);

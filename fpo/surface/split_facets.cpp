@@ -140,10 +140,4 @@ SplitSurface split_long_edges(const TriMesh& mesh, const Sizing& sizing, double 
   return splitting.take();
 }
 
-SplitSurface split_alike(const TriMesh& mesh, const Sizing& sizing, double most, std::size_t most_parts) {
-  Splitting splitting(mesh, sizing, most);
-  while (splitting.num_parts() <= most_parts && splitting.halve({})) continue;
-  return splitting.take();
-}
-
 }  // namespace fpo

@@ -26,8 +26,5 @@ bool has_long_edges(const geom::TriMesh& mesh, const Sizing& sizing, double most
 SplitSurface split_long_edges(const geom::TriMesh& mesh, const Sizing& sizing, double most,
                               std::span<SurfaceSample> samples,
                               std::size_t most_parts = std::numeric_limits<std::size_t>::max());
-/// All facets to parts like themselves, and more than that many of needles: then these are in the way.
-SplitSurface split_alike(const geom::TriMesh& mesh, const Sizing& sizing, double most,
-                         std::size_t most_parts);
 
 }  // namespace fpo

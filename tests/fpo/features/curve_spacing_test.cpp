@@ -136,6 +136,18 @@ TEST_CASE("curve spacing: fewer facets for lengths that are possible, and nearly
   CHECK(num_samples(surface, again.sizing) == doctest::Approx(n).epsilon(1e-3));
 }
 
+TEST_CASE("curve spacing: long facets beside a narrow place become few parts") {
+  const TriMesh bar = block(10, 1, 0.05);  // two facets a side
+  const double spacing = 0.05 / 0.55;
+  const auto narrow = narrow_surface(bar, find_features(bar), spacing, 0.25);
+  REQUIRE(narrow.has_value());
+  const TriMesh& surface = narrow->split.mesh;
+  CHECK(surface.area() == doctest::Approx(bar.area()));
+  CHECK(geom::topology(surface).euler == 2);
+  const double per_sample = static_cast<double>(surface.num_facets()) * spacing * spacing / bar.area();
+  CHECK(per_sample < 4);  // cut to parts like themselves they would be fourteen
+}
+
 TEST_CASE("curve spacing: what cannot be helped is left alone") {
   const TriMesh plate = geom::make_shape("thin-plate");
   const double even = hexagonal_spacing(plate.area(), 300);
