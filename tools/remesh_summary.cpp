@@ -106,7 +106,7 @@ void add_features(Summary& s, const RemeshArguments& a, const fpo::RemeshResult&
   if (!a.remesh.features || !a.remesh.features->yielding) return;
   if (!result.given_up.empty()) {
     s.text("features_given_up", result.given_up);
-    s.line(result.given_up);
+    if (!result.features_missed) s.line(result.given_up);  // else it is a warning
   }
   if (result.crease_curves == 0) return;
   s.count("crease_curves", result.crease_curves);

@@ -191,6 +191,7 @@ void add_short_edge(const geom::TriMesh& input, const fpo::RemeshResult& result,
 std::vector<std::string> shape_warnings(const geom::TriMesh& input, const fpo::RemeshResult& result,
                                         const fpo::RemeshOptions& options) {
   std::vector<std::string> lines;
+  if (result.features_missed) lines.push_back(result.given_up);
   add_far_part(result, options, lines);
   add_short_edge(input, result, options, lines);
   add_small_angles(result, lines);

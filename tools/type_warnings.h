@@ -24,8 +24,9 @@ std::size_t enough_samples(const fpo::RemeshResult& result);
 std::vector<std::string> type_warnings(const geom::TriMesh& input, const fpo::RemeshResult& result,
                                        const fpo::RemeshOptions& options);
 
-/// Lines on a part that is cut off, on the shortest edge if it is shorter than half of what was wanted, or of
-/// an even spacing, on angles below 30 degrees and on feature edges that are missing.
+/// Lines on features that are given up, on a part that is cut off, on the shortest edge if it is shorter than
+/// half of what was wanted, or of an even spacing, on angles below 30 degrees and on feature edges that are
+/// missing.
 std::vector<std::string> shape_warnings(const geom::TriMesh& input, const fpo::RemeshResult& result,
                                         const fpo::RemeshOptions& options);
 

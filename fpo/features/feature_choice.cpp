@@ -301,6 +301,7 @@ FeatureChoice choose_features(const TriMesh& mesh, FeatureOptions options, const
   if ((too_many || (plan.strong_only && options.yielding)) && !noise && !disorder && !stepped)
     strong = strong_curves(mesh, options, result.features, plan);
   if (strong) {
+    result.are_missed = strong->given_up > 0;
     if (strong->given_up > 0)
       result.given_up = "creases given up: " + std::to_string(strong->given_up) + " of " +
                         std::to_string(result.features.curves.size()) +
@@ -312,6 +313,7 @@ FeatureChoice choose_features(const TriMesh& mesh, FeatureOptions options, const
     options.crease_angle = options.weak_crease_angle = 180;
     options.apex_angle = 0;
     result.features = find_features(mesh, options);
+    result.are_missed = !noise && !stepped;
     result.given_up = "creases dropped: " + std::to_string(curves) + " curves ";
     result.given_up += noise      ? "are folded to both sides by turns, as in noise"
                        : disorder ? "cross each other everywhere"
@@ -323,6 +325,7 @@ FeatureChoice choose_features(const TriMesh& mesh, FeatureOptions options, const
   if (options.yielding && needed() > plan.num_samples) {
     options.corner_turn = 180;
     result.features = find_features(mesh, options);
+    result.are_missed = true;
     result.given_up = "corners of borders dropped: there are too few samples";
   }
   const std::size_t curves = result.features.curves.size();

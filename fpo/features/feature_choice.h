@@ -25,6 +25,7 @@ struct SamplingPlan {
 struct FeatureChoice {
   Features features;
   std::string given_up;       ///< which features are not kept and why, for users; empty: none of them
+  bool are_missed = false;    ///< those are of the shape: neither noise upon it nor steps of a lattice
   std::size_t collapsed = 0;  ///< curves that were too short
 };
 

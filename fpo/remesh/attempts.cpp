@@ -81,6 +81,13 @@ bool has_many_small_angles(const RemeshResult& r) {
          r.measures.angles_below_30 * triangles_for_one_small_angle > r.mesh.num_facets();
 }
 
+std::string harm_of_creases(const RemeshResult& r) {
+  return "with " + std::to_string(r.crease_curves) + " curves kept " +
+         (!r.type.ok()    ? "the remesh would be of another type"
+          : is_useless(r) ? "angles would be useless"
+                          : "many angles would be below 30 degrees");
+}
+
 bool is_undone_by_staggering(const RemeshResult& r) {
   return r.staggered_curves > 0 && (!r.type.ok() || 2 * r.broken_feature_edges > r.feature_edges);
 }

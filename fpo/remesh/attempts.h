@@ -2,6 +2,8 @@
 // Which of several remeshes of one surface is kept, where there are ways to choose from: sheets together or
 // apart, samples of close curves facing each other or staggered or not, creases kept or not.
 
+#include <string>
+
 #include "fpo/remesh/pipeline.h"
 
 namespace fpo {
@@ -44,6 +46,9 @@ bool is_spoilt_by_creases(const RemeshResult& result);
 /// With creases, and an angle below 30 degrees for ten triangles: there are lines between which no good ones
 /// have room.
 bool has_many_small_angles(const RemeshResult& result);
+
+/// What dropping the creases would spare, in words.
+std::string harm_of_creases(const RemeshResult& result);
 
 /// Of another type, or without most edges of curves, where samples of some are opposite to the middles of
 /// another's edges (facing_curves.h): perhaps better without that, which takes fewer samples.

@@ -209,6 +209,7 @@ RemeshResult remesh_with(const geom::TriMesh& surface, const FeatureChoice& choi
     result = remesh_task(task, options);
   }
   result.given_up = choice.given_up;
+  result.features_missed = choice.are_missed;
   result.collapsed_curves = choice.collapsed;
   return result;
 }
@@ -338,14 +339,6 @@ struct WithCreases {
   bool tried_strong = false;
 };
 
-/// What dropping them spares, in words.
-std::string harm_of_creases(const RemeshResult& result) {
-  return "with " + std::to_string(result.crease_curves) + " curves kept " +
-         (!result.type.ok()    ? "the remesh would be of another type"
-          : is_useless(result) ? "angles would be useless"
-                               : "many angles would be below 30 degrees");
-}
-
 /// Only the strongest creases, if that is of more use than all of them; if all are useless perhaps none. None
 /// as well if that alone has no small angles, where there are many.
 RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, WithCreases with,
@@ -367,8 +360,10 @@ RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, WithCreases
   std::optional<RemeshResult> other =
       unless_interrupted(options, [&] { return remesh_sheets(surface, borders, without); });
   if (other && is_worth_creases(*other, result) && (is_useless(result) || has_wanted_angles(*other)) &&
-      take_if_better(std::move(other), result))
+      take_if_better(std::move(other), result)) {
     result.given_up = "creases dropped: " + harm + "; --features 45 keeps them";
+    result.features_missed = true;
+  }
   return result;
 }
 

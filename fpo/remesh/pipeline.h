@@ -96,6 +96,7 @@ struct RemeshResult {
   std::size_t crease_curves = 0;         ///< curves kept that are creases
   std::size_t crease_edges = 0;          ///< between neighbours on these
   std::string given_up;                  ///< features that are not kept, and why, for users; empty: none
+  bool features_missed = false;          ///< and they are of the shape: worth a warning
   std::size_t collapsed_curves = 0;      ///< too short for the spacing
   FeatureBound feature_bound;            ///< how many samples keep all features
   Protection protection;                 ///< of those edges

@@ -57,6 +57,14 @@ TEST_CASE("type warnings: the edges that are missing count where it is not known
   CHECK(tools::enough_samples(result) == 0);
 }
 
+TEST_CASE("type warnings: features of the shape that are given up, not noise upon it") {
+  fpo::RemeshResult result;
+  result.given_up = "creases given up: 3 of 12 curves";
+  CHECK(tools::shape_warnings({}, result, {}).empty());
+  result.features_missed = true;
+  CHECK(tools::shape_warnings({}, result, {}) == std::vector{result.given_up});
+}
+
 TEST_CASE("type warnings: nobody is told a number that is of no use") {
   fpo::RemeshResult result;
   result.samples.resize(500);

@@ -179,7 +179,9 @@ TEST_CASE("feature choice: what nobody asked for is never refused, and what is g
     const FeatureChoice choice = choose_features(cube, automatic_features(), plan_of(cube, n));
     CHECK(choice.features.empty());
     CHECK(!choice.given_up.empty());
+    CHECK(choice.are_missed);
   }
+  CHECK(!choose_features(cube, automatic_features(), plan_of(cube, 16)).are_missed);
   CHECK(choose_features(cube, automatic_features(), plan_of(cube, 16)).features.corners.size() == 8);
   CHECK(choose_features(cube, {}, plan_of(cube, 4)).features.corners.size() == 8);  // asked for
   const TriMesh square = geom::make_shape("square", 3);
@@ -187,6 +189,7 @@ TEST_CASE("feature choice: what nobody asked for is never refused, and what is g
   CHECK(three.features.corners.empty());
   CHECK(three.features.curves.size() == 1);
   CHECK(!three.given_up.empty());
+  CHECK(three.are_missed);
 }
 
 TEST_CASE("feature choice: slivers make no creases and break none") {
