@@ -110,7 +110,8 @@ void add_small_angles(const fpo::RemeshResult& result, std::vector<std::string>&
   std::string line = worded("%zu angles are below 30 degrees, the smallest is %.1f",
                             result.measures.angles_below_30, result.measures.theta_min);
   if (result.corner_angle < 30)
-    line += worded("; between creases of the input the smallest is %.1f", result.corner_angle);
+    line += worded("; %zu between creases of the input are, the smallest is %.1f", result.sharp_corners,
+                   result.corner_angle);
   if (told_for_features(result) > result.samples.size())
     line += worded("; %s, from about -n %zu on that does not matter", feature_need(result.feature_bound.need),
                    enough_samples(result));

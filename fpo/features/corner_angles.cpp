@@ -36,12 +36,13 @@ int corner_of(const TriMesh& mesh, FacetId t, VertexId v) {
 }  // namespace
 
 // From each edge of a feature that begins a facet at a vertex, around it to the next such edge.
-double smallest_corner_angle(const TriMesh& mesh, const Features& features) {
+CornerAngles corner_angles(const TriMesh& mesh, const Features& features) {
   const std::vector<CurveEdge> edges = curve_edges(features);
   const auto is_edge = [&](VertexId a, VertexId b) {
     return std::ranges::binary_search(edges, CurveEdge(std::minmax(a, b)));
   };
-  double least = std::numbers::pi;
+  CornerAngles result;
+  constexpr double degree = std::numbers::pi / 180;
   for (FacetId first(0); !edges.empty() && first.index() < mesh.num_facets();
        first = FacetId(first.value + 1))
     for (std::size_t i = 0; i < 3; ++i) {
@@ -49,17 +50,20 @@ double smallest_corner_angle(const TriMesh& mesh, const Features& features) {
       if (!is_edge(v, mesh.facet(first)[(i + 1) % 3])) continue;
       double angle = 0;
       FacetId t = first;
-      for (int at = static_cast<int>(i); angle < least; at = corner_of(mesh, t, v)) {
+      for (int at = static_cast<int>(i); angle < degree * std::max(result.smallest, 30.0);
+           at = corner_of(mesh, t, v)) {
         angle += geom::corner_angle(mesh, t, at);
         if (is_edge(v, mesh.facet(t)[static_cast<std::size_t>((at + 2) % 3)])) {
-          if (angle > 0) least = std::min(least, angle);  // else the facets have no area
+          if (!(angle > 0)) break;  // the facets have no area
+          result.smallest = std::min(result.smallest, angle / degree);
+          result.below_30 += angle < 30 * degree;
           break;
         }
         t = mesh.across(t, (at + 2) % 3);
         if (!t.valid() || t == first) break;
       }
     }
-  return 180 / std::numbers::pi * least;
+  return result;
 }
 
 }  // namespace fpo

@@ -5,8 +5,13 @@
 
 namespace fpo {
 
-/// The smallest angle along the surface between two edges of features that follow each other around a vertex,
-/// in degrees; 180 if there is none smaller. O(F log F).
-double smallest_corner_angle(const geom::TriMesh& mesh, const Features& features);
+/// Angles along the surface between two edges of features that follow each other around a vertex.
+struct CornerAngles {
+  double smallest = 180;     ///< degrees; no larger ones are looked at
+  std::size_t below_30 = 0;  ///< how many are less than that
+};
+
+/// O(F log F).
+CornerAngles corner_angles(const geom::TriMesh& mesh, const Features& features);
 
 }  // namespace fpo

@@ -91,7 +91,9 @@ void tell_of_features(const RemeshTask& task, const SharedSizing& shared, Remesh
   result.feature_samples = shared.features.samples.size();
   result.staggered_curves = shared.features.staggered_curves;
   result.feature_edges = num_edges(shared.features);
-  result.corner_angle = smallest_corner_angle(task.surface(), task.features);
+  const CornerAngles corners = corner_angles(task.surface(), task.features);
+  result.corner_angle = corners.smallest;
+  result.sharp_corners = corners.below_30;
   for (std::size_t c = 0; c < task.features.curves.size(); ++c)
     if (task.features.curves[c].sheets == 2)
       ++result.crease_curves, result.crease_edges += shared.features.chains[c].size() - 1;

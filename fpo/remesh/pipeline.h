@@ -103,6 +103,7 @@ struct RemeshResult {
   std::size_t broken_feature_edges = 0;  ///< those that are no edges of the mesh
   Finish finish;                         ///< what was mended on the mesh
   double corner_angle = 180;             ///< the smallest between features of the input (corner_angles.h)
+  std::size_t sharp_corners = 0;         ///< those below 30 degrees
   EdgeAdvice edge_advice;                ///< where, and how many samples would do
   ShortestEdgeResult shortest_edges;
   OptimizeResult optimization;

@@ -65,6 +65,18 @@ TEST_CASE("type warnings: features of the shape that are given up, not noise upo
   CHECK(tools::shape_warnings({}, result, {}) == std::vector{result.given_up});
 }
 
+TEST_CASE("type warnings: of small angles, how many the input has between creases") {
+  fpo::RemeshResult result;
+  result.measures.angles_below_30 = 28;
+  result.measures.theta_min = 13.6;
+  const std::string plain = "28 angles are below 30 degrees, the smallest is 13.6";
+  CHECK(tools::shape_warnings({}, result, {}) == std::vector{plain});
+  result.corner_angle = 13.6;
+  result.sharp_corners = 14;
+  const std::string more = "; 14 between creases of the input are, the smallest is 13.6";
+  CHECK(tools::shape_warnings({}, result, {}) == std::vector{plain + more});
+}
+
 TEST_CASE("type warnings: nobody is told a number that is of no use") {
   fpo::RemeshResult result;
   result.samples.resize(500);

@@ -15,7 +15,8 @@ using geom::VertexId;
 
 namespace {
 
-double of(const TriMesh& mesh) { return smallest_corner_angle(mesh, find_features(mesh)); }
+double of(const TriMesh& mesh) { return corner_angles(mesh, find_features(mesh)).smallest; }
+std::size_t sharp(const TriMesh& mesh) { return corner_angles(mesh, find_features(mesh)).below_30; }
 
 }  // namespace
 
@@ -23,6 +24,9 @@ TEST_CASE("corner angles: a cube's are right, a wedge has its own, a sphere none
   CHECK(of(geom::make_shape("cube")) == doctest::Approx(90));
   CHECK(of(geom::make_shape("wedge")) == doctest::Approx(15));
   CHECK(of(geom::make_shape("sphere")) == 180);
+  CHECK(sharp(geom::make_shape("cube")) == 0);
+  CHECK(sharp(geom::make_shape("wedge")) == 2);  // on its two ends
+  CHECK(sharp(geom::make_shape("star")) == 10);
 }
 
 TEST_CASE("corner angles: those of several facets are added up, the way around a border is none") {
@@ -37,5 +41,7 @@ TEST_CASE("corner angles: those of several facets are added up, the way around a
   for (std::size_t k = 1; k <= 4; ++k) facets.push_back({VertexId(0), VertexId(k), VertexId(k + 1)});
   const TriMesh fan(vertices, facets);
   CHECK(of(fan) == doctest::Approx(77.5));  // at the ends of the arc
+  CHECK(sharp(fan) == 0);
   CHECK(of(TriMesh(vertices, {facets[FacetId(0)]})) == doctest::Approx(25));
+  CHECK(sharp(TriMesh(vertices, {facets[FacetId(0)]})) == 1);
 }
