@@ -12,7 +12,7 @@ constexpr std::size_t samples_for_one_mended = 1000;
 constexpr std::size_t samples_for_one_place = 10;
 constexpr std::size_t samples_for_one_fault = 10;
 constexpr std::size_t samples_for_one_unmended = 100;
-constexpr std::size_t most_to_mend = 20;
+constexpr std::size_t most_to_mend = 20, few_in_thin_parts = 12;
 constexpr std::size_t samples_for_one_spoilt = 200, least_spoilt = 10;
 constexpr std::size_t triangles_for_one_small_angle = 10;
 constexpr double by_chords = 0.97;  // the angle between chords of two curves over that between the curves
@@ -94,6 +94,10 @@ bool is_undone_by_staggering(const RemeshResult& r) {
 
 bool is_left_behind(const ThinParts& thin_parts, std::size_t n, const RemeshResult& rival) {
   return has_many_faults(thin_parts, n) && thin_parts.faults_after > 2 * rival.thin_parts.faults_after;
+}
+
+bool may_have_room(const RemeshResult& r) {
+  return !r.type.ok() && r.thin_parts.faults_after > 0 && r.thin_parts.faults_after <= few_in_thin_parts;
 }
 
 bool is_past_mending(const ThinParts& thin_parts, std::size_t n) {

@@ -58,6 +58,10 @@ bool is_undone_by_staggering(const RemeshResult& result);
 /// as the rival before it was mended: will it hardly become better than that?
 bool is_left_behind(const ThinParts& thin_parts, std::size_t n, const RemeshResult& rival);
 
+/// Of another type, with some faults after room was made for thin parts, a dozen at most: more rounds of that
+/// may help, for a bar needs the more of them the thinner it is.
+bool may_have_room(const RemeshResult& result);
+
 /// Of another type, with room made for thin parts, in a hundredth of the n samples and more than 20 places:
 /// of 39 such, of public meshes, mending made none right. Without that angles are of no use.
 bool is_past_mending(const ThinParts& thin_parts, std::size_t n);

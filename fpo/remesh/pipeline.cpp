@@ -63,7 +63,7 @@ std::unique_ptr<SurfaceDomain> with_room(std::unique_ptr<SurfaceDomain> domain, 
   if (options.method != Method::fpo || type.branches || result.stood_in || interrupted(options))
     return domain;
   ThinPartOptions room;
-  if (only_look) room.rounds = 0;
+  room.rounds = only_look ? 0 : options.rounds_for_thin_parts;
   room.diagram = surface_options(shared, options);
   room.scope = options.optimize.scope;
   room.interrupted = options.optimize.interrupted;
@@ -238,6 +238,14 @@ bool should_drop_creases(const RemeshResult& result, const RemeshOptions& option
   return may_drop_creases(options) && options.sizing == SizingKind::uniform && is_spoilt_by_creases(result);
 }
 
+/// In the way in which the other one was made, if it is left to us.
+RemeshOptions in_the_way_of(const RemeshResult& other, RemeshOptions options) {
+  if (options.sheets != Sheets::automatic) return options;
+  options.sheets = other.has_levels ? Sheets::apart : Sheets::together;
+  options.facing_samples = other.has_facing_samples;
+  return options;
+}
+
 /// Sheets that are left to us are together unless they are near each other nearly everywhere, or that does
 /// harm and being apart helps. Samples of close curves face each other if edges of curves are lost else.
 /// Nothing of that where creases that may be dropped spoil it all, nor where the remesh is of another type
@@ -279,10 +287,14 @@ RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoic
     return best;
   if (!parted && !parted_at_once && !is_in_ruins(best)) attempt(with_levels, {&best, true});
   if (best.broken_feature_edges > 0) {
-    RemeshOptions facing = options;
+    RemeshOptions facing = in_the_way_of(best, options);
     facing.facing_samples = true;
-    facing.sheets = best.has_levels ? Sheets::apart : Sheets::together;
     attempt(facing, {&best});
+  }
+  if (may_have_room(best)) {
+    RemeshOptions longer = in_the_way_of(best, options);
+    longer.rounds_for_thin_parts *= 2;
+    attempt(longer, {&best});
   }
   for (const double least : softer) {
     if (best.type.ok() || is_in_ruins(best) || options.sizing == SizingKind::uniform ||
@@ -295,14 +307,6 @@ RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoic
     if (best.type.ok()) best.least_length = least;
   }
   return best;
-}
-
-/// In the way in which the other one was made, if it is left to us.
-RemeshOptions in_the_way_of(const RemeshResult& other, RemeshOptions options) {
-  if (options.sheets != Sheets::automatic) return options;
-  options.sheets = other.has_levels ? Sheets::apart : Sheets::together;
-  options.facing_samples = other.has_facing_samples;
-  return options;
 }
 
 /// With other samples on curves than the best one has: it is taken if it is better. Each way costs as much.

@@ -83,6 +83,18 @@ TEST_CASE("attempts: creases spoil what is at fault in many places, if they have
   CHECK(!is_small_spoilt(9));
 }
 
+TEST_CASE("attempts: more rounds for thin parts where the type is wrong and few faults are left") {
+  RemeshResult result = measured(false, 30, 0);
+  CHECK(!may_have_room(result));
+  for (const std::size_t faults : {1, 12, 13}) {
+    result.thin_parts.faults_after = faults;
+    CHECK(may_have_room(result) == (faults < 13));
+  }
+  result.type = {};
+  result.thin_parts.faults_after = 1;  // mended afterwards
+  CHECK(!may_have_room(result));
+}
+
 TEST_CASE("attempts: small angles are many from one for ten triangles on, and only creases are to blame") {
   RemeshResult result = measured(true, 15, 0);
   result.mesh = geom::make_shape("sphere", 4);
