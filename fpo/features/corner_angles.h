@@ -1,6 +1,8 @@
 #pragma once
 // The angles that the input itself has between its features: no remesh that keeps these has larger ones.
 
+#include <cstddef>
+
 #include "fpo/features/features.h"
 
 namespace fpo {

@@ -99,6 +99,9 @@ LinkShape shape_of(VertexId v, std::span<const LinkEdge> sides, const BranchEdge
 
 }  // namespace
 
+// Around a vertex whose facets are one fan or disk, each edge has one or two of them, so the link passes once
+// through each of its vertices, one after the other: it is a path or a cycle. It has an edge twice only where
+// two facets have the same vertices; these have two edges in common there, and follow each other.
 std::vector<Defect> find_defects(const TriMesh& mesh, const BranchEdges& branches) {
   const geom::VertexFans fans(mesh);
   const auto is_in_doubt = [&](VertexId v) {

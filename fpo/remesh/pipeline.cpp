@@ -19,7 +19,6 @@
 #include "fpo/remesh/remesh_task.h"
 #include "fpo/remesh/stand_in.h"
 #include "fpo/remesh/stand_in_remesh.h"
-#include "fpo/remesh/start.h"
 #include "fpo/remesh/surface_apart.h"
 #include "fpo/remesh/trimmed_remesh.h"
 #include "fpo/remesh/unit_box.h"

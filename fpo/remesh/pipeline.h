@@ -68,11 +68,12 @@ struct RemeshOptions {
   bool facing_samples = false;  ///< of close curves (facing_samples.h); tried if `sheets` is automatic
   /// Where curves face each other all along (facing_curves.h); tried without if `sheets` is automatic.
   bool staggered_samples = true;
-  int rounds_for_thin_parts = 6;  ///< (thin_parts.h); as many more are tried where few faults are left
-  bool mend = true;               ///< bring samples to where the remesh is no surface, or of another type
-  bool optimize_angles = true;    ///< afterwards (section 5)
-  AngleOptions angles;            ///< wanted then; its interruption is overruled
-  bool improve_fidelity = true;   ///< where the remesh is farthest from the input (fidelity.h)
+  /// At most (thin_parts.h); as many more are tried where few faults are left.
+  int rounds_for_thin_parts = ThinPartOptions().rounds;
+  bool mend = true;              ///< bring samples to where the remesh is no surface, or of another type
+  bool optimize_angles = true;   ///< afterwards (section 5)
+  AngleOptions angles;           ///< wanted then; its interruption is overruled
+  bool improve_fidelity = true;  ///< where the remesh is farthest from the input (fidelity.h)
   Closer closer = Closer::never;
   double closer_delta = ClosenessOptions().enough_delta;  ///< then delta is not made smaller than this
   bool maximal = false;     ///< then move samples until the set is a maximal Poisson-disk set (maximal.h)
