@@ -7,7 +7,7 @@ namespace fpo {
 namespace {
 
 constexpr double small_angle = 30, useless_angle = 10, hopeless_angle = 5;
-constexpr double weight_of_edges = 10;
+constexpr double weight_of_edges = 10, weight_of_small = 2;  // of a share of all
 constexpr std::size_t samples_for_one_mended = 1000;
 constexpr std::size_t samples_for_one_place = 10;
 constexpr std::size_t samples_for_one_fault = 10;
@@ -21,9 +21,12 @@ auto rank(const RemeshResult& r) {
   const double edges = static_cast<double>(std::max<std::size_t>(r.feature_edges, 1));
   const double lost = static_cast<double>(r.broken_feature_edges) / edges;
   const double theta = r.measures.theta_min;
+  const double small = static_cast<double>(r.measures.angles_below_30) /
+                       static_cast<double>(std::max<std::size_t>(r.mesh.num_facets(), 1));
   const auto faults = static_cast<long>(r.advice.places.size() + r.broken_feature_edges);
   return std::tuple(r.type.ok(), r.type.ok() ? 0 : -faults,
-                    std::min(theta / small_angle, 1.0) - weight_of_edges * lost, theta);
+                    std::min(theta / small_angle, 1.0) - weight_of_small * small - weight_of_edges * lost,
+                    theta);
 }
 
 /// Of the type, and at least that or, with all edges of curves, what corners there are.

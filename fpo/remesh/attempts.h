@@ -71,8 +71,9 @@ bool is_past_mending(const ThinParts& thin_parts, std::size_t n);
 bool is_worth_creases(const RemeshResult& with_fewer, const RemeshResult& with_all);
 
 /// First by the type; if neither has it, by the places that are at fault and the edges of curves that are
-/// lost. Then by the smallest angle, up to 30 degrees, in units of that, less ten times the share of edges of
-/// curves that are lost: a tenth of the edges weighs as much as all angles. Then by the smallest angle.
+/// lost. Then by the smallest angle, up to 30 degrees, in units of that, less twice the angles below 30 a
+/// triangle and ten times the share of edges of curves that are lost: a tenth of the edges weighs as much as
+/// the largest of angles. Then by the smallest angle.
 bool is_better(const RemeshResult& a, const RemeshResult& b);
 
 }  // namespace fpo

@@ -26,6 +26,16 @@ std::size_t Dual::num_faults() const {
   return type.ok() ? 0 : std::max(defects.size() + cell_faults.size() + type.parts.size(), std::size_t{1});
 }
 
+bool is_right(const Dual& dual) { return dual.type.ok() && dual.defects.empty(); }
+
+std::vector<SiteId> samples_at_fault(const Dual& dual) {
+  std::vector<SiteId> at;
+  for (const Defect& defect : dual.defects) at.insert(at.end(), {defect.at, defect.towards});
+  for (const CellFault& fault : dual.cell_faults) at.insert(at.end(), {fault.cell, fault.other});
+  std::erase_if(at, [](SiteId x) { return !x.valid(); });
+  return at;
+}
+
 namespace {
 
 void look_at(Dual& dual, std::span<const SurfaceSample> samples, const WantedType& type) {
@@ -39,7 +49,7 @@ std::optional<Dual> right_dual(const SurfaceDomain& domain, const WantedType& ty
   Dual dual;
   dual.mesh = extract(domain);
   look_at(dual, domain.samples().all(), type);
-  if (!dual.type.ok() || !dual.defects.empty()) return {};
+  if (!is_right(dual)) return {};
   dual.samples = samples_of(domain);  // only now: while the type is found out memory is at its most
   return dual;
 }

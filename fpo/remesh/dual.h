@@ -30,6 +30,11 @@ struct Dual {
   std::size_t num_faults() const;
 };
 
+/// Of the type, and without defects.
+bool is_right(const Dual& dual);
+/// Those with a defect or at a fault of cells, maybe several times.
+std::vector<SiteId> samples_at_fault(const Dual& dual);
+
 /// All of them, by id.
 std::vector<SurfaceSample> samples_of(const SurfaceDomain& domain);
 

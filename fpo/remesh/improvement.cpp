@@ -1,13 +1,17 @@
 #include "fpo/remesh/improvement.h"
 
 #include <algorithm>
+#include <atomic>
+#include <optional>
 #include <utility>
 
 #include "fpo/interruption.h"
 #include "fpo/remesh/attempts.h"
 #include "fpo/remesh/emptied_balls.h"
 #include "fpo/remesh/mended_dual.h"
+#include "fpo/remesh/protect.h"
 #include "fpo/remesh/remembered_samples.h"
+#include "fpo/remesh/taken_back.h"
 
 namespace fpo {
 namespace {
@@ -82,14 +86,69 @@ void come_nearer(SurfaceDomain& domain, const Improvement& how, const RemeshOpti
 }
 
 /// What follows the optimization: angles, fidelity, closeness; edges of curves are proven before and after.
-/// `before`: its samples.
-void improve(SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options,
-             const RememberedSamples& before, RemeshResult& result) {
+/// `before`: its samples. Returns those with better angles alone.
+RememberedSamples improve(SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options,
+                          const RememberedSamples& before, RemeshResult& result) {
   prove_edges(domain, how, options);
   if (options.optimize_angles && !is_stopped(options)) result.angles = optimize_angles(domain, how.angles);
+  RememberedSamples angled(domain, &before);
   if (options.improve_fidelity && !result.stood_in && !is_stopped(options))
     come_nearer(domain, how, options, before, result);
   prove_edges(domain, how, options);
+  return angled;
+}
+
+/// Takes back what improve() did for other things than angles, as if it had not been asked for.
+void keep_angles(SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options,
+                 const RememberedSamples& angled, RemeshResult& result) {
+  angled.put_back(domain);
+  result.fidelity = {};
+  result.closeness = {};
+  prove_edges(domain, how, options);
+}
+
+/// If it was right before: the dual that it is again, when what is wrong is taken back. None if that is all.
+std::optional<Dual> restored_dual(SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options,
+                                  const RememberedSamples& before, RemeshResult& result) {
+  if (!result.thin_parts.right_type || !options.mend || options.maximal) return {};
+  const std::atomic<bool>* interrupted = options.optimize.interrupted;
+  const auto next_dual = [&] {
+    result.protection += protect_chains(domain, how.shared.features, interrupted);
+    return dual_of(domain, how.type, options.keep_cells, interrupted);
+  };
+  result.hidden = domain.num_hidden();
+  Dual dual = next_dual();
+  if (is_right(dual)) return dual;
+  const RememberedSamples improved(domain, &before);
+  if (take_back(domain, before, next_dual, interrupted, dual)) return dual;
+  improved.put_back(domain);
+  return {};
+}
+
+/// Where there is much to mend, that comes first.
+Dual improved_when_mended(SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options,
+                          RemeshResult& result) {
+  const auto mended = [&](bool optimize_angles) {
+    RemeshOptions mending = options;
+    mending.optimize_angles &= optimize_angles;
+    return mended_dual(domain, how.shared.features, how.type, mending, result);
+  };
+  result.hidden = domain.num_hidden();
+  Dual dual = mended(false);  // angles are looked at below
+  if (!dual.type.ok()) return dual;
+  const std::size_t brought = result.brought;
+  const RememberedSamples before(domain);
+  const RememberedSamples angled = improve(domain, how, options, before, result);
+  Dual better = mended(true);
+  if (better.type.ok()) return better;
+  keep_angles(domain, how, options, angled, result);
+  result.brought = brought;
+  better = mended(true);
+  if (better.type.ok()) return better;
+  before.put_back(domain);
+  result.angles = {};
+  result.brought = brought;
+  return dual;
 }
 
 }  // namespace
@@ -102,36 +161,35 @@ AngleOptions angle_options(const RemeshOptions& options) {
 
 Dual improved_dual(SurfaceDomain& domain, const Improvement& how, RemeshOptions options,
                    RemeshResult& result) {
+  if (!options.maximal && is_past_mending(result.thin_parts, domain.num_samples()))
+    return improved_when_mended(domain, how, options, result);
   const FeatureSamples& features = how.shared.features;
   const RememberedSamples before(domain);
-  const bool mends_first = !options.maximal && is_past_mending(result.thin_parts, domain.num_samples());
-  if (!mends_first) improve(domain, how, options, before, result);
+  const RememberedSamples angled = improve(domain, how, options, before, result);
   if (options.maximal)
     result.maximal =
         make_maximal(domain, {features.samples.size(), options.threads, options.optimize.interrupted});
-  result.hidden = domain.num_hidden();
-  Dual dual = mended_dual(domain, features, how.type, options, result);
-  if (mends_first && dual.type.ok()) {
-    const RememberedSamples mended(domain);
-    improve(domain, how, options, before, result);
-    Dual better = mended_dual(domain, features, how.type, options, result);
-    if (better.type.ok())
-      dual = std::move(better);
-    else
-      mended.put_back(domain);
+  if (std::optional<Dual> right = restored_dual(domain, how, options, before, result))
+    return std::move(*right);
+  const auto looked_at = [&] {
+    result.hidden = domain.num_hidden();
+    return mended_dual(domain, features, how.type, options, result);
+  };
+  Dual dual = looked_at();
+  const auto is_enough = [&] {
+    return dual.type.ok() || !result.thin_parts.right_type || options.maximal || is_stopped(options);
+  };
+  if (!is_enough() && std::exchange(options.improve_fidelity, false)) {
+    keep_angles(domain, how, options, angled, result);
+    result.brought = 0;
+    dual = looked_at();
   }
-  for (bool* step : {&options.improve_fidelity, &options.optimize_angles}) {
-    if (dual.type.ok() || !result.thin_parts.right_type || options.maximal || is_stopped(options))
-      return dual;
-    if (!std::exchange(*step, false)) continue;
+  if (!is_enough() && std::exchange(options.optimize_angles, false)) {
     before.put_back(domain);
     result.angles = {};
-    result.fidelity = {};
-    result.closeness = {};
     result.brought = 0;
     improve(domain, how, options, before, result);
-    result.hidden = domain.num_hidden();
-    dual = mended_dual(domain, features, how.type, options, result);
+    dual = looked_at();
   }
   return dual;
 }

@@ -40,12 +40,19 @@ SampleState RememberedSamples::kept(std::size_t i) const {
   return {{positions_[i], facets_[i]}, weight_shares_.empty() ? 1 : weight_shares_[i]};
 }
 
-void RememberedSamples::put_back(SurfaceDomain& domain) const {
+std::vector<RememberedSamples::Changed> RememberedSamples::changed_in(const SurfaceDomain& domain) const {
+  std::vector<Changed> changed;
   auto next = changed_.begin();
   for (std::size_t i = 0; i < domain.num_samples(); ++i) {
-    const bool is_changed = next != changed_.end() && next->sample == SiteId(i);
-    fpo::put_back(domain, SiteId(i), is_changed ? (next++)->now : (older_ ? older_ : this)->kept(i));
+    const bool is_later = next != changed_.end() && next->sample == SiteId(i);
+    const SampleState was = is_later ? (next++)->was : (older_ ? older_ : this)->kept(i);
+    if (!is_same(state_of(domain, SiteId(i)), was)) changed.push_back({SiteId(i), was});
   }
+  return changed;
+}
+
+void RememberedSamples::put_back(SurfaceDomain& domain) const {
+  for (const auto& [x, was] : changed_in(domain)) fpo::put_back(domain, x, was);
 }
 
 }  // namespace fpo

@@ -18,11 +18,14 @@ class RememberedSamples {
   /// a function of these. Of the same domain. O(1) expected for each of those.
   void put_back(SurfaceDomain& domain) const;
 
- private:
   struct Changed {
     SiteId sample;
-    SampleState now;
+    SampleState was;
   };
+  /// Those that it would put back, ascending, as they were. O(n).
+  std::vector<Changed> changed_in(const SurfaceDomain& domain) const;
+
+ private:
   SampleState kept(std::size_t i) const;  ///< without `older`
 
   const RememberedSamples* older_;

@@ -21,10 +21,8 @@ constexpr int directions = 6;
 
 /// Those at fault and around them, but for fixed ones.
 std::vector<SiteId> near_faults(SurfaceDomain& domain, const Dual& dual) {
-  std::vector<SiteId> at, near, link;
-  for (const Defect& defect : dual.defects) at.insert(at.end(), {defect.at, defect.towards});
-  for (const CellFault& fault : dual.cell_faults) at.insert(at.end(), {fault.cell, fault.other});
-  std::erase_if(at, [](SiteId x) { return !x.valid(); });
+  const std::vector<SiteId> at = samples_at_fault(dual);
+  std::vector<SiteId> near, link;
   const auto add = [&](SiteId x) {
     if (!domain.is_fixed(x) && std::ranges::find(near, x) == near.end()) near.push_back(x);
   };

@@ -135,14 +135,19 @@ bool CellClipper::cut(FacetId t, SiteId p, std::span<const PolygonCorner> corner
   if (last_ < others_.size() &&
       state_.clipper.compare_on_facet(t, others_[last_].bisector) == Clip::swallowed)
     return false;
+  double least = infinity;
+  std::size_t deepest = 0;
   for (const Other& other : std::span(others_).subspan(first)) {
-    const Clip whole = state_.clipper.compare_on_facet(t, other.bisector);
+    const auto [whole, lead] = state_.clipper.lead_on_facet(t, other.bisector);
     if (whole == Clip::swallowed) {
       last_ = static_cast<std::size_t>(&other - others_.data());
       return false;
     }
-    if (whole == Clip::cut) cutting_.push_back(&other);
+    if (whole != Clip::cut) continue;
+    if (lead / other.bisector.length < least) least = lead / other.bisector.length, deepest = cutting_.size();
+    cutting_.push_back(&other);
   }
+  if (!cutting_.empty()) std::swap(cutting_.front(), cutting_[deepest]);  // leaves the least to be cut
   if (corners.empty()) return cut_facet(t, p);
   polygon_.facet = t;
   polygon_.owner = p;

@@ -16,6 +16,7 @@ class Clipper : public CellCorners {
 
   /// What can be said of the whole facet from the ball about it (facet_balls.h).
   Clip compare_on_facet(FacetId facet, const Bisector& b) const { return facets().compare(facet, b); }
+  FacetBalls::Lead lead_on_facet(FacetId facet, const Bisector& b) const { return facets().lead(facet, b); }
   bool comes_near(FacetId facet, const Vec3& x, double distance) const {
     return facets().comes_near(facet, x, distance);
   }

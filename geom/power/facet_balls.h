@@ -23,11 +23,17 @@ class FacetBalls {
 
   /// What can be said of a bisector on the whole facet: the owner wins everywhere (untouched), the other site
   /// does (swallowed), or it depends (cut).
-  Clip compare(FacetId facet, const Bisector& b) const {
+  Clip compare(FacetId facet, const Bisector& b) const { return lead(facet, b).clip; }
+  /// The same with the lead of the owner at the middle.
+  struct Lead {
+    Clip clip;
+    double at_middle;
+  };
+  Lead lead(FacetId facet, const Bisector& b) const {
     const Ball& ball = balls_[facet];
     double f = b(ball.center), bound = b.error + b.length * ball.radius;
     if (b.rise != 0) f += b.rise * levels_.middle(facet), bound += std::abs(b.rise) * levels_.half(facet);
-    return f > bound ? Clip::untouched : f < -bound ? Clip::swallowed : Clip::cut;
+    return {f > bound ? Clip::untouched : f < -bound ? Clip::swallowed : Clip::cut, f};
   }
 
   /// Does the ball about the facet meet that about x?

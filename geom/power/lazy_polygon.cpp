@@ -43,15 +43,18 @@ Clip LazyPolygon::cut(SiteId j, const Bisector& b, bool is_loser_beaten) {
   if (kept == 0) return Clip::swallowed;
   std::size_t first = 0;  // kept, after a lost one
   while (!(corners_[previous_corner(first, size)].is_lost && !corners_[first].is_lost)) ++first;
-  std::rotate(corners_.begin(), corners_.begin() + static_cast<std::ptrdiff_t>(first), corners_.end());
-  for (std::size_t k = 0; k < size; ++k)
-    ensure(corners_[k].is_lost == (k >= kept), "clip: beaten corners are not consecutive");
+  left_.resize(kept + 2);
+  std::size_t at = first;
+  for (std::size_t k = 0; k < size; ++k, at = at + 1 == size ? 0 : at + 1) {
+    ensure(corners_[at].is_lost == (k >= kept), "clip: beaten corners are not consecutive");
+    if (k < kept) left_[k] = corners_[at];
+  }
   const auto line = static_cast<std::uint32_t>(lines_.size());
-  const std::uint32_t leaving = corners_[kept - 1].line, entering = corners_.back().line;
+  const std::uint32_t entering = corners_[previous_corner(first, size)].line;
   lines_.push_back({EdgeLabel::bisector(j), {f[0], f[1], f[2]}, error, largest});
-  corners_.resize(kept + 2);
-  corners_[kept] = meet(leaving, line, line);
-  corners_[kept + 1] = meet(line, entering, entering);
+  left_[kept] = meet(left_[kept - 1].line, line, line);
+  left_[kept + 1] = meet(line, entering, entering);
+  corners_.swap(left_);
   return Clip::cut;
 }
 

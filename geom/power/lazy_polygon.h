@@ -74,6 +74,7 @@ class LazyPolygon {
   SiteId owner_;
   std::vector<Line> lines_;
   std::vector<Corner> corners_;
+  std::vector<Corner> left_;  // workspace
 };
 
 }  // namespace geom

@@ -34,6 +34,18 @@ TEST_CASE("attempts: the type comes first, a tenth of the edges weighs as much a
   CHECK(!is_better(measured(true, 31, 1), measured(true, 31, 1)));
 }
 
+TEST_CASE("attempts: hundreds of small angles are worse than one that is smaller") {
+  RemeshResult one = measured(true, 17, 0), hundreds = measured(true, 20, 0);
+  for (RemeshResult* r : {&one, &hundreds}) r->mesh = geom::make_shape("sphere", 10);
+  const std::size_t facets = one.mesh.num_facets();
+  CHECK(is_better(hundreds, one));
+  one.measures.angles_below_30 = 1;
+  hundreds.measures.angles_below_30 = facets / 8;
+  CHECK(is_better(one, hundreds));
+  hundreds.measures.angles_below_30 = 2;
+  CHECK(is_better(hundreds, one));
+}
+
 TEST_CASE("attempts: of two remeshes of another type that with fewer faults and edges lost is better") {
   RemeshResult few = measured(false, 5, 2), many = measured(false, 30, 0);
   few.advice.places.resize(3);
