@@ -73,7 +73,7 @@ bool is_worth_creases(const RemeshResult& with_fewer, const RemeshResult& with_a
 /// First by the type; if neither has it, by the places that are at fault and the edges of curves that are
 /// lost. Then by the smallest angle, up to 30 degrees, in units of that, less twice the angles below 30 a
 /// triangle and ten times the share of edges of curves that are lost: a tenth of the edges weighs as much as
-/// the largest of angles. Then by the smallest angle.
+/// 30 degrees, a tenth of the triangles as 6. Then by the smallest angle.
 bool is_better(const RemeshResult& a, const RemeshResult& b);
 
 }  // namespace fpo

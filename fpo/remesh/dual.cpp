@@ -36,6 +36,17 @@ std::vector<SiteId> samples_at_fault(const Dual& dual) {
   return at;
 }
 
+std::set<SiteId> neighbourhood(SurfaceDomain& domain, const std::vector<SiteId>& of, int rings) {
+  std::set<SiteId> all(of.begin(), of.end());
+  std::vector<SiteId> link;
+  for (int ring = 0; ring < rings; ++ring)
+    for (const SiteId x : std::vector<SiteId>(all.begin(), all.end())) {
+      domain.neighbours(x, link);
+      all.insert(link.begin(), link.end());
+    }
+  return all;
+}
+
 namespace {
 
 void look_at(Dual& dual, std::span<const SurfaceSample> samples, const WantedType& type) {
@@ -95,18 +106,6 @@ SurfaceSample farthest_corner(SurfaceDomain& domain, const Defect& defect) {
     }
   }
   return farthest;
-}
-
-/// Samples within `rings` rings of the RRT, themselves included.
-std::set<SiteId> neighbourhood(SurfaceDomain& domain, const std::vector<SiteId>& of, int rings) {
-  std::set<SiteId> all(of.begin(), of.end());
-  std::vector<SiteId> link;
-  for (int ring = 0; ring < rings; ++ring)
-    for (const SiteId x : std::vector<SiteId>(all.begin(), all.end())) {
-      domain.neighbours(x, link);
-      all.insert(link.begin(), link.end());
-    }
-  return all;
 }
 
 constexpr double closest = 0.2;  // no sample is brought nearer to another one, in units of h

@@ -3,6 +3,7 @@
 // property; how to restore it is left open there).
 
 #include <atomic>
+#include <set>
 #include <vector>
 
 #include "fpo/remesh/cell_faults.h"
@@ -34,6 +35,8 @@ struct Dual {
 bool is_right(const Dual& dual);
 /// Those with a defect or at a fault of cells, maybe several times.
 std::vector<SiteId> samples_at_fault(const Dual& dual);
+/// Samples within `rings` rings of the RRT, themselves included.
+std::set<SiteId> neighbourhood(SurfaceDomain& domain, const std::vector<SiteId>& of, int rings);
 
 /// All of them, by id.
 std::vector<SurfaceSample> samples_of(const SurfaceDomain& domain);

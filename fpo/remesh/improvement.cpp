@@ -107,7 +107,8 @@ void keep_angles(SurfaceDomain& domain, const Improvement& how, const RemeshOpti
   prove_edges(domain, how, options);
 }
 
-/// If it was right before: the dual that it is again, when what is wrong is taken back. None if that is all.
+/// If it was right before: the dual, when what made it wrong is taken back (taken_back.h). None if that is no
+/// help: then the samples are as they were improved.
 std::optional<Dual> restored_dual(SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options,
                                   const RememberedSamples& before, RemeshResult& result) {
   if (!result.thin_parts.right_type || !options.mend || options.maximal) return {};
@@ -119,9 +120,11 @@ std::optional<Dual> restored_dual(SurfaceDomain& domain, const Improvement& how,
   result.hidden = domain.num_hidden();
   Dual dual = next_dual();
   if (is_right(dual)) return dual;
+  const Protection protection = result.protection;
   const RememberedSamples improved(domain, &before);
   if (take_back(domain, before, next_dual, interrupted, dual)) return dual;
   improved.put_back(domain);
+  result.protection = protection;
   return {};
 }
 
@@ -141,10 +144,12 @@ Dual improved_when_mended(SurfaceDomain& domain, const Improvement& how, const R
   const RememberedSamples angled = improve(domain, how, options, before, result);
   Dual better = mended(true);
   if (better.type.ok()) return better;
-  keep_angles(domain, how, options, angled, result);
-  result.brought = brought;
-  better = mended(true);
-  if (better.type.ok()) return better;
+  if (options.improve_fidelity) {
+    keep_angles(domain, how, options, angled, result);
+    result.brought = brought;
+    better = mended(true);
+    if (better.type.ok()) return better;
+  }
   before.put_back(domain);
   result.angles = {};
   result.brought = brought;

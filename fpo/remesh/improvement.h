@@ -21,9 +21,8 @@ AngleOptions angle_options(const RemeshOptions& options);
 
 /// The dual of the samples, improved as far as that leaves it of the input's type: where it was right before,
 /// what breaks it is taken back around (taken_back.h); if that is no help, without fidelity, then without
-/// angles, too. What is past mending (attempts.h)
-/// is mended first, and improved only if it is of the type then, and stays so. The result is told what was
-/// done.
+/// angles, too. What is past mending (attempts.h) is mended first, and improved only if it is of the type
+/// then, and stays so. The result is told what was done.
 Dual improved_dual(SurfaceDomain& domain, const Improvement& how, RemeshOptions options,
                    RemeshResult& result);
 

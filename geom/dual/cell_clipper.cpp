@@ -144,10 +144,13 @@ bool CellClipper::cut(FacetId t, SiteId p, std::span<const PolygonCorner> corner
       return false;
     }
     if (whole != Clip::cut) continue;
-    if (lead / other.bisector.length < least) least = lead / other.bisector.length, deepest = cutting_.size();
+    const double depth = lead / other.bisector.length;  // of the middle, from the bisector
+    if (depth < least) least = depth, deepest = cutting_.size();
     cutting_.push_back(&other);
   }
-  if (!cutting_.empty()) std::swap(cutting_.front(), cutting_[deepest]);  // leaves the least to be cut
+  // First who leaves the least to be cut. What is left in the end is the same in any order, but for where the
+  // cycle of corners begins: which there are is decided exactly, where they are by labels (cell_corners.h).
+  if (!cutting_.empty()) std::swap(cutting_.front(), cutting_[deepest]);
   if (corners.empty()) return cut_facet(t, p);
   polygon_.facet = t;
   polygon_.owner = p;
