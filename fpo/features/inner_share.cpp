@@ -61,8 +61,8 @@ InnerShare::InnerShare(const geom::TriMesh& mesh, const Features& features, cons
   for (const SizedPatch& patch : patches) {
     const double samples = patch.num_samples / (scale * scale);
     const auto count = std::max<std::size_t>(1, static_cast<std::size_t>(places_a_sample * samples));
-    const Vec3 q0 = mesh.corner(patch.facet, 0), e1 = mesh.corner(patch.facet, 1) - q0,
-               e2 = mesh.corner(patch.facet, 2) - q0;
+    const Vec3& q0 = mesh.corner(patch.facet, 0);
+    const Vec3 e1 = mesh.corner(patch.facet, 1) - q0, e2 = mesh.corner(patch.facet, 2) - q0;
     for (std::size_t i = 0; i < count; ++i) {
       const geom::Vec2 in = place_in_triangle(i);
       const geom::Vec2 uv = patch.corners[0] + in.x() * (patch.corners[1] - patch.corners[0]) +

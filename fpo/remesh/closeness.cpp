@@ -257,7 +257,7 @@ class CloserMender {
     std::vector<Estimate> estimates;
     for (const SiteId x : samples) {
       if (domain_.is_fixed(x)) continue;
-      const SurfaceSample& home = domain_.sample(x);
+      const SurfaceSample home = domain_.sample(x);
       const double lack = spreading_.lack(x, home);
       for (const SurfaceSample& place : places_towards(domain_, distances_.tree(), home, far.at)) {
         const double after = distances_.distance_after(x, place, far.at.position);

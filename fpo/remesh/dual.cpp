@@ -49,9 +49,9 @@ std::set<SiteId> neighbourhood(SurfaceDomain& domain, const std::vector<SiteId>&
 
 namespace {
 
-void look_at(Dual& dual, std::span<const SurfaceSample> samples, const WantedType& type) {
+void look_at(Dual& dual, const SurfaceDomain& domain, const WantedType& type) {
   dual.defects = find_defects(dual.mesh, type.branch_edges);
-  dual.type = check_type(type, dual.mesh, samples);
+  dual.type = check_type(type, dual.mesh, domain.samples().facets());
 }
 
 /// The remesh by the domain's circles, if it is right. Then each cell has all its corners in one cycle or
@@ -59,7 +59,7 @@ void look_at(Dual& dual, std::span<const SurfaceSample> samples, const WantedTyp
 std::optional<Dual> right_dual(const SurfaceDomain& domain, const WantedType& type) {
   Dual dual;
   dual.mesh = extract(domain);
-  look_at(dual, domain.samples().all(), type);
+  look_at(dual, domain, type);
   if (!is_right(dual)) return {};
   dual.samples = samples_of(domain);  // only now: while the type is found out memory is at its most
   return dual;
@@ -76,7 +76,7 @@ Dual dual_of(const SurfaceDomain& domain, const WantedType& type, bool keep_cell
   const std::unique_ptr<geom::RestrictedPower> diagram = domain.diagram();
   dual.localization = localize(*diagram, dual.samples, interrupted);
   dual.mesh = extract(*diagram, dual.samples.size(), dual.localization.owners);
-  look_at(dual, dual.samples, type);
+  look_at(dual, domain, type);
   if (!dual.type.ok() && !type.branches) dual.cell_faults = cell_faults(*diagram, dual.localization.owners);
   if (dual.defects.empty() && !type.branches)
     for (const CellFault& fault : dual.cell_faults) dual.defects.push_back({fault.cell, fault.other});
@@ -89,7 +89,7 @@ namespace {
 /// The corner of the cell, of any type, that is farthest from its sample; on the border with the cell
 /// `towards` if there is such a border.
 SurfaceSample farthest_corner(SurfaceDomain& domain, const Defect& defect) {
-  const SurfaceSample& home = domain.sample(defect.at);
+  const SurfaceSample home = domain.sample(defect.at);
   const geom::EdgeLabel border = geom::EdgeLabel::bisector(defect.towards);
   SurfaceSample farthest = home;
   std::tuple<bool, double> most{false, 0};

@@ -258,7 +258,7 @@ bool LocalResampling::attempt_to_slide(std::span<const SiteId> samples) {
 /// Points of the surface on small circles about a sample, or of the curve that it is on.
 std::vector<SurfaceSample> LocalResampling::places_around(SiteId site) {
   if (can_slide(site)) return slides_->places(domain_, site);
-  const SurfaceSample& x = domain_.sample(site);
+  const SurfaceSample x = domain_.sample(site);
   if (!tree_) tree_.emplace(domain_.mesh());
   return nearby_places(domain_.mesh(), *tree_, x, {domain_.sizing().at(x), nudges, directions});
 }

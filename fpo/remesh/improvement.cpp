@@ -174,6 +174,7 @@ Dual improved_dual(SurfaceDomain& domain, const Improvement& how, RemeshOptions 
   if (options.maximal)
     result.maximal =
         make_maximal(domain, {features.samples.size(), options.threads, options.optimize.interrupted});
+  domain.shrink();  // memory is at its most now
   if (std::optional<Dual> right = restored_dual(domain, how, options, before, result))
     return std::move(*right);
   const auto looked_at = [&] {

@@ -16,7 +16,7 @@ inline SampleState state_of(const SurfaceDomain& domain, SiteId x) {
 
 /// A removal and an insertion if x is elsewhere or has another weight.
 inline void put_back(SurfaceDomain& domain, SiteId x, const SampleState& was) {
-  const SurfaceSample& at = domain.sample(x);
+  const SurfaceSample at = domain.sample(x);
   if (at.position == was.place.position && at.facet == was.place.facet &&
       domain.weight_share(x) == was.weight_share)
     return;

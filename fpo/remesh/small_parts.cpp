@@ -116,6 +116,7 @@ std::optional<Sizing> SmallParts::room(const Sizing& sizing, std::size_t n, doub
   }
   std::ranges::stable_sort(small, std::greater<>(), [](const auto& part) { return part.first; });
   std::vector<double> demands;
+  demands.reserve(small.size());
   for (const auto& part : small) demands.push_back(part.first);
   const auto count = static_cast<double>(n - std::min(n, fixed.size()));
   const Plan plan = plan_for(demands, count * (1 - 1 / (most_scale * most_scale)));

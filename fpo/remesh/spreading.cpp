@@ -62,7 +62,7 @@ std::vector<Trial> Spreading::trials(const std::array<SiteId, 3>& corners) const
   std::vector<Estimate> estimates;
   for (const SiteId x : corners) {
     if (domain_.is_fixed(x)) continue;
-    const SurfaceSample& home = domain_.sample(x);
+    const SurfaceSample home = domain_.sample(x);
     const double now = lack(x, home);
     for (const SurfaceSample& place :
          nearby_places(domain_.mesh(), tree_, home, {domain_.sizing().at(home), steps, directions_of_steps}))

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "fpo/surface/sizing.h"
 #include "fpo/surface/surface_sample.h"
 #include "geom/mesh/trimesh.h"
 

@@ -37,8 +37,7 @@ void compare_pieces(const WantedType& input, const geom::TriMesh& remesh, TypeCh
 
 }  // namespace
 
-TypeCheck check_type(const WantedType& input, const geom::TriMesh& remesh,
-                     std::span<const SurfaceSample> samples) {
+TypeCheck check_type(const WantedType& input, const geom::TriMesh& remesh, std::span<const FacetId> facets) {
   TypeCheck check;
   const geom::Topology topology = geom::topology(remesh);
   check.nonmanifold_edges = topology.nonmanifold_edges;
@@ -55,7 +54,7 @@ TypeCheck check_type(const WantedType& input, const geom::TriMesh& remesh,
   std::vector<std::set<std::size_t>> outputs(input.parts.size()), inputs(output.parts.size());
   for (std::size_t t = 0; t < remesh.num_facets(); ++t)
     for (const VertexId v : remesh.facet(FacetId(t))) {
-      const std::size_t from = input.part_of[samples[v.index()].facet], to = output.part_of[FacetId(t)];
+      const std::size_t from = input.part_of[facets[v.index()]], to = output.part_of[FacetId(t)];
       outputs[from].insert(to);
       inputs[to].insert(from);
     }
@@ -68,7 +67,7 @@ TypeCheck check_type(const WantedType& input, const geom::TriMesh& remesh,
   for (FacetId t(0); t.index() < remesh.num_facets(); t = FacetId(t.value + 1)) {
     if (!remesh.across(t, 0).valid() || remesh.across(t, 0) != remesh.across(t, 1)) continue;
     ++check.doubled_facets;  // two with two edges in common
-    parts.insert(input.part_of[samples[remesh.facet(t)[0].index()].facet]);
+    parts.insert(input.part_of[facets[remesh.facet(t)[0].index()]]);
   }
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     check.lost_parts += outputs[i].empty();
@@ -80,6 +79,14 @@ TypeCheck check_type(const WantedType& input, const geom::TriMesh& remesh,
   }
   check.parts.assign(parts.begin(), parts.end());
   return check;
+}
+
+TypeCheck check_type(const WantedType& input, const geom::TriMesh& remesh,
+                     std::span<const SurfaceSample> samples) {
+  std::vector<FacetId> facets;
+  facets.reserve(samples.size());
+  for (const SurfaceSample& sample : samples) facets.push_back(sample.facet);
+  return check_type(input, remesh, facets);
 }
 
 }  // namespace fpo

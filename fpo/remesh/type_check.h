@@ -51,7 +51,9 @@ struct TypeCheck {
   bool ok() const { return is_manifold() && bare_samples == 0 && same_parts() && same_pieces(); }
 };
 
-/// Vertex i of the remesh is sample i. O(F log F) of the remesh.
+/// Vertex i of the remesh is sample i, in facet i of these. O(F log F) of the remesh.
+TypeCheck check_type(const WantedType& input, const geom::TriMesh& remesh,
+                     std::span<const geom::FacetId> facets);
 TypeCheck check_type(const WantedType& input, const geom::TriMesh& remesh,
                      std::span<const SurfaceSample> samples);
 

@@ -72,6 +72,11 @@ void CircleHeap::refill() {
   most_ = std::max(2 * heap_.size(), keys.size() / 2 + few);
 }
 
+void CircleHeap::forget() {
+  heap_ = Heap(Order{&dual_});
+  bar_ = none;
+}
+
 CircleId CircleHeap::first_on(std::span<const SiteId> cells) const {
   CircleId best;
   for (const SiteId y : cells)

@@ -52,6 +52,8 @@ class CircleHeap {
   CircleId top();
   /// The first of those on these cells, offered or not; none if there is none.
   CircleId first_on(std::span<const SiteId> cells) const;
+  /// Gives back its memory, and follows nothing, until top() is asked again.
+  void forget();
   /// Is every circle on its side of the bar? Throws geom::Bug. O(circles).
   void check() const;
 

@@ -26,7 +26,7 @@ SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, std::span<const SurfaceS
 }
 
 SurfaceDomain SurfaceDomain::rebuilt() const {
-  return SurfaceDomain(mesh(), samples(), options_, state_->guard);
+  return SurfaceDomain(mesh(), samples().copy(), options_, state_->guard);
 }
 
 std::unique_ptr<geom::RestrictedPower> SurfaceDomain::diagram() const {
@@ -85,20 +85,19 @@ bool SurfaceDomain::is_farther(const Circle& c, SiteId x) {
 
 void SurfaceDomain::insert_at(SiteId x, const Circle& c) {
   const geom::EmptyCircle& circle = dual().circle(c.id);
-  state_->samples.put(x, {circle.center, circle.facet});
-  insert(x, c.id);
+  insert(x, {circle.center, circle.facet}, c.id);
 }
 
 void SurfaceDomain::insert_at(SiteId x, const SurfaceSample& place, double weight_share) {
-  state_->samples.put(x, place);
   state_->samples.set_share(x, weight_share);
-  insert(x);
+  insert(x, place);
 }
 
-void SurfaceDomain::put_back(SiteId x) { insert(x); }
+void SurfaceDomain::put_back(SiteId x) { insert(x, sample(x)); }
 
-void SurfaceDomain::insert(SiteId x, CircleId at) {
-  state_->apply(state_->dual.insert(x, state_->point_of(x), sample(x).facet, at));
+void SurfaceDomain::insert(SiteId x, const SurfaceSample& place, CircleId at) {
+  state_->samples.put(x, place);
+  state_->apply(state_->dual.insert(x, state_->point_at(place, x), place.facet, at));
 }
 
 // --- what else is asked ------------------------------------------------------------------------------
@@ -124,6 +123,11 @@ void SurfaceDomain::neighbours(SiteId x, std::vector<SiteId>& out) {
 
 void SurfaceDomain::expect(SiteId x) {
   expected_.announce(x, [this](SiteId y, int calls) { dual().expect(y, calls); });
+}
+
+void SurfaceDomain::shrink() {
+  state_->circles.forget();
+  state_->dual.shrink();
 }
 
 std::size_t SurfaceDomain::num_hidden() const {

@@ -57,7 +57,7 @@ class SurfaceDomain final : public Domain {
   void insert_at(SiteId x, const SurfaceSample& place, double weight_share);
 
   const WeightedSamples& samples() const { return state_->samples; }
-  const SurfaceSample& sample(SiteId x) const { return samples()[x]; }
+  SurfaceSample sample(SiteId x) const { return samples()[x]; }
   double weight_share(SiteId x) const { return samples().share(x); }
   const Sizing& sizing() const { return samples().sizing(); }
   const geom::TriMesh& mesh() const { return dual().mesh(); }
@@ -66,6 +66,8 @@ class SurfaceDomain final : public Domain {
   double reach(SiteId x) { return state_->dual.reach(x); }
   /// The polygons of one cell, ascending by facet.
   std::vector<geom::FacetPolygon> cell(SiteId x) { return state_->dual.cell(x); }
+  /// Few moves, if any, come soon: gives back memory for what can be found out again. No effect but on speed.
+  void shrink();
   /// Samples with an empty cell.
   std::size_t num_hidden() const;
   /// What the last removal or insertion changed.
@@ -78,7 +80,7 @@ class SurfaceDomain final : public Domain {
   SurfaceDomain rebuilt() const;
 
  private:
-  void insert(SiteId x, CircleId at = CircleId());
+  void insert(SiteId x, const SurfaceSample& place, CircleId at = CircleId());
 
   SurfaceOptions options_;
   std::unique_ptr<SurfaceState> state_;  ///< where it is, wherever the domain goes

@@ -73,8 +73,9 @@ void SurfaceRemoval::find_planned(Scope scope) {
 
 void SurfaceRemoval::insert() {
   if (!plan_) return domain_.insert_at(x_, {largest_->radius2, id_});
-  state_.samples.put(x_, {largest_->center, largest_->facet});
-  state_.apply(plan_->move(state_.point_of(x_), state_.samples[x_].facet, target_));
+  const SurfaceSample place{largest_->center, largest_->facet};
+  state_.samples.put(x_, place);
+  state_.apply(plan_->move(state_.point_at(place, x_), place.facet, target_));
 }
 
 void SurfaceRemoval::cancel() {

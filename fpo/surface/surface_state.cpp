@@ -33,17 +33,19 @@ SurfaceState::SurfaceState(const geom::TriMesh& mesh, WeightedSamples all, const
   homes.reserve(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
     order.emplace_back(i);
-    points.push_back(point_of(SiteId(i)));
+    points.push_back(point_at(samples[SiteId(i)], SiteId(i)));
     homes.push_back(samples[SiteId(i)].facet);
   }
   geom::Rng(options.seed).shuffle(std::span(order));
+  samples.follow(dual.sites());
   apply(dual.build(std::move(points), homes, order, options.threads, options.known_cells));
 }
 
-geom::WeightedPoint3 SurfaceState::point_of(SiteId x) const {
-  const auto& [position, facet] = samples[x];
-  if (!dual.mesh().has_levels()) return {position, samples.weight(x)};
-  return {position, samples.weight(x), geom::snapped(dual.level_at(facet, position), geom::coordinate_unit)};
+geom::WeightedPoint3 SurfaceState::point_at(const SurfaceSample& place, SiteId x) const {
+  const double weight = samples.weight_at(place, x);
+  if (!dual.mesh().has_levels()) return {place.position, weight};
+  const double level = dual.level_at(place.facet, place.position);
+  return {place.position, weight, geom::snapped(level, geom::coordinate_unit)};
 }
 
 geom::NeighbourOracle::Nearest SurfaceState::nearest_to(SiteId x) const {
@@ -53,7 +55,7 @@ geom::NeighbourOracle::Nearest SurfaceState::nearest_to(SiteId x) const {
 /// First against the heirs; one that is nearest of all but no heir is rare.
 bool SurfaceState::is_farther(const geom::EmptyCircle& circle, SiteId x,
                               std::span<const SiteId> heirs) const {
-  const SurfaceSample& home = samples[x];
+  const SurfaceSample home = samples[x];
   const geom::Location3 place(home.position, dual.site(x).level);
   const double most = circles.priority()(circle);
   const auto is_nearer = [&](double radius2) { return most > circles.priority()(home, radius2); };

@@ -20,8 +20,8 @@ struct SurfaceState {
   SurfaceState(const SurfaceState&) = delete;
   SurfaceState& operator=(const SurfaceState&) = delete;
 
-  /// The site that the sample x is where it is.
-  geom::WeightedPoint3 point_of(SiteId x) const;
+  /// The site that the sample x would be at that place.
+  geom::WeightedPoint3 point_at(const SurfaceSample& place, SiteId x) const;
   /// Of all others the nearest to it, in power.
   geom::NeighbourOracle::Nearest nearest_to(SiteId x) const;
   /// Has the circle a larger priority than the place of x, which is out or about to be? `heirs`: of its cell.

@@ -11,6 +11,7 @@
 #include "fpo/surface/surface_options.h"
 #include "fpo/surface/surface_sample.h"
 #include "geom/ids.h"
+#include "geom/vec.h"
 
 namespace fpo {
 
@@ -19,32 +20,48 @@ class WeightedSamples {
   /// Each with all of the weight that the sizing gives it. Of the options those of weights count.
   WeightedSamples(const Sizing& sizing, std::span<const SurfaceSample> samples,
                   const SurfaceOptions& options);
+  WeightedSamples(WeightedSamples&&) = default;
+  /// The same, with positions of their own.
+  WeightedSamples copy() const { return *this; }
+  /// From now on they are where these sites are, to whom a reference is kept: positions are not kept twice.
+  void follow(const geom::Table<SiteId, geom::WeightedPoint3>& sites);
 
-  std::size_t size() const { return places_.size(); }
-  const SurfaceSample& operator[](SiteId x) const { return places_[x]; }
-  std::span<const SurfaceSample> all() const { return places_; }
+  std::size_t size() const { return facets_.size(); }
+  SurfaceSample operator[](SiteId x) const {
+    return {sites_ ? (*sites_)[x].position : positions_[x], facets_[x]};
+  }
+  /// Where they are.
+  std::span<const geom::FacetId> facets() const { return facets_; }
   const Sizing& sizing() const { return sizing_; }
 
-  void put(SiteId x, const SurfaceSample& place) { places_[x] = place; }
+  /// x is, or is going to be, at that place; if they follow sites, its site tells the position.
+  void put(SiteId x, const SurfaceSample& place);
   /// The share of its full weight that x has, here and wherever it goes: not negative.
   void set_share(SiteId x, double share);
   double share(SiteId x) const { return shares_.empty() ? 1 : shares_[x]; }
   /// What the sizing gives x: (c h)^2, also if it is uniform.
-  double full_weight(SiteId x) const;
+  double full_weight(SiteId x) const { return full_weight_at((*this)[x]); }
   /// What a sample with all of its weight would have in the diagram there.
   double weight_at(const SurfaceSample& place) const;
-  /// What x has in the diagram: its share of that, less what all have.
-  double weight(SiteId x) const;
+  /// What x would have in the diagram there: its share of that, less what all have.
+  double weight_at(const SurfaceSample& place, SiteId x) const;
+  /// What x has in the diagram.
+  double weight(SiteId x) const { return weight_at((*this)[x], x); }
   /// All weights are and have always been 0.
   bool have_no_weights() const { return unweighted_; }
 
  private:
+  WeightedSamples(const WeightedSamples& other);
+  double full_weight_at(const SurfaceSample& place) const;
+
   Sizing sizing_;
   double factor_;  ///< c
   bool equal_;     ///< full weights do not count
   bool unweighted_;
-  geom::Table<SiteId, SurfaceSample> places_;
-  geom::Table<SiteId, double> shares_;  ///< none as long as all are 1
+  geom::Table<SiteId, geom::FacetId> facets_;
+  const geom::Table<SiteId, geom::WeightedPoint3>* sites_ = nullptr;
+  geom::Table<SiteId, geom::Vec3> positions_;  ///< if they follow nobody
+  geom::Table<SiteId, double> shares_;         ///< none as long as all are 1
 };
 
 }  // namespace fpo

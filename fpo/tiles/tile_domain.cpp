@@ -115,7 +115,7 @@ void TileDomain::build() {
   options.threads = 1;  // as other tiles have theirs
   options.num_fixed = static_cast<std::size_t>(
       std::ranges::lower_bound(sites_, SiteId(whole_.options().num_fixed)) - sites_.begin());
-  const std::vector<geom::KnownCell> known = known_cells({sizing, samples, options});
+  const std::vector<geom::KnownCell> known = known_cells(WeightedSamples(sizing, samples, options));
   options.known_cells = known;
   domain_.emplace(part_.mesh, sizing, samples, options, &guard_);
 }

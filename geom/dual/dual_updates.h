@@ -34,6 +34,8 @@ class DualUpdates {
   /// Finds out which sites of a build are regular. Updates begin with it; who only looks goes without.
   void certify_all(std::span<const KnownCell> known = {});
 
+  /// RestrictedDual::shrink().
+  void shrink() { fast_.shrink(); }
   KnownCell known_cell(SiteId p) const { return are_certified_ ? fast_.known(p) : KnownCell(); }
   const DualWays& ways() const { return ways_; }
 

@@ -80,6 +80,7 @@ class FastWay {
   void certify(SiteId p);
   /// Before that is done to so many.
   void reserve(std::size_t num_sites) { around_.sheets.reserve(num_sites); }
+  void shrink() { around_.sheets.forget(); }
   /// The same, of a cell that is known from elsewhere; what is known of one.
   void certify(SiteId p, const KnownCell& known);
   KnownCell known(SiteId p) const;

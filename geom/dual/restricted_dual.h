@@ -47,6 +47,8 @@ class RestrictedDual {
   const TriMesh& mesh() const { return state_.mesh; }
   std::size_t num_sites() const { return state_.search.size(); }
   const WeightedPoint3& site(SiteId p) const { return state_.sites[p]; }
+  /// Those that are in; one that is out is where it was.
+  const Clipper::Sites& sites() const { return state_.sites; }
   const EmptyCircle& circle(CircleId c) const { return state_.circles[c]; }
   /// The circles that touch p: the corners of its cell. Valid until the next update.
   std::span<const CircleId> circles_of(SiteId p) const { return state_.circles.of_site(p); }
@@ -58,6 +60,8 @@ class RestrictedDual {
   /// Does p own anything?
   bool has_cell(SiteId p) const { return state_.reach[p] > Reaches::of_nothing; }
 
+  /// Gives back memory for what can be found out again. No effect but on speed.
+  void shrink() { updates_.shrink(); }
   /// Finds out what known_cell() and num_irregular() tell, if nobody has: after a build without `known` the
   /// first update does. Cost: as that of the build.
   void certify() { updates_.certify_all(); }

@@ -91,6 +91,8 @@ class Sheets {
     return sheet.width > 0 && sheet.level == level ? &sheet : nullptr;
   }
   void reserve(std::size_t num_sites) { kept_.reserve(std::min(num_sites, most_kept)); }
+  /// Those kept are made again where they are asked for.
+  void forget() { std::vector<OfSite>().swap(kept_); }
   /// Keeps one that was made elsewhere: the surface must be the same there.
   void keep(SiteId site, const Sheet& sheet);
   /// Is there surely no second component of the cell of p within the distance that the sheet covers, given

@@ -62,11 +62,20 @@ std::int64_t SiteGrid::coordinate(double x) const {
   return truncated - (scaled < static_cast<double>(truncated));
 }
 
+/// Of a sixth of all memory at 10^6 sites: it grows by an eighth, where a vector would by half or all.
+std::uint32_t SiteGrid::make_bucket() {
+  constexpr std::size_t share = 8, few = 64;
+  const std::size_t size = buckets_.size();
+  if (size == buckets_.capacity()) buckets_.reserve(size + size / share + few);
+  buckets_.emplace_back();
+  return static_cast<std::uint32_t>(size);
+}
+
 std::uint32_t SiteGrid::find_or_make(std::uint64_t key) {
   if (const std::uint32_t found = find(key)) return found;
   if (4 * buckets_.size() > table_.size()) grow();
-  const auto place = static_cast<std::uint32_t>(buckets_.size());
-  buckets_.emplace_back().key = key;
+  const std::uint32_t place = make_bucket();
+  buckets_[place].key = key;
   std::size_t at = begin_of(key);
   while (table_[at & last_] != 0) ++at;
   table_[at & last_] = place;
@@ -90,8 +99,7 @@ void SiteGrid::insert(SiteId s, const Vec3& position) {
   std::uint32_t place = find_or_make(key_at(position));
   while (buckets_[place].size == in_cell) {
     if (buckets_[place].overflow == 0) {
-      const auto more = static_cast<std::uint32_t>(buckets_.size());
-      buckets_.emplace_back();
+      const std::uint32_t more = make_bucket();
       buckets_[place].overflow = more;
     }
     place = buckets_[place].overflow;

@@ -61,6 +61,7 @@ class SiteGrid {
     }
   }
   std::uint32_t find_or_make(std::uint64_t key);
+  std::uint32_t make_bucket();
   void grow();
   void resize_table(std::size_t size);
   /// Where the search for a cell begins. Cells of a row along z are next to each other.

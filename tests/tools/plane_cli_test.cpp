@@ -184,8 +184,9 @@ TEST_CASE("fpo-plane --bounded: the distances printed are those of the file; wha
   std::vector<std::array<double, 2>> points;
   std::ifstream lines(scratch / "a.txt");
   for (std::string line; std::getline(lines, line);) {
-    auto& [x, y] = points.emplace_back();
-    REQUIRE(std::sscanf(line.c_str(), "%lf %lf", &x, &y) == 2);
+    std::array<double, 2> point{};
+    REQUIRE(std::sscanf(line.c_str(), "%lf %lf", &point[0], &point[1]) == 2);
+    points.push_back(point);
   }
   double least = 1e300, sum = 0;
   for (const auto& p : points) {

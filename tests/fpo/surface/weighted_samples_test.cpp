@@ -31,6 +31,30 @@ TEST_CASE("weighted samples: a weight is the share of (c h)^2 at the sample's ow
   CHECK_THROWS_AS(samples.set_share(SiteId(0), -0.1), geom::Bug);
 }
 
+TEST_CASE("weighted samples: where sites are followed these tell positions, and a copy stands by itself") {
+  const geom::TriMesh mesh = fixtures::blob(4);
+  const Sizing sizing = fixtures::graded(mesh, 0.05, 0.2);
+  const auto places = random_samples(mesh, sizing, 30, 2);
+  WeightedSamples samples(sizing, places, SurfaceOptions{});
+  samples.set_share(SiteId(3), 0.5);
+  geom::Table<SiteId, geom::WeightedPoint3> sites;
+  for (std::size_t i = 0; i < 30; ++i) sites.push_back({places[i].position, samples.weight(SiteId(i))});
+  samples.follow(sites);
+  samples.put(SiteId(3), places[7]);
+  CHECK(samples[SiteId(3)].facet == places[7].facet);
+  CHECK(samples[SiteId(3)].position == places[3].position);  // it is only going to be there
+  CHECK(samples.weight_at(places[7], SiteId(3)) == doctest::Approx(0.5 * samples.weight_at(places[7])));
+  sites[SiteId(3)].position = places[7].position;
+  CHECK(samples[SiteId(3)].position == places[7].position);
+  WeightedSamples copy = samples.copy();
+  sites[SiteId(3)].position = places[9].position;
+  copy.put(SiteId(4), places[8]);
+  CHECK(copy[SiteId(3)].position == places[7].position);
+  CHECK(copy[SiteId(4)].position == places[8].position);
+  CHECK(samples[SiteId(4)].facet == places[4].facet);
+  CHECK(copy.share(SiteId(3)) == 0.5);
+}
+
 TEST_CASE("weighted samples: equal weights are none, and a smaller share is the same difference") {
   const geom::TriMesh mesh = fixtures::blob(4);
   for (const Sizing& sizing : {Sizing::uniform(0.3), fixtures::graded(mesh, 0.05, 0.2)}) {

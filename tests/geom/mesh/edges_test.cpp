@@ -30,8 +30,9 @@ TEST_CASE("edges: visited by what is across, or by vertices, they come with all 
     std::vector<Edge> expected, found;
     const auto collect = [&](std::vector<Edge>& edges) {
       return [&](auto first, auto last) {
-        Edge& edge = edges.emplace_back();
+        Edge edge;
         for (auto h = first; h != last; ++h) edge.push_back(key(*h));
+        edges.push_back(edge);
       };
     };
     const TriMesh& mesh = surface.mesh;
