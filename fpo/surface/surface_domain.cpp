@@ -96,8 +96,9 @@ void SurfaceDomain::insert_at(SiteId x, const SurfaceSample& place, double weigh
 void SurfaceDomain::put_back(SiteId x) { insert(x, sample(x)); }
 
 void SurfaceDomain::insert(SiteId x, const SurfaceSample& place, CircleId at) {
+  const auto& change = state_->dual.insert(x, state_->point_at(place, x), place.facet, at);
   state_->samples.put(x, place);
-  state_->apply(state_->dual.insert(x, state_->point_at(place, x), place.facet, at));
+  state_->apply(change);
 }
 
 // --- what else is asked ------------------------------------------------------------------------------

@@ -74,8 +74,9 @@ void SurfaceRemoval::find_planned(Scope scope) {
 void SurfaceRemoval::insert() {
   if (!plan_) return domain_.insert_at(x_, {largest_->radius2, id_});
   const SurfaceSample place{largest_->center, largest_->facet};
+  const auto& change = plan_->move(state_.point_at(place, x_), place.facet, target_);
   state_.samples.put(x_, place);
-  state_.apply(plan_->move(state_.point_at(place, x_), place.facet, target_));
+  state_.apply(change);
 }
 
 void SurfaceRemoval::cancel() {

@@ -34,7 +34,7 @@ class WeightedSamples {
   std::span<const geom::FacetId> facets() const { return facets_; }
   const Sizing& sizing() const { return sizing_; }
 
-  /// x is, or is going to be, at that place; if they follow sites, its site tells the position.
+  /// x is at that place; if they follow sites, its site is there already and tells the position.
   void put(SiteId x, const SurfaceSample& place);
   /// The share of its full weight that x has, here and wherever it goes: not negative.
   void set_share(SiteId x, double share);
