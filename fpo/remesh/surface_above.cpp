@@ -15,6 +15,7 @@ using geom::Vec3;
 namespace {
 
 constexpr double rounding = 1e-9;
+constexpr double unknown = -1;  // a distance
 constexpr int halvings = 3;
 constexpr int parts = 4;  // of an edge within
 
@@ -60,35 +61,62 @@ class SurfaceAbove::Query {
     if (other.valid() && above_.done_[other] == above_.query_) return;
     if (e == 2) above_.done_[t] = above_.query_;
     const Vec3 &a = above_.mesh_.corner(t, e), &b = above_.mesh_.corner(t, (e + 1) % 3);
-    const SeenVertex &at_a = see(t, e), &at_b = see(t, (e + 1) % 3);
+    SeenVertex &at_a = see(t, e), &at_b = see(t, (e + 1) % 3);
     ++above_.looks_;
     const auto share = Prism::share(at_a.depths, at_b.depths);
     if (!share) return;
     if (other.valid()) reach(other);
     // The distance is convex along an edge.
-    if (at_a.distance2 <= most2_ && at_b.distance2 <= most2_) return;
+    if (distance2(a, at_a) <= most2_ && distance2(b, at_b) <= most2_) return;
+    const bool is_whole = share->first == 0 && share->second == 1;
+    if (is_whole && are_near_another(a, at_a, b, at_b)) return;
     const auto at = [&](double way) -> Vec3 {
       const double s = share->first + (share->second - share->first) * way;
       return s == 0 ? a : s == 1 ? b : Vec3(a + s * (b - a));
     };
-    const Vec3 from = at(0), to = at(1);
-    if (triangle_.distance2(from) <= most2_ && triangle_.distance2(to) <= most2_) return;
-    if (!is_near_another(from, to)) look_along(at, t);
+    if (!is_whole) {
+      const Vec3 from = at(0), to = at(1);
+      if (triangle_.distance2(from) <= most2_ && triangle_.distance2(to) <= most2_) return;
+      if (is_near_another(from, to)) return;
+    }
+    look_along(at, t);
   }
 
   /// Whether one of them is no farther than what counts from the whole segment.
   bool is_near_another(const Vec3& a, const Vec3& b) {
+    const double length = (b - a).norm() * (1 - rounding) - 2 * std::sqrt(most2_);  // of a part within it
+    if (length > 0 && length * length > others_diameter2()) return false;
     return is_any_beside([&](const geom::DistanceFromTriangle& other) {
-      return other.distance2(a) <= most2_ && other.distance2(b) <= most2_;
+      return other.is_within(a, most2_) && other.is_within(b, most2_);
     });
   }
 
-  const SeenVertex& see(FacetId t, int corner) {
+  /// The same of the vertices at the ends of an edge: each is asked once for all its edges.
+  bool are_near_another(const Vec3& a, SeenVertex& at_a, const Vec3& b, SeenVertex& at_b) {
+    if (near(a, at_a) & near(b, at_b)) return true;
+    const bool is_known = at_a.within2 == most2_ && at_b.within2 == most2_ && others().size() <= 64;
+    return !is_known && is_near_another(a, b);
+  }
+
+  std::uint64_t near(const Vec3& x, SeenVertex& seen) {
+    if (seen.within2 >= 0) return seen.near;
+    seen.within2 = most2_;
+    for (std::size_t i = 0; i < std::min<std::size_t>(others().size(), 64); ++i)
+      seen.near |= std::uint64_t{others()[i].is_within(x, most2_)} << i;
+    return seen.near;
+  }
+
+  SeenVertex& see(FacetId t, int corner) {
     const geom::VertexId v = above_.mesh_.facet(t)[static_cast<std::size_t>(corner)];
     SeenVertex& seen = above_.seen_[v];
     if (seen.query == above_.query_) return seen;
     const Vec3& x = above_.mesh_.corner(t, corner);
-    return seen = {above_.query_, triangle_.distance2(x), prism_.depths(x)};
+    return seen = {above_.query_, unknown, prism_.depths(x)};
+  }
+
+  double distance2(const Vec3& x, SeenVertex& seen) {
+    if (seen.distance2 == unknown) seen.distance2 = triangle_.distance2(x);
+    return seen.distance2;
   }
 
   template <class At>
@@ -115,19 +143,31 @@ class SurfaceAbove::Query {
 
   bool is_nearer_to_others(const Vec3& x, double distance2) {
     return is_any_beside([&](const geom::DistanceFromTriangle& other) {
-      return other.distance2(x) < (1 - rounding) * distance2;
+      return other.is_within(x, (1 - rounding) * distance2);
     });
   }
 
   /// What holds for one of them mostly holds for the same one next.
   template <class Property>
   bool is_any_beside(const Property& property) {
-    std::vector<geom::DistanceFromTriangle>& others = above_.beside_;
-    if (others.empty()) beside_(others);
-    const auto found = std::ranges::find_if(others, property);
-    if (found == others.end()) return false;
-    std::swap(*found, others.front());
+    const std::vector<geom::DistanceFromTriangle>& all = others();
+    if (last_ < all.size() && property(all[last_])) return true;
+    const auto found = std::ranges::find_if(all, property);
+    if (found == all.end()) return false;
+    last_ = static_cast<std::size_t>(found - all.begin());
     return true;
+  }
+
+  double others_diameter2() {
+    if (diameter2_ < 0)
+      for (const geom::DistanceFromTriangle& other : others())
+        diameter2_ = std::max(diameter2_, other.diameter2());
+    return diameter2_;
+  }
+
+  const std::vector<geom::DistanceFromTriangle>& others() {
+    if (above_.beside_.empty()) beside_(above_.beside_);
+    return above_.beside_;
   }
 
   SurfaceAbove& above_;
@@ -135,6 +175,8 @@ class SurfaceAbove::Query {
   const Beside& beside_;
   geom::DistanceFromTriangle triangle_;
   double most2_;
+  double diameter2_ = -1;  ///< the largest of those beside it; negative: not known
+  std::size_t last_ = 0;   ///< the one beside it that was found last
   FarPoint far_;
 };
 

@@ -20,7 +20,16 @@ class DistanceFromTriangle {
         ab_ab_(ab_.squaredNorm()),
         ab_ac_(ab_.dot(ac_)),
         ac_ac_(ac_.squaredNorm()),
-        normal2_(normal_.squaredNorm()) {}
+        normal2_(normal_.squaredNorm()),
+        is_fat_(normal2_ > 1e-12 * (ab_ab_ + ac_ac_) * (ab_ab_ + ac_ac_)) {}
+
+  /// distance2() <= limit2 up to rounding, sooner where that is not so.
+  bool is_within(const Vec3& x, double limit2) const {
+    return !(is_fat_ && is_beyond_a_side(x, limit2)) && distance2(x) <= limit2;
+  }
+
+  /// An upper bound of the squared distance of two of its points.
+  double diameter2() const { return std::max({ab_ab_, ac_ac_, ab_ab_ - 2 * ab_ac_ + ac_ac_}) * (1 + 1e-9); }
 
   /// Squared.
   double distance2(const Vec3& x) const {
@@ -44,9 +53,26 @@ class DistanceFromTriangle {
   }
 
  private:
+  /// In its plane, by more than that.
+  bool is_beyond_a_side(const Vec3& x, double limit2) const {
+    const Vec3 ax = x - corners_[0];
+    const double b_at_a = ab_.dot(ax), c_at_a = ac_.dot(ax);
+    const double b_at_b = b_at_a - ab_ab_, c_at_b = c_at_a - ab_ac_;
+    const double b_at_c = b_at_a - ab_ac_, c_at_c = c_at_a - ac_ac_;
+    const double far2 = limit2 * normal2_ * (1 + 1e-9);
+    const double beyond_ab = b_at_b * c_at_a - b_at_a * c_at_b;
+    if (beyond_ab > 0 && beyond_ab * beyond_ab > far2 * ab_ab_) return true;
+    const double beyond_ac = b_at_a * c_at_c - b_at_c * c_at_a;
+    if (beyond_ac > 0 && beyond_ac * beyond_ac > far2 * ac_ac_) return true;
+    const double beyond_bc = b_at_c * c_at_b - b_at_b * c_at_c;
+    if (beyond_bc > 0 && beyond_bc * beyond_bc > far2 * (ab_ab_ - 2 * ab_ac_ + ac_ac_)) return true;
+    return false;
+  }
+
   std::array<Vec3, 3> corners_;
   Vec3 ab_, ac_, normal_;
   double ab_ab_, ab_ac_, ac_ac_, normal2_;
+  bool is_fat_;  ///< sides can be told by rounded products
 };
 
 }  // namespace geom

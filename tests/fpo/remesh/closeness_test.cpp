@@ -1,5 +1,7 @@
 #include "fpo/remesh/closeness.h"
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <vector>
 
@@ -76,6 +78,20 @@ TEST_CASE("surface above: the largest distance of the surface from triangles is 
       found = std::max(found, far.distance);
       if (far.distance > 0)
         CHECK(std::sqrt(tree.closest(far.at.position).distance2) == doctest::Approx(far.distance));
+      std::vector<geom::DistanceFromTriangle> star;
+      for (const SiteId s : circle.sites)
+        for (const CircleId c : domain.dual().circles_of(s))
+          if (const auto& t = domain.dual().circle(c).sites; t[2].valid() && t != circle.sites)
+            star.emplace_back(std::array{domain.sample(t[0]).position, domain.sample(t[1]).position,
+                                         domain.sample(t[2]).position});
+      REQUIRE(star.size() <= 64);
+      for (const double enough : {0.0, 0.5 * far.distance, far.distance}) {
+        const auto beside = [&](auto& others) { others.insert(others.end(), star.begin(), star.end()); };
+        const double forwards = above.farthest(corners, enough, beside).distance;
+        std::ranges::reverse(star);
+        CHECK(above.farthest(corners, enough, beside).distance == forwards);
+        CHECK((forwards == 0 || forwards > (1 - 1e-9) * enough));
+      }
     });
     double expected = 0;  // at the middles and ends of edges
     for (std::size_t t = 0; t < mesh.num_facets(); ++t)

@@ -22,6 +22,12 @@ TEST_CASE("distance from a triangle: that of the closest point, of all regions, 
       if (k % 5 == 2) x = q[0] + 0.3 * (q[1] - q[0]) + 0.3 * (q[2] - q[0]);
       const double expected = geom::closest_point(x, q).distance2;
       CHECK(std::abs(triangle.distance2(x) - expected) <= 1e-9 * (expected + 1e-3));
+      for (const double limit2 : {0.0, 1e-4, 0.01, 0.1, 0.99 * expected, 1.01 * expected + 1e-12, 4.0})
+        if (std::abs(limit2 - expected) > 1e-9 * (expected + 1e-3))
+          CHECK(triangle.is_within(x, limit2) == (expected <= limit2));
+      const double s = rng.uniform(), r = rng.uniform();
+      const Vec3 y = q[0] + s * (q[1] - q[0]) + (1 - s) * r * (q[2] - q[0]);
+      for (const Vec3& corner : q) CHECK((y - corner).squaredNorm() <= triangle.diameter2());
     }
   }
 }
