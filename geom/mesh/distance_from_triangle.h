@@ -21,7 +21,7 @@ class DistanceFromTriangle {
         ab_ac_(ab_.dot(ac_)),
         ac_ac_(ac_.squaredNorm()),
         normal2_(normal_.squaredNorm()),
-        is_fat_(normal2_ > 1e-12 * (ab_ab_ + ac_ac_) * (ab_ab_ + ac_ac_)) {}
+        is_fat_(normal2_ > 1e-6 * (ab_ab_ + ac_ac_) * (ab_ab_ + ac_ac_)) {}
 
   /// distance2() <= limit2 up to rounding, sooner where that is not so.
   bool is_within(const Vec3& x, double limit2) const {
@@ -72,7 +72,7 @@ class DistanceFromTriangle {
   std::array<Vec3, 3> corners_;
   Vec3 ab_, ac_, normal_;
   double ab_ab_, ab_ac_, ac_ac_, normal2_;
-  bool is_fat_;  ///< sides can be told by rounded products
+  bool is_fat_;  ///< sides can be told by rounded products: of a needle its short one cannot
 };
 
 }  // namespace geom

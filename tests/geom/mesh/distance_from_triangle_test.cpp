@@ -1,5 +1,7 @@
 #include "geom/mesh/distance_from_triangle.h"
 
+#include <cmath>
+
 #include "doctest.h"
 #include "geom/rng.h"
 
@@ -29,5 +31,22 @@ TEST_CASE("distance from a triangle: that of the closest point, of all regions, 
       const Vec3 y = q[0] + s * (q[1] - q[0]) + (1 - s) * r * (q[2] - q[0]);
       for (const Vec3& corner : q) CHECK((y - corner).squaredNorm() <= triangle.diameter2());
     }
+  }
+}
+
+TEST_CASE("distance from a triangle: needles of any width, seen from afar, are within what they are within") {
+  geom::Rng rng(4);
+  const auto point = [&] { return Vec3(rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-1, 1)); };
+  for (int i = 0; i < 20000; ++i) {
+    const double width = std::pow(10, rng.uniform(-7, 0));
+    const Vec3 a = point(), b = point(), c = b + width * point();
+    const geom::DistanceFromTriangle triangle({a, b, c});
+    Vec3 x = point();
+    if (i % 2 == 0) x = (c - b).cross((b - a).cross(c - a)).normalized();  // beside its short side
+    x = (b + c) / 2 + std::pow(10, rng.uniform(-1, 2)) * x;
+    const double distance2 = triangle.distance2(x);
+    CAPTURE(i);
+    CHECK(triangle.is_within(x, distance2 * (1 + 1e-6)));
+    CHECK(!triangle.is_within(x, distance2 * (1 - 1e-6)));
   }
 }
