@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t least_fidelity_moves = 2000;
 constexpr std::size_t moves_to_come_closer = 20;  // a sample, if it is asked for
 constexpr double most_far = 1.0 / 12;             // of the triangles, if it is not
-constexpr std::size_t looks_a_move = 20;          // of the optimization, then: about a quarter of its time
+constexpr std::size_t looks_a_move = 20;          // of the optimization, then: at most about its time
 
 bool is_stopped(const RemeshOptions& options) { return interrupted(options.optimize.interrupted); }
 

@@ -15,7 +15,8 @@ using geom::Vec3;
 namespace {
 
 constexpr double rounding = 1e-9;
-constexpr double unknown = -1;  // a distance
+constexpr double unknown = -1;               // a distance
+constexpr std::size_t most_told_apart = 64;  // of the triangles beside, by the bits of SeenVertex::near
 constexpr int halvings = 3;
 constexpr int parts = 4;  // of an edge within
 
@@ -82,26 +83,29 @@ class SurfaceAbove::Query {
     look_along(at, t);
   }
 
-  /// Whether one of them is no farther than what counts from the whole segment.
+  /// Whether one of them is no farther than what counts from the whole segment. Then its ends are not farther
+  /// from each other than two points of that one are, and twice what counts.
   bool is_near_another(const Vec3& a, const Vec3& b) {
-    const double length = (b - a).norm() * (1 - rounding) - 2 * std::sqrt(most2_);  // of a part within it
+    const double length = (b - a).norm() * (1 - rounding) - 2 * std::sqrt(most2_);
     if (length > 0 && length * length > others_diameter2()) return false;
     return is_any_beside([&](const geom::DistanceFromTriangle& other) {
       return other.is_within(a, most2_) && other.is_within(b, most2_);
     });
   }
 
-  /// The same of the vertices at the ends of an edge: each is asked once for all its edges.
+  /// The same of the vertices at the ends of an edge: each is asked once for all its edges. What counts only
+  /// grows, so that what was near then is near now; what was not is asked again if it has grown.
   bool are_near_another(const Vec3& a, SeenVertex& at_a, const Vec3& b, SeenVertex& at_b) {
     if (near(a, at_a) & near(b, at_b)) return true;
-    const bool is_known = at_a.within2 == most2_ && at_b.within2 == most2_ && others().size() <= 64;
+    const bool is_known =
+        at_a.within2 == most2_ && at_b.within2 == most2_ && others().size() <= most_told_apart;
     return !is_known && is_near_another(a, b);
   }
 
   std::uint64_t near(const Vec3& x, SeenVertex& seen) {
     if (seen.within2 >= 0) return seen.near;
     seen.within2 = most2_;
-    for (std::size_t i = 0; i < std::min<std::size_t>(others().size(), 64); ++i)
+    for (std::size_t i = 0; i < std::min(others().size(), most_told_apart); ++i)
       seen.near |= std::uint64_t{others()[i].is_within(x, most2_)} << i;
     return seen.near;
   }

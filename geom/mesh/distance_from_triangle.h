@@ -53,7 +53,9 @@ class DistanceFromTriangle {
   }
 
  private:
-  /// In its plane, by more than that.
+  /// In its plane, by more than that: over the side and its length, twice the area of the triangle of x and
+  /// the side is the distance, here times twice the triangle's own area. Rounding of these products, of some
+  /// 1e-16 L^4 for the longest side L, is a share of 1e-16 (L / w)^2 of what is compared at a side w.
   bool is_beyond_a_side(const Vec3& x, double limit2) const {
     const Vec3 ax = x - corners_[0];
     const double b_at_a = ab_.dot(ax), c_at_a = ac_.dot(ax);
@@ -65,14 +67,13 @@ class DistanceFromTriangle {
     const double beyond_ac = b_at_a * c_at_c - b_at_c * c_at_a;
     if (beyond_ac > 0 && beyond_ac * beyond_ac > far2 * ac_ac_) return true;
     const double beyond_bc = b_at_c * c_at_b - b_at_b * c_at_c;
-    if (beyond_bc > 0 && beyond_bc * beyond_bc > far2 * (ab_ab_ - 2 * ab_ac_ + ac_ac_)) return true;
-    return false;
+    return beyond_bc > 0 && beyond_bc * beyond_bc > far2 * (ab_ab_ - 2 * ab_ac_ + ac_ac_);
   }
 
   std::array<Vec3, 3> corners_;
   Vec3 ab_, ac_, normal_;
   double ab_ab_, ab_ac_, ac_ac_, normal2_;
-  bool is_fat_;  ///< sides can be told by rounded products: of a needle its short one cannot
+  bool is_fat_;  ///< its heights are above about 1e-3 of its longest side
 };
 
 }  // namespace geom
