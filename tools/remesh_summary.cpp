@@ -148,6 +148,10 @@ void add_rest(Summary& s, const RemeshArguments& a, const fpo::RemeshResult& res
     s.number("edges_elsewhere_longer_by", result.thin_parts.scale, 4);
   }
   if (result.brought > 0) s.count("samples_moved_to_mend", result.brought);
+  if (result.by_collapses) {
+    s.count("by_collapses", 1);
+    s.line("mesh      what is left of the surface when all else has collapsed: the diagram was at fault");
+  }
   if (result.feature_samples > 0) {
     s.count("feature_samples", result.feature_samples);
     s.count("feature_edges", result.feature_edges);

@@ -114,4 +114,16 @@ bool is_worth_creases(const RemeshResult& with_fewer, const RemeshResult& with_a
 
 bool is_better(const RemeshResult& a, const RemeshResult& b) { return rank(a) > rank(b); }
 
+const RemeshResult& as_it_will_be(const RemeshResult& r) {
+  return r.last_resort && is_better(*r.last_resort, r) ? *r.last_resort : r;
+}
+
+bool is_better_in_the_end(const RemeshResult& a, const RemeshResult& b) {
+  const auto in_the_end = [](const RemeshResult& r) {
+    const RemeshResult& end = as_it_will_be(r);
+    return std::tuple(has_wanted_angles(end), r.type.ok(), rank(end));
+  };
+  return in_the_end(a) > in_the_end(b);
+}
+
 }  // namespace fpo

@@ -76,4 +76,10 @@ bool is_worth_creases(const RemeshResult& with_fewer, const RemeshResult& with_a
 /// 30 degrees, a tenth of the triangles as 6. Then by the smallest angle.
 bool is_better(const RemeshResult& a, const RemeshResult& b);
 
+/// The result, or what there is instead (last_resort.h), which is better.
+const RemeshResult& as_it_will_be(const RemeshResult& result);
+
+/// First by whether all is well in the end; then by whether the diagram is of the type; then as above.
+bool is_better_in_the_end(const RemeshResult& a, const RemeshResult& b);
+
 }  // namespace fpo

@@ -1,8 +1,7 @@
 #include "fpo/remesh/edited_mesh.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <iterator>
 
 #include "geom/check.h"
 
@@ -67,6 +66,93 @@ void EditedMesh::flip(VertexId a, VertexId b) {
   set(u, {d, b, c});
 }
 
+EditedMesh::VertexId EditedMesh::split(FacetId t, const Vec3& at) {
+  keep();
+  const auto [a, b, c] = facets_[t];
+  const VertexId v = positions_.next_id();
+  positions_.push_back(at);
+  at_.emplace_back();
+  set(t, {a, b, v});
+  add({b, c, v});
+  add({c, a, v});
+  return v;
+}
+
+EditedMesh::VertexId EditedMesh::split(VertexId a, VertexId b, const Vec3& at) {
+  keep();
+  const VertexId v = positions_.next_id();
+  positions_.push_back(at);
+  at_.emplace_back();
+  for (const FacetId t : std::vector<FacetId>(at_[a])) {
+    Facet near = facets_[t], far = near;
+    if (std::ranges::find(near, b) == near.end()) continue;
+    std::ranges::replace(near, b, v);
+    std::ranges::replace(far, a, v);
+    set(t, near);
+    add(far);
+  }
+  return v;
+}
+
+std::vector<EditedMesh::VertexId> EditedMesh::neighbours(VertexId v) const {
+  std::vector<VertexId> found;
+  for (const FacetId t : at_[v])
+    for (const VertexId w : facets_[t])
+      if (w != v) found.push_back(w);
+  std::ranges::sort(found);
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+/// At one of its edges.
+bool EditedMesh::has_single_facet(VertexId v) const {
+  return std::ranges::any_of(neighbours(v), [&](VertexId w) {
+    return std::ranges::count_if(
+               at_[v], [&](FacetId t) { return std::ranges::find(facets_[t], w) != facets_[t].end(); }) == 1;
+  });
+}
+
+bool EditedMesh::can_collapse(VertexId v, VertexId w) const {
+  std::vector<VertexId> thirds, common;
+  for (const FacetId t : at_[v])
+    if (std::ranges::find(facets_[t], w) != facets_[t].end()) thirds.push_back(third(t, v, w));
+  if (thirds.empty() || thirds.size() > 2) return false;
+  if (thirds.size() == 2 && has_single_facet(v))
+    return false;  // two borders would meet, or one leave its place
+  std::ranges::sort(thirds);
+  std::ranges::set_intersection(neighbours(v), neighbours(w), std::back_inserter(common));
+  if (common != thirds) return false;
+  for (const FacetId t : at_[v]) {  // each becomes one of w, which has none like it, as a tetrahedron would
+    Facet f = facets_[t];
+    if (std::ranges::find(f, w) != f.end()) continue;
+    std::ranges::replace(f, v, w);
+    if (std::ranges::any_of(at_[w], [&](FacetId u) { return std::ranges::is_permutation(facets_[u], f); }))
+      return false;
+  }
+  return at_[w].size() > thirds.size() || at_[v].size() > thirds.size();
+}
+
+void EditedMesh::collapse(VertexId v, VertexId w) {
+  keep();
+  for (const FacetId t : std::vector<FacetId>(at_[v])) {
+    Facet f = facets_[t];
+    if (std::ranges::find(f, w) != f.end()) {
+      for (const VertexId corner : f) std::erase(at_[corner], t);
+      facets_[t] = Facet();
+    } else {
+      std::ranges::replace(f, v, w);
+      set(t, f);
+    }
+  }
+}
+
+EditedMesh::FacetId EditedMesh::add(const Facet& facet) {
+  const FacetId t = facets_.next_id();
+  facets_.push_back(facet);
+  for (const VertexId v : facet) at_[v].push_back(t);
+  return t;
+}
+
 void EditedMesh::set(FacetId t, const Facet& facet) {
   for (const VertexId v : facets_[t]) std::erase(at_[v], t);
   facets_[t] = facet;
@@ -89,7 +175,10 @@ void EditedMesh::undo_to(std::size_t num_edits) {
 }
 
 TriMesh EditedMesh::mesh() const {
-  geom::Table<FacetId, Facet> facets = facets_;
+  geom::Table<FacetId, Facet> facets;
+  facets.reserve(facets_.size());
+  for (const Facet& f : facets_)
+    if (f[0].valid()) facets.push_back(f);
   for (Facet& f : facets) std::rotate(f.begin(), std::ranges::min_element(f), f.end());
   std::ranges::sort(facets);
   return TriMesh(positions_, std::move(facets));

@@ -42,6 +42,11 @@ struct MeshChange {
   double penalty;
 };
 
+std::size_t most_attempts(const LastAnglesTask& task, std::size_t n) {
+  if (task.goal.attempts_a_sample > 0) return task.goal.attempts_a_sample * n;
+  return std::min(mending::least_attempts + n / mending::share_of_attempts, mending::most_attempts);
+}
+
 class AngleMender {
  public:
   AngleMender(const LastAnglesTask& task, const TriMesh& remesh, std::vector<SurfaceSample>& samples)
@@ -51,8 +56,7 @@ class AngleMender {
         places_(task),
         chains_(chain_edges(task.features)),
         good_(std::min(task.goal.smallest, task.angles.smallest) - mending::rounding),
-        attempts_left_(std::min(mending::least_attempts + samples.size() / mending::share_of_attempts,
-                                mending::most_attempts)),
+        attempts_left_(most_attempts(task, samples.size())),
         is_hopeless_(remesh.num_facets(), 0) {}
 
   std::vector<FacetId> bad() const {

@@ -13,6 +13,7 @@
 #include "fpo/remesh/distribution.h"
 #include "fpo/remesh/feature_bound.h"
 #include "fpo/remesh/improvement.h"
+#include "fpo/remesh/last_resort.h"
 #include "fpo/remesh/noise.h"
 #include "fpo/remesh/proven_edges.h"
 #include "fpo/remesh/refusal.h"
@@ -50,6 +51,10 @@ bool interrupted(const RemeshOptions& options) { return fpo::interrupted(options
 void return_to(const SplitSurface& apart, RemeshResult& result) {
   for (SurfaceSample& x : result.samples) x.facet = apart.parents[x.facet];
   for (CellPolygon& cell : result.cells) cell.facet = apart.parents[cell.facet];
+  if (!result.last_resort) return;
+  RemeshResult otherwise = *result.last_resort;
+  return_to(apart, otherwise);
+  result.last_resort = std::make_shared<const RemeshResult>(std::move(otherwise));
 }
 
 /// More samples where the surface is thin. Those of a coarser one are there already.
@@ -84,31 +89,6 @@ void take(Dual dual, RemeshResult& result) {
   result.mesh = std::move(dual.mesh);
   result.samples = std::move(dual.samples);
   result.cells = std::move(dual.cells);
-}
-
-void tell_of_features(const RemeshTask& task, const SharedSizing& shared, RemeshResult& result) {
-  result.feature_samples = shared.features.samples.size();
-  result.staggered_curves = shared.features.staggered_curves;
-  result.feature_edges = num_edges(shared.features);
-  const CornerAngles corners = corner_angles(task.surface(), task.features);
-  result.corner_angle = corners.smallest;
-  result.sharp_corners = corners.below_30;
-  for (std::size_t c = 0; c < task.features.curves.size(); ++c)
-    if (task.features.curves[c].sheets == 2)
-      ++result.crease_curves, result.crease_edges += shared.features.chains[c].size() - 1;
-  const auto broken = broken_edges(result.mesh, shared.features);
-  result.broken_feature_edges = broken.size();
-  result.edge_advice = edge_advice(result.mesh, broken);
-}
-
-void tell_of_lengths(const RemeshTask& task, const Sizing& sizing, const AngleOptions& angles,
-                     RemeshResult& result) {
-  for (std::size_t v = 0; v < task.input.num_vertices(); ++v)
-    result.sizing.push_back(sizing.at(geom::VertexId(v)));
-  for (const SurfaceSample& sample : result.samples) result.wanted.push_back(sizing.at(sample));
-  result.fit = sizing_fit(result.mesh, result.wanted);
-  result.measures = final_measures(result.mesh, result.wanted, result.feature_samples, angles);
-  result.angles.bad_after = result.measures.bad_triangles;
 }
 
 /// No mesh, for that is better made otherwise, with these samples to begin with.
@@ -179,6 +159,8 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   tell_of_lengths(task, sizing, angle_options(options), result);
   result.has_levels = apart.has_value();
   result.has_facing_samples = options.facing_samples;
+  result.last_resort = last_resort(
+      {task, shared, sizing, apart ? &*apart : nullptr, type, slides ? &*slides : nullptr}, options, result);
   if (apart) return_to(*apart, result);
   if (!coarse || is_fine(result) || !options.fixed.empty()) return result;
   RemeshResult other = on_surface(std::move(*coarse), task.input, shared.sizing, options);
@@ -219,9 +201,14 @@ bool has_only_samples(const RemeshResult& result) {
   return result.mesh.num_facets() == 0 && !result.samples.empty();
 }
 
-/// Takes the other one if there is one, and it is better.
+/// Has another mesh that is all that is wanted: nothing else is tried.
+bool is_saved(const RemeshResult& result) {
+  return has_wanted_angles(as_it_will_be(result)) && !has_wanted_angles(result);
+}
+
+/// Takes the other one if there is one, and it is better in the end.
 bool take_if_better(std::optional<RemeshResult> other, RemeshResult& best) {
-  if (!other || other->mesh.num_facets() == 0 || !is_better(*other, best)) return false;
+  if (!other || other->mesh.num_facets() == 0 || !is_better_in_the_end(*other, best)) return false;
   best = std::move(*other);
   return true;
 }
@@ -276,7 +263,7 @@ RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoic
     }
   }
   if (options.sheets != Sheets::automatic || options.method != Method::fpo || is_fine(best) ||
-      best.stood_in ||  // all of this was tried on what stood in
+      is_saved(best) || best.stood_in ||  // all of this was tried on what stood in
       should_drop_creases(best, options) || (is_remnant(best.mesh) && !may_be_faced(best)))
     return best;
   const bool parted_at_once = best.has_levels && !parted;
@@ -438,7 +425,7 @@ RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const Reme
     result = remesh_sheets(surface, all, options);
   }
   if (result.crease_curves == 0 || !may_drop_creases(options) || result.stood_in || interrupted(options) ||
-      geom::topology(surface).nonmanifold_edges > 0 || has_wanted_angles(result) ||
+      geom::topology(surface).nonmanifold_edges > 0 || has_wanted_angles(as_it_will_be(result)) ||
       (is_useful(result) && !crowded && !has_many_small_angles(result)))
     return std::move(result);
   const bool has_few_on_curves = 2 * result.feature_samples < options.num_samples;
@@ -452,7 +439,7 @@ RemeshResult remesh_smoothed(const geom::TriMesh& surface, const RemeshOptions& 
   const geom::TriMesh smooth = smoothed(surface, options.num_samples);
   RemeshOptions there = options;
   there.keep_cells = false;
-  return on_noise(remesh_with_creases_or_not(smooth, there), smooth, surface, options);
+  return on_noise(or_last_resort(remesh_with_creases_or_not(smooth, there)), smooth, surface, options);
 }
 
 /// On a smooth surface where this one is noise or, if it is folded, no remesh of it is of its type; or on
@@ -461,17 +448,17 @@ RemeshResult remesh_smoothed_or_not(const geom::TriMesh& surface, const RemeshOp
   const bool may_be = may_be_smoothed(options);
   if (may_be && has_noise(surface, options.num_samples)) return remesh_smoothed(surface, options);
   const auto with_bound = [](const geom::TriMesh& of, const RemeshOptions& how) {
-    RemeshResult made = remesh_with_creases_or_not(of, how);
+    RemeshResult made = or_last_resort(remesh_with_creases_or_not(of, how));
     if (!interrupted(how)) made.feature_bound = feature_bound(of, how);
     return made;
   };
   RemeshResult result = remesh_trimmed_or_not(surface, options, with_bound);
-  if (!may_be || result.type.ok() || interrupted(options) || !is_folded(surface) ||
+  if (!may_be || (result.type.ok() && !result.by_collapses) || interrupted(options) || !is_folded(surface) ||
       geom::topology(surface).nonmanifold_edges > 0)
     return result;
   std::optional<RemeshResult> other =
       unless_interrupted(options, [&] { return remesh_smoothed(surface, options); });
-  return other && other->type.ok() ? std::move(*other) : result;
+  return other && other->type.ok() && is_better(*other, result) ? std::move(*other) : result;
 }
 
 /// And what is far from it. Lengths that were to be even are what was asked for, where they are less, too.

@@ -2,6 +2,7 @@
 // Blue-noise remeshing from input surface to output mesh: the paper as one straight-line function.
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -128,6 +129,9 @@ struct RemeshResult {
   Localization localization;
   std::size_t hidden = 0;          ///< samples without a cell, hence without a triangle
   std::vector<CellPolygon> cells;  ///< the restricted power diagram
+  bool by_collapses = false;       ///< the mesh is no dual of that (collapsed_mesh.h)
+  /// The same samples joined otherwise (last_resort.h), while it is not settled which is better.
+  std::shared_ptr<const RemeshResult> last_resort;
 };
 
 /// Remeshes with exactly num_samples vertices; with Poisson disks, whose parameter is a radius, with about as

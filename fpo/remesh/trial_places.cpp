@@ -26,7 +26,8 @@ std::vector<SurfaceSample> TrialPlaces::around(VertexId v, const SurfaceSample& 
   std::vector<SurfaceSample> places =
       nearby_places(task_.surface, *tree_, now, {task_.sizing.at(now), trial_steps, num_directions});
   std::erase_if(places, [&](const SurfaceSample& x) {
-    return !(task_.surface.normal(x.facet).normalized().dot(normal) > same_sheet);
+    return !(task_.surface.normal(x.facet).normalized().dot(normal) > same_sheet) ||
+           !is_same_part(x.facet, now.facet);
   });
   return places;
 }
@@ -39,7 +40,6 @@ std::vector<SurfaceSample> TrialPlaces::on_curve(VertexId v, const SurfaceSample
   std::vector<SurfaceSample> places = task_.slides->places(
       x, now, {mesh.position(VertexId(before.value)), mesh.position(VertexId(after.value))});
   for (SurfaceSample& place : places) place.facet = tree_->closest(place.position, now.facet).facet;
-  // Where parts touch each other the nearest facet may be of another one.
   std::erase_if(places, [&](const SurfaceSample& place) { return !is_same_part(place.facet, now.facet); });
   return places;
 }

@@ -3,9 +3,12 @@
 #include "fpo/remesh/edited_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "doctest.h"
+#include "geom/mesh/surface_type.h"
 #include "geom/rng.h"
+#include "geom/shapes/mesh_parts.h"
 #include "geom/shapes/shapes.h"
 
 using namespace fpo;
@@ -96,4 +99,57 @@ TEST_CASE("edited mesh: what would make an edge twice, or has one facet only, is
   CHECK(square.has_edge(VertexId(1), VertexId(3)));
   CHECK(square.normal(FacetId(0)).z() == 1);
   CHECK(square.normal(FacetId(1)).z() == 1);
+}
+
+TEST_CASE("edited mesh: splits and collapses keep the topological type, down to the smallest of it") {
+  struct Case {
+    const char* name;
+    std::size_t vertices;  ///< that a surface of this type cannot do without
+  };
+  for (const Case& c : {Case{"sphere", 4}, {"torus", 7}, {"square", 3}}) {
+    CAPTURE(std::string(c.name));
+    const TriMesh mesh = geom::make_shape(c.name, 6);
+    const geom::SurfaceType type = geom::surface_type(mesh);
+    EditedMesh edited(mesh);
+    geom::Rng rng(3);
+    for (int k = 0; k < 30; ++k) {
+      const VertexId a = any_vertex(edited, rng), b = any_neighbour(edited, a, rng);
+      const FacetId t = edited.facets_at(a).front();
+      const std::size_t facets = edited.num_facets();
+      const VertexId on_edge = edited.split(a, b, (edited.position(a) + edited.position(b)) / 2);
+      CHECK(edited.num_facets() - facets == edited.facets_at(on_edge).size() / 2);
+      CHECK(!edited.has_edge(a, b));
+      const VertexId inside = edited.split(t, edited.position(a));
+      CHECK(edited.facets_at(inside).size() == 3);
+    }
+    require_consistent(edited);
+    CHECK(geom::surface_type(edited.mesh()).parts == type.parts);
+    bool any = true;
+    while (any) {
+      any = false;
+      for (VertexId v(0); v.index() < edited.num_vertices(); v = VertexId(v.value + 1))
+        for (const VertexId w : edited.neighbours(v)) {
+          if (!edited.can_collapse(v, w)) continue;
+          edited.collapse(v, w);
+          any = true;
+          CHECK(edited.facets_at(v).empty());
+          if (v.value % 16 == 0) CHECK(geom::surface_type(edited.mesh()).parts == type.parts);
+          break;
+        }
+    }
+    CHECK(geom::surface_type(edited.mesh()).parts == type.parts);
+    const geom::Topology least = geom::topology(edited.mesh());
+    CHECK(least.manifold());
+    CHECK(least.vertices >= c.vertices);
+    CHECK(least.vertices <= c.vertices + 3);  // which collapses come first may leave some
+  }
+}
+
+TEST_CASE("edited mesh: a ring of three edges around a tube, or about a hole, is not pinched") {
+  EditedMesh tube(geom::revolved({{1, 0}, {1, 1}, {1, 2}}, false, 3));
+  for (VertexId v(0); v.index() < tube.num_vertices(); v = VertexId(v.value + 1))
+    for (const VertexId w : tube.neighbours(v)) {
+      const double rise = std::abs(tube.position(v).z() - tube.position(w).z());
+      if (rise < 0.5) CHECK(!tube.can_collapse(v, w));
+    }
 }

@@ -1,0 +1,68 @@
+// Remeshes whose diagrams are of another type than the input: joined otherwise, and told right.
+
+#include "fpo/remesh/last_resort.h"
+
+#include "doctest.h"
+#include "fpo/remesh/remesh_defaults.h"
+#include "geom/mesh/aabb_tree.h"
+#include "geom/shapes/shapes.h"
+
+using namespace fpo;
+using geom::TriMesh;
+using geom::VertexId;
+
+namespace {
+
+RemeshResult few_samples(const char* name, std::size_t n, bool keep_cells = false,
+                         Sheets sheets = Sheets::automatic) {
+  RemeshOptions options = default_options(n, SizingKind::uniform);
+  options.features = automatic_features();
+  options.features->yielding = true;
+  options.keep_cells = keep_cells;
+  options.sheets = sheets;
+  return remesh(geom::make_shape(name), options);
+}
+
+}  // namespace
+
+TEST_CASE("last resort: too few samples for the diagram make a surface of the right type") {
+  for (const auto& [name, n] : {std::pair("dumbbell", 50), {"thin-handle", 50}, {"narrow-torus", 50}}) {
+    CAPTURE(std::string(name));
+    const auto size = static_cast<std::size_t>(n);
+    const RemeshResult result = few_samples(name, size, true);
+    CHECK(result.by_collapses);
+    CHECK(result.type.ok());
+    CHECK(result.advice.places.empty());
+    CHECK(result.mesh.num_vertices() == size);
+    CHECK(result.wanted.size() == size);
+    CHECK(result.sizing.size() == geom::make_shape(name).num_vertices());
+    CHECK(result.measures.theta_min > 0);
+    double area = 0;
+    for (const CellPolygon& cell : result.cells)
+      for (std::size_t k = 1; k + 1 < cell.corners.size(); ++k)
+        area += (cell.corners[k] - cell.corners[0]).cross(cell.corners[k + 1] - cell.corners[0]).norm() / 2;
+    CHECK(area == doctest::Approx(geom::make_shape(name).area()).epsilon(1e-6));
+    const TriMesh surface = geom::make_shape(name);
+    for (std::size_t i = 0; i < size; ++i) {
+      const SurfaceSample& x = result.samples[i];
+      CHECK((result.mesh.position(VertexId(i)) - x.position).norm() < 1e-9);
+      CHECK(geom::closest_point(x.position, {surface.corner(x.facet, 0), surface.corner(x.facet, 1),
+                                             surface.corner(x.facet, 2)})
+                .distance2 < 1e-12);
+    }
+  }
+}
+
+TEST_CASE("last resort: where the diagram is right there is none") {
+  const RemeshResult result = few_samples("torus", 200);
+  CHECK(!result.by_collapses);
+  CHECK(!result.last_resort);
+}
+
+TEST_CASE("last resort: nobody mends, no other mesh") {
+  RemeshOptions options = default_options(50, SizingKind::uniform);
+  options.mend = false;
+  const RemeshResult result = remesh(geom::make_shape("narrow-torus"), options);
+  CHECK(!result.type.ok());
+  CHECK(!result.by_collapses);
+}
