@@ -28,10 +28,13 @@ struct Bounds {
   double angle;   ///< the least, in degrees, unless one was smaller before
 };
 
-constexpr std::array<Bounds, 4> bounds = {{{0.8, 5}, {0.5, 1}, {0, 0.01}, {-2, 0}}};  // one after the other
+constexpr std::array<Bounds, 4> bounds = {
+    {{0.8, 5}, {0.5, 1}, {0, 0.01}, {-2, 0.01}}};  // one after the other
 
 constexpr double fine = 0.25;              // edges, in wanted lengths, for regions to have their shape
 constexpr std::size_t most_refined = 100;  // vertices for a sample
+
+constexpr Bounds any = {-2, 0};
 
 class Collapses {
  public:
@@ -57,6 +60,12 @@ class Collapses {
     as_long_as_any_goes([&](VertexId v) { return withdraw(v); });
     for (const Bounds& allowed : bounds)
       as_long_as_any_goes([&](VertexId v) { return collapse(v, allowed); });
+    make_better_flips(mesh_, no_curves());
+  }
+
+  /// Of those that are left, even if facets without area come of it.
+  void run_to_the_end() {
+    as_long_as_any_goes([&](VertexId v) { return collapse(v, any); });
     make_better_flips(mesh_, no_curves());
   }
 
@@ -203,6 +212,7 @@ std::optional<CollapsedMesh> collapsed_mesh(const SamplesToPut& put, std::span<c
   CollapsedMesh result;
   collapses.run();
   collapses.exchange(put.of_features.samples.size(), wanted, result.exchanged);
+  if (!collapses.is_done()) collapses.run_to_the_end();
   if (!collapses.is_done()) return {};
   result.mesh = collapses.mesh();
   return result;

@@ -26,9 +26,9 @@ struct CollapsedMesh {
 /// that makes better angles (better_flips.h). At first no facet is turned by much and none becomes a needle,
 /// later, where nothing else is possible, any. A vertex that cannot go at last becomes a sample, and one that
 /// can, but none of the features, is none any more: that with the shortest edge in units of `wanted`, the
-/// lengths at the samples. Of the surface's type, with all edges of curves that are between samples. None if
-/// there are vertices left, if the surface is no manifold, or if it was interrupted. Deterministic. About
-/// O(V log V).
+/// lengths at the samples. Facets without area come last. Of the surface's type, with all edges of curves
+/// that are between samples. None if there are vertices left, if the surface is no manifold, or if it was
+/// interrupted. Deterministic. About O(V log V).
 std::optional<CollapsedMesh> collapsed_mesh(const SamplesToPut& put, std::span<const double> wanted,
                                             const std::atomic<bool>* interrupted = nullptr);
 

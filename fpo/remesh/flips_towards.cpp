@@ -9,6 +9,7 @@ namespace fpo {
 
 using geom::FacetId;
 using geom::TriMesh;
+using geom::Vec3;
 using geom::VertexId;
 
 namespace {
@@ -39,7 +40,13 @@ std::size_t flip_to(const VertexPairs& goal, const VertexPairs& kept, EditedMesh
     if (has(goal, a, b) || has(kept, a, b) || !mesh.can_flip(a, b)) continue;
     const FacetId t = mesh.beside(a, b), u = mesh.beside(b, a);
     if (!has(goal, mesh.third(t, a, b), mesh.third(u, a, b))) continue;
+    const std::size_t edits = mesh.num_edits();
+    const Vec3 before = mesh.normal(t) + mesh.normal(u);
     mesh.flip(a, b);
+    if (mesh.normal(t).dot(before) < 0 || mesh.normal(u).dot(before) < 0) {  // turned over
+      mesh.undo_to(edits);
+      continue;
+    }
     ++flips;
     for (const FacetId f : {t, u})
       for (std::size_t i = 0; i < 3; ++i)

@@ -43,7 +43,7 @@ struct MeshChange {
 };
 
 std::size_t most_attempts(const LastAnglesTask& task, std::size_t n) {
-  if (task.goal.attempts_a_sample > 0) return task.goal.attempts_a_sample * n;
+  if (task.goal.most_attempts > 0) return task.goal.most_attempts;
   return std::min(mending::least_attempts + n / mending::share_of_attempts, mending::most_attempts);
 }
 

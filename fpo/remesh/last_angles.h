@@ -14,9 +14,9 @@ namespace fpo {
 
 /// What is asked of the mesh.
 struct LastAnglesGoal {
-  double smallest = 30;               ///< angle, in degrees, or that of the options if that is smaller
-  double least_edge = 0.55;           ///< of a vertex that is moved, in wanted lengths, or as it was
-  std::size_t attempts_a_sample = 0;  ///< at most; 0: a quarter of one, and 200, but 1000 at most
+  double smallest = 30;           ///< angle, in degrees, or that of the options if that is smaller
+  double least_edge = 0.55;       ///< of a vertex that is moved, in wanted lengths, or as it was
+  std::size_t most_attempts = 0;  ///< 0: a quarter of the samples and 200, but 1000 at most
 };
 
 /// A remesh whose vertex i is sample i.

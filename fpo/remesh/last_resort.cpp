@@ -20,7 +20,8 @@ using geom::VertexId;
 
 namespace {
 
-constexpr std::size_t attempts_a_sample = 4;  // to mend angles, for nobody has looked at them yet
+/// To mend angles, for nobody has looked at them yet.
+std::size_t attempts_for(std::size_t n) { return std::max(std::min<std::size_t>(4 * n, 1000), n / 2); }
 
 /// The part of a facet that a place is in, of a surface with smaller facets.
 FacetId part_at(const SplitSurface& apart, const SurfaceSample& place) {
@@ -74,7 +75,7 @@ std::shared_ptr<const RemeshResult> last_resort(const SampledTask& sampled, cons
                                                  sampled.shared.features,
                                                  sampled.slides,
                                                  angles,
-                                                 {.attempts_a_sample = attempts_a_sample}},
+                                                 {.most_attempts = attempts_for(result.samples.size())}},
                                                 other.mesh, other.samples);
   other.type = check_type(sampled.type, other.mesh, other.samples);
   other.advice = {};
@@ -86,8 +87,8 @@ std::shared_ptr<const RemeshResult> last_resort(const SampledTask& sampled, cons
 }
 
 RemeshResult or_last_resort(RemeshResult result) {
-  if (&as_it_will_be(result) == &result) return result;
-  RemeshResult other = *result.last_resort;
+  RemeshResult other = as_it_will_be(result);
+  other.last_resort.reset();  // settled: what follows maps only one
   other.given_up = std::move(result.given_up);
   other.features_missed = result.features_missed;
   other.collapsed_curves = result.collapsed_curves;

@@ -2,6 +2,8 @@
 
 #include "fpo/remesh/attempts.h"
 
+#include <memory>
+
 #include "doctest.h"
 #include "fpo/remesh/remesh_defaults.h"
 #include "geom/shapes/shapes.h"
@@ -32,6 +34,27 @@ TEST_CASE("attempts: the type comes first, a tenth of the edges weighs as much a
   CHECK(
       is_better(measured(true, 40, 0), measured(true, 31, 0)));  // and the better for it if all else is equal
   CHECK(!is_better(measured(true, 31, 1), measured(true, 31, 1)));
+}
+
+TEST_CASE(
+    "attempts: what there is instead counts where it is better, a right diagram before it unless all is "
+    "well") {
+  const auto with_resort = [](RemeshResult result, const RemeshResult& instead) {
+    result.last_resort = std::make_shared<const RemeshResult>(instead);
+    return result;
+  };
+  const RemeshResult right = measured(true, 20, 0), wrong = measured(false, 40, 0);
+  const RemeshResult saved = with_resort(wrong, measured(true, 31, 0));
+  const RemeshResult helped = with_resort(wrong, measured(true, 25, 0));
+  CHECK(&as_it_will_be(right) == &right);
+  CHECK(&as_it_will_be(saved) == saved.last_resort.get());
+  const RemeshResult worse = with_resort(right, measured(true, 10, 0));
+  CHECK(&as_it_will_be(worse) == &worse);
+  CHECK(is_better_in_the_end(saved, right));
+  CHECK(is_better_in_the_end(right, helped));
+  CHECK(is_better_in_the_end(helped, wrong));
+  CHECK(is_better_in_the_end(measured(true, 32, 0), saved));
+  CHECK(!is_better_in_the_end(right, right));
 }
 
 TEST_CASE("attempts: hundreds of small angles are worse than one that is smaller") {
