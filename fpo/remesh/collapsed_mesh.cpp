@@ -35,6 +35,7 @@ constexpr double fine = 0.25;              // edges, in wanted lengths, for regi
 constexpr std::size_t most_refined = 100;  // vertices for a sample
 
 constexpr Bounds any = {-2, 0};
+constexpr std::size_t most_looks = 4'000'000;  // at samples, for those that give way
 
 class Collapses {
  public:
@@ -72,7 +73,8 @@ class Collapses {
   /// Vertices that are left become samples instead of others, from the first one that may.
   void exchange(std::size_t first, std::span<const double> wanted,
                 std::vector<CollapsedMesh::Exchange>& done) {
-    for (; !left_.empty(); left_.pop_back()) {
+    if (left_.size() * vertex_of_.size() > most_looks) return;  // nothing that exchanges would mend
+    for (; !left_.empty() && !interrupted(interrupted_); left_.pop_back()) {
       SiteId x;
       for (const Bounds& allowed : bounds)
         if (x = most_crowded(first, wanted, allowed); x.valid()) break;

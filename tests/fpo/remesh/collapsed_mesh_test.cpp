@@ -3,6 +3,7 @@
 #include "fpo/remesh/collapsed_mesh.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "doctest.h"
 #include "fpo/remesh/flips_towards.h"
@@ -95,6 +96,14 @@ TEST_CASE("collapsed mesh: parts too thin for the samples keep their type, if ne
 TEST_CASE("collapsed mesh: a torus needs seven vertices") {
   CHECK(!collapse("torus", 12, 6, false).found);
   require_right(collapse("torus", 12, 12, false));
+}
+
+TEST_CASE("collapsed mesh: interrupted there is none, and nothing is exchanged for all that are left") {
+  const TriMesh surface = geom::make_shape("sphere", 60);
+  const std::vector<SurfaceSample> samples = random_samples(surface, 100, 1);
+  const std::atomic<bool> interrupted = true;
+  CHECK(!collapsed_mesh({surface, {}, {}, samples}, std::vector<double>(100, 0.3), &interrupted));
+  CHECK(collapsed_mesh({surface, {}, {}, samples}, std::vector<double>(100, 0.3)));
 }
 
 TEST_CASE("collapsed mesh: where samples are dense it is nearly the diagram's dual, and flips lead there") {
