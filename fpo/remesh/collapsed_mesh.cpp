@@ -45,13 +45,14 @@ class Collapses {
         curves_(std::move(from.curves)),
         vertex_of_(std::move(from.vertex_of)),
         interrupted_(interrupted),
-        is_sample_(mesh_.num_vertices(), 0) {
-    for (const VertexId v : vertex_of_) is_sample_[v] = 1;
-    facet_at_.resize(mesh_.num_vertices());
-    for (VertexId v(0); v.index() < mesh_.num_vertices(); v = VertexId(v.value + 1))
-      if (!mesh_.facets_at(v).empty()) facet_at_[v] = from.parents[mesh_.facets_at(v).front()];
-    for (VertexId v(0); v.index() < mesh_.num_vertices(); v = VertexId(v.value + 1))
-      if (!is_sample_[v] && !mesh_.facets_at(v).empty()) left_.push_back(v);
+        facet_at_(mesh_.num_vertices()) {
+    geom::Table<VertexId, char> is_sample(mesh_.num_vertices(), 0);
+    for (const VertexId v : vertex_of_) is_sample[v] = 1;
+    for (VertexId v(0); v.index() < mesh_.num_vertices(); v = VertexId(v.value + 1)) {
+      if (mesh_.facets_at(v).empty()) continue;
+      facet_at_[v] = from.parents[mesh_.facets_at(v).front()];
+      if (!is_sample[v]) left_.push_back(v);
+    }
     std::ranges::stable_sort(left_, std::greater<>(), [&](VertexId v) { return regions_.distance[v]; });
   }
 
@@ -80,8 +81,6 @@ class Collapses {
         if (x = most_crowded(first, wanted, allowed); x.valid()) break;
       if (!x.valid()) return;
       const VertexId gone = vertex_of_[x], v = left_.back();
-      is_sample_[gone] = 0;
-      is_sample_[v] = 1;
       vertex_of_[x] = v;
       for (const Bounds& allowed : bounds)
         if (collapse(gone, allowed)) break;
@@ -197,7 +196,6 @@ class Collapses {
   CurveEdges curves_;
   geom::Table<SiteId, VertexId> vertex_of_;
   const std::atomic<bool>* interrupted_;
-  geom::Table<VertexId, char> is_sample_;
   geom::Table<VertexId, FacetId> facet_at_;  // of the surface
   std::vector<VertexId> left_;               // that are to go
 };

@@ -1,7 +1,8 @@
 #pragma once
-// The remesh as what is left of the surface when all its vertices but the samples have collapsed. Where the
-// diagram has not the surface's topological type (paper, section 5: the topological ball property), for there
-// are too few samples for it, this has, as far as that many vertices can have it at all.
+// The remesh as what is left of the surface when all its vertices but the samples have collapsed. Where there
+// are too few samples for the diagram to have the surface's topological type (paper, section 5: the
+// topological ball property) this has it, for each step keeps it. How few vertices do depends on which ones
+// go first: a torus, which needs seven, comes down to eight at times.
 
 #include <atomic>
 #include <cstddef>

@@ -121,6 +121,11 @@ bool has_room(const SurfaceDomain& domain, const SurfaceSample& place) {
 
 }  // namespace
 
+std::vector<CellPolygon> cells_of(const geom::TriMesh& surface, const Sizing& sizing,
+                                  std::span<const SurfaceSample> samples, const SurfaceOptions& options) {
+  return cell_polygons(*SurfaceDomain(surface, sizing, samples, options).diagram());
+}
+
 std::size_t refine_at(SurfaceDomain& domain, const std::vector<Defect>& defects) {
   // One place of each cluster of defects.
   std::vector<Defect> places;

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "fpo/remesh/cell_faults.h"
@@ -46,6 +47,10 @@ std::vector<SurfaceSample> samples_of(const SurfaceDomain& domain);
 /// (localize.h). Throws InputError if there is no triangle.
 Dual dual_of(const SurfaceDomain& domain, const WantedType& type, bool keep_cells,
              const std::atomic<bool>* interrupted = nullptr);
+
+/// Those of samples that have no domain. Cost: that of building their diagram.
+std::vector<CellPolygon> cells_of(const geom::TriMesh& surface, const Sizing& sizing,
+                                  std::span<const SurfaceSample> samples, const SurfaceOptions& options);
 
 /// Brings a sample to each place with defects, to where the cell reaches farthest from its sample; it is
 /// taken from the place, far from all of these, where samples are closest together. The samples around the

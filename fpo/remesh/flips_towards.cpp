@@ -8,6 +8,7 @@
 namespace fpo {
 
 using geom::FacetId;
+using geom::MeshEdge;
 using geom::TriMesh;
 using geom::Vec3;
 using geom::VertexId;
@@ -17,23 +18,14 @@ namespace {
 constexpr int most_turns = 8;
 constexpr double folded = 0;  // cosine between normals: edges between vertices of a remesh bend the surface
 
-VertexPairs edges_of(const TriMesh& mesh) {
-  VertexPairs edges;
-  for (const TriMesh::Facet& f : mesh.facets())
-    for (std::size_t i = 0; i < 3; ++i) edges.emplace_back(std::minmax(f[i], f[(i + 1) % 3]));
-  std::ranges::sort(edges);
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
-}
-
-bool has(const VertexPairs& edges, VertexId a, VertexId b) {
-  return std::ranges::binary_search(edges, VertexPairs::value_type(std::minmax(a, b)));
+bool has(const std::vector<MeshEdge>& edges, VertexId a, VertexId b) {
+  return std::ranges::binary_search(edges, geom::mesh_edge(a, b));
 }
 
 /// Each makes one edge more of the goal's.
-std::size_t flip_to(const VertexPairs& goal, const VertexPairs& kept, EditedMesh& mesh) {
+std::size_t flip_to(const std::vector<MeshEdge>& goal, const std::vector<MeshEdge>& kept, EditedMesh& mesh) {
   std::size_t flips = 0;
-  VertexPairs edges = edges_of(mesh.mesh());
+  std::vector<MeshEdge> edges = geom::edges_of(mesh.mesh());
   for (; !edges.empty();) {
     const auto [a, b] = edges.back();
     edges.pop_back();
@@ -50,7 +42,7 @@ std::size_t flip_to(const VertexPairs& goal, const VertexPairs& kept, EditedMesh
     ++flips;
     for (const FacetId f : {t, u})
       for (std::size_t i = 0; i < 3; ++i)
-        edges.emplace_back(std::minmax(mesh.facet(f)[i], mesh.facet(f)[(i + 1) % 3]));
+        edges.push_back(geom::mesh_edge(mesh.facet(f)[i], mesh.facet(f)[(i + 1) % 3]));
   }
   mesh.keep();
   return flips;
@@ -58,9 +50,9 @@ std::size_t flip_to(const VertexPairs& goal, const VertexPairs& kept, EditedMesh
 
 }  // namespace
 
-TriMesh flipped_towards(const TriMesh& mesh, const TriMesh& goal, const VertexPairs& kept) {
+TriMesh flipped_towards(const TriMesh& mesh, const TriMesh& goal, const std::vector<MeshEdge>& kept) {
   EditedMesh edited(mesh);
-  const VertexPairs wanted = edges_of(goal);
+  const std::vector<MeshEdge> wanted = geom::edges_of(goal);
   const BetterFlips others{[&](VertexId a, VertexId b) { return !has(wanted, a, b) && !has(kept, a, b); },
                            folded};
   for (int turn = 0; turn < most_turns; ++turn)

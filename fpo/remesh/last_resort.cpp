@@ -38,12 +38,6 @@ FacetId part_at(const SplitSurface& apart, const SurfaceSample& place) {
   return best;
 }
 
-/// Of the samples, which have no diagram any more.
-std::vector<CellPolygon> cells_of(const TriMesh& surface, const Sizing& sizing,
-                                  const std::vector<SurfaceSample>& samples, const RemeshOptions& options) {
-  return cell_polygons(*SurfaceDomain(surface, sizing, samples, options.surface).diagram());
-}
-
 }  // namespace
 
 std::shared_ptr<const RemeshResult> last_resort(const SampledTask& sampled, const RemeshOptions& options,
@@ -80,7 +74,7 @@ std::shared_ptr<const RemeshResult> last_resort(const SampledTask& sampled, cons
   other.type = check_type(sampled.type, other.mesh, other.samples);
   other.advice = {};
   other.by_collapses = true;
-  if (options.keep_cells) other.cells = cells_of(surface, sampled.sizing, other.samples, options);
+  if (options.keep_cells) other.cells = cells_of(surface, sampled.sizing, other.samples, options.surface);
   tell_of_features(sampled.task, sampled.shared, other);
   tell_of_lengths(sampled.task, sampled.sizing, angles, other);
   return std::make_shared<const RemeshResult>(std::move(other));

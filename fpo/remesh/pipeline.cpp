@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "fpo/features/corner_angles.h"
 #include "fpo/features/curve_slides.h"
 #include "fpo/features/weak_curves.h"
 #include "fpo/interruption.h"

@@ -29,17 +29,6 @@ std::optional<RemeshResult> remesh_of_stand_in(const geom::TriMesh& surface, con
   return {};
 }
 
-namespace {
-
-/// Those of the samples, which have no diagram there yet.
-std::vector<CellPolygon> cells_on(const geom::TriMesh& surface, const RemeshResult& remesh,
-                                  const RemeshOptions& options) {
-  const SurfaceDomain domain(surface, Sizing(surface, remesh.sizing), remesh.samples, options.surface);
-  return cell_polygons(*domain.diagram());
-}
-
-}  // namespace
-
 RemeshResult with_mesh_on(const geom::TriMesh& surface, RemeshResult remesh, const RemeshOptions& options) {
   remesh.mesh = with_vertices_at(remesh.samples, remesh.mesh);
   AngleOptions angles = options.angles;
@@ -54,7 +43,8 @@ RemeshResult with_mesh_on(const geom::TriMesh& surface, RemeshResult remesh, con
   remesh.fit = sizing_fit(remesh.mesh, remesh.wanted);
   remesh.measures = final_measures(remesh.mesh, remesh.wanted, remesh.feature_samples, angles);
   remesh.angles.bad_after = remesh.measures.bad_triangles;
-  if (options.keep_cells) remesh.cells = cells_on(surface, remesh, options);
+  if (options.keep_cells)
+    remesh.cells = cells_of(surface, Sizing(surface, remesh.sizing), remesh.samples, options.surface);
   return remesh;
 }
 

@@ -127,7 +127,7 @@ TEST_CASE("flips towards: edges that are kept stay, and the type does, whatever 
     if (g[0] != g[2] && g[1] != g[2]) facets.push_back(g);
   }
   const TriMesh::Facet f = a.facet(FacetId(0));
-  const VertexPairs kept{std::minmax(f[0], f[1])};
+  const std::vector<geom::MeshEdge> kept{geom::mesh_edge(f[0], f[1])};
   const TriMesh there = flipped_towards(a, TriMesh(b.vertices(), facets), kept);
   CHECK(geom::surface_type(there).parts == geom::surface_type(a).parts);
   CHECK(std::ranges::any_of(there.facets(), [&](const TriMesh::Facet& g) {
