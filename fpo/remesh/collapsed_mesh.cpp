@@ -10,6 +10,7 @@
 #include "fpo/interruption.h"
 #include "fpo/remesh/better_flips.h"
 #include "fpo/remesh/facet_region.h"
+#include "fpo/remesh/farthest_vertices.h"
 #include "fpo/remesh/surface_regions.h"
 
 namespace fpo {
@@ -200,18 +201,27 @@ class Collapses {
   std::vector<VertexId> left_;               // that are to go
 };
 
+SurfaceSample place_of(const SampledSurface& surface, VertexId v) {
+  return {surface.mesh.position(v), surface.parents[surface.mesh.facets_at(v).front()]};
+}
+
 }  // namespace
 
 std::optional<CollapsedMesh> collapsed_mesh(const SamplesToPut& put, std::span<const double> wanted,
-                                            const std::atomic<bool>* interrupted) {
+                                            const std::atomic<bool>* interrupted, int iterations) {
   if (!geom::topology(put.surface).manifold()) return {};
   SampledSurface surface = sampled_surface(put);
   const std::size_t most = std::max(most_refined * put.samples.size(), surface.mesh.num_vertices());
   split_long_edges(surface, wanted, fine, most);
-  Collapses collapses(std::move(surface), interrupted);
+  const std::size_t first = put.of_features.samples.size();
   CollapsedMesh result;
+  if (iterations > 0)
+    for (const SiteId x : move_to_farthest_vertices(surface, graded_lengths(surface, wanted),
+                                                    {first, iterations, interrupted}))
+      result.exchanged.push_back({x, place_of(surface, surface.vertex_of[x])});
+  Collapses collapses(std::move(surface), interrupted);
   collapses.run();
-  collapses.exchange(put.of_features.samples.size(), wanted, result.exchanged);
+  collapses.exchange(first, wanted, result.exchanged);
   if (!collapses.is_done()) collapses.run_to_the_end();
   if (!collapses.is_done()) return {};
   result.mesh = collapses.mesh();

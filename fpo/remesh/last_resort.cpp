@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "fpo/features/corner_angles.h"
@@ -19,6 +20,8 @@ using geom::TriMesh;
 using geom::VertexId;
 
 namespace {
+
+constexpr int farthest_iterations = 10;  // along the surface
 
 /// To mend angles, for nobody has looked at them yet.
 std::size_t attempts_for(std::size_t n) { return std::max(std::min<std::size_t>(4 * n, 1000), n / 2); }
@@ -38,46 +41,73 @@ FacetId part_at(const SplitSurface& apart, const SurfaceSample& place) {
   return best;
 }
 
-}  // namespace
+/// How samples are joined.
+struct Joining {
+  std::span<const SurfaceSample> samples;
+  const Sizing& sizing;
+  int iterations;  ///< of farthest point optimization along the surface
+};
 
-std::shared_ptr<const RemeshResult> last_resort(const SampledTask& sampled, const RemeshOptions& options,
-                                                const RemeshResult& result) {
-  const std::atomic<bool>* interrupted = options.optimize.interrupted;
-  if (!options.mend || options.method != Method::fpo || fpo::interrupted(interrupted) ||
-      (result.type.ok() && result.broken_feature_edges == 0))
-    return {};
+/// None if there are vertices left.
+std::optional<RemeshResult> joined(const SampledTask& sampled, const RemeshOptions& options,
+                                   const Joining& how, const RemeshResult& result) {
   const TriMesh& surface = sampled.apart ? sampled.apart->mesh : sampled.task.surface();
-  std::vector<SurfaceSample> samples = result.samples;
+  std::vector<SurfaceSample> samples(how.samples.begin(), how.samples.end());
+  std::vector<double> wanted;
+  for (const SurfaceSample& x : samples) wanted.push_back(how.sizing.at(x));
   if (sampled.apart)
     for (SurfaceSample& x : samples) x.facet = sampled.apart->parents[x.facet];
   auto collapsed =
       collapsed_mesh({sampled.task.surface(), sampled.task.features, sampled.shared.features, samples},
-                     result.wanted, interrupted);
+                     wanted, options.optimize.interrupted, how.iterations);
   if (!collapsed) return {};
   RemeshResult other = result;
-  other.mesh = flipped_towards(collapsed->mesh, result.mesh, chain_edges(sampled.shared.features));
+  other.samples.assign(how.samples.begin(), how.samples.end());
+  other.mesh = std::move(collapsed->mesh);
+  if (how.iterations == 0)
+    other.mesh = flipped_towards(other.mesh, result.mesh, chain_edges(sampled.shared.features));
   for (const auto& [x, place] : collapsed->exchanged) {
     other.samples[x.index()] = place;
     if (sampled.apart) other.samples[x.index()].facet = part_at(*sampled.apart, place);
   }
   AngleOptions angles = options.angles;
-  angles.interrupted = interrupted;
+  angles.interrupted = options.optimize.interrupted;
   other.finish = {};
   if (options.optimize_angles)
     other.finish.last_angles = mend_last_angles({surface,
-                                                 sampled.sizing,
+                                                 how.sizing,
                                                  sampled.shared.features,
                                                  sampled.slides,
                                                  angles,
-                                                 {.most_attempts = attempts_for(result.samples.size())}},
+                                                 {.most_attempts = attempts_for(samples.size())}},
                                                 other.mesh, other.samples);
   other.type = check_type(sampled.type, other.mesh, other.samples);
   other.advice = {};
   other.by_collapses = true;
-  if (options.keep_cells) other.cells = cells_of(surface, sampled.sizing, other.samples, options.surface);
+  if (how.iterations > 0) other.thin_parts.places = 0, other.thin_parts.scale = 1;  // lengths are as wanted
+  if (options.keep_cells) other.cells = cells_of(surface, how.sizing, other.samples, options.surface);
   tell_of_features(sampled.task, sampled.shared, other);
-  tell_of_lengths(sampled.task, sampled.sizing, angles, other);
-  return std::make_shared<const RemeshResult>(std::move(other));
+  tell_of_lengths(sampled.task, how.sizing, angles, other);
+  return other;
+}
+
+}  // namespace
+
+std::shared_ptr<const RemeshResult> last_resort(const SampledTask& sampled, const RemeshOptions& options,
+                                                const RemeshResult& result) {
+  const auto is_over = [&] { return fpo::interrupted(options.optimize.interrupted); };
+  if (!options.mend || options.method != Method::fpo || is_over() ||
+      (result.type.ok() && result.broken_feature_edges == 0))
+    return {};
+  const bool unmended = !result.type.ok() && !sampled.unmended.empty();
+  std::optional<RemeshResult> best =
+      joined(sampled, options, {unmended ? sampled.unmended : result.samples, sampled.sizing, 0}, result);
+  if (!result.type.ok() && !is_over() && !(best && has_wanted_angles(*best))) {
+    std::optional<RemeshResult> spread =
+        joined(sampled, options, {result.samples, sampled.shared.sizing, farthest_iterations}, result);
+    if (spread && (!best || is_better(*spread, *best))) best = std::move(spread);
+  }
+  return best ? std::make_shared<const RemeshResult>(std::move(*best)) : nullptr;
 }
 
 RemeshResult or_last_resort(RemeshResult result) {

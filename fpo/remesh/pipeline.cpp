@@ -90,6 +90,11 @@ void take(Dual dual, RemeshResult& result) {
   result.cells = std::move(dual.cells);
 }
 
+/// Is mending, which is still to come, to lead to the type?
+bool is_at_fault(const RemeshResult& result) {
+  return result.by_collapses || (result.thin_parts.faults_before > 0 && !result.thin_parts.right_type);
+}
+
 /// No mesh, for that is better made otherwise, with these samples to begin with.
 RemeshResult only_samples(const SurfaceDomain& domain, RemeshResult result) {
   result.samples = samples_of(domain);
@@ -139,6 +144,8 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   if (!shared.features.chains.empty()) slides.emplace(task.surface(), task.features, shared.features, sizing);
   if (slides && !apart) angles.slides = &*slides;
   const bool provable = slides && !apart && options.mend && options.method == Method::fpo;
+  std::vector<SurfaceSample> unmended;
+  if (is_at_fault(result) || (coarse && is_at_fault(*coarse))) unmended = samples_of(domain);
   Dual dual =
       improved_dual(domain, {shared, type, provable ? &task.features : nullptr, angles}, options, result);
   if (!apart && !interrupted(options))
@@ -159,7 +166,8 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
   result.has_levels = apart.has_value();
   result.has_facing_samples = options.facing_samples;
   result.last_resort = last_resort(
-      {task, shared, sizing, apart ? &*apart : nullptr, type, slides ? &*slides : nullptr}, options, result);
+      {task, shared, sizing, apart ? &*apart : nullptr, type, slides ? &*slides : nullptr, unmended}, options,
+      result);
   if (apart) return_to(*apart, result);
   if (!coarse || is_fine(result) || !options.fixed.empty()) return result;
   RemeshResult other = on_surface(std::move(*coarse), task.input, shared.sizing, options);
@@ -335,23 +343,26 @@ struct WithCreases {
 RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, WithCreases with,
                                        const RemeshOptions& options) {
   RemeshResult result = std::move(with.result);
-  const std::string harm = harm_of_creases(result);
+  const std::string harm = harm_of_creases(as_it_will_be(result));
   RemeshOptions fewer = options;
   fewer.strong_creases_only = true;
   const FeatureChoice strong = chosen_features(surface, fewer);
   if (!with.tried_strong && !strong.given_up.empty() && !strong.features.curves.empty()) {
     RemeshResult other = result;
-    if (take_if_better_with(surface, strong, fewer, other) && is_worth_creases(other, result))
+    if (take_if_better_with(surface, strong, fewer, other) &&
+        is_worth_creases(as_it_will_be(other), as_it_will_be(result)))
       result = std::move(other);
   }
-  if ((!is_useless(result) && !has_many_small_angles(result)) || interrupted(options)) return result;
+  const auto is_useless_in_the_end = [&] { return is_useless(as_it_will_be(result)); };
+  if ((!is_useless_in_the_end() && !has_many_small_angles(as_it_will_be(result))) || interrupted(options))
+    return result;
   RemeshOptions without = options;
   without.features->crease_angle = without.features->weak_crease_angle = 180;
   const FeatureChoice borders = chosen_features(surface, without);
   std::optional<RemeshResult> other =
       unless_interrupted(options, [&] { return remesh_sheets(surface, borders, without); });
-  if (other && is_worth_creases(*other, result) && (is_useless(result) || has_wanted_angles(*other)) &&
-      take_if_better(std::move(other), result)) {
+  if (other && is_worth_creases(as_it_will_be(*other), as_it_will_be(result)) &&
+      (is_useless_in_the_end() || has_wanted_angles(*other)) && take_if_better(std::move(other), result)) {
     result.given_up = "creases dropped: " + harm + "; --features 45 keeps them";
     result.features_missed = true;
   }

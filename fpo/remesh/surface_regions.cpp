@@ -73,10 +73,6 @@ class Regions {
 
 SurfaceRegions surface_regions(const SampledSurface& surface) { return Regions(surface).run(); }
 
-namespace {
-
-/// The lengths of the regions, but in no place so much more than at others near that fans of edges would come
-/// together there.
 geom::Table<VertexId, double> graded_lengths(const SampledSurface& surface, std::span<const double> wanted) {
   geom::Table<VertexId, double> h;
   using Length = std::pair<double, VertexId>;
@@ -94,10 +90,10 @@ geom::Table<VertexId, double> graded_lengths(const SampledSurface& surface, std:
       if (there < h[w]) queue.emplace(h[w] = there, w);
     }
   }
+  const double greatest = std::ranges::max(wanted);
+  for (double& length : h) length = std::min(length, greatest);
   return h;
 }
-
-}  // namespace
 
 void split_long_edges(SampledSurface& surface, std::span<const double> wanted, double most,
                       std::size_t most_vertices) {

@@ -16,8 +16,13 @@ struct SurfaceRegions {
 /// Vertices of curves that have samples belong to these. O(V log V).
 SurfaceRegions surface_regions(const SampledSurface& surface);
 
-/// Splits edges longer than `most` times the length wanted at one of their ends, the longest first: the
-/// length of its region, or less beside regions where less is wanted. Ends at `most_vertices`.
+/// At each vertex the length of its region (`wanted`: of the samples, positive), but in no place so much more
+/// than at others near that fans of edges would come together there; the greatest of all where nothing leads.
+geom::Table<geom::VertexId, double> graded_lengths(const SampledSurface& surface,
+                                                   std::span<const double> wanted);
+
+/// Splits edges longer than `most` times the graded length at one of their ends, the longest first. Ends at
+/// `most_vertices`.
 void split_long_edges(SampledSurface& surface, std::span<const double> wanted, double most,
                       std::size_t most_vertices);
 

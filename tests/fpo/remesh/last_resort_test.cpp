@@ -2,6 +2,9 @@
 
 #include "fpo/remesh/last_resort.h"
 
+#include <cmath>
+#include <numbers>
+
 #include "doctest.h"
 #include "fpo/remesh/remesh_defaults.h"
 #include "geom/mesh/aabb_tree.h"
@@ -21,6 +24,23 @@ RemeshResult few_samples(const char* name, std::size_t n, bool keep_cells = fals
   options.keep_cells = keep_cells;
   options.sheets = sheets;
   return remesh(geom::make_shape(name), options);
+}
+
+/// A torus of radii 1 and .06.
+TriMesh thin_ring() {
+  constexpr std::size_t around = 240, across = 16;
+  const auto vertex = [](std::size_t i, std::size_t j) { return VertexId(i % around * across + j % across); };
+  geom::Table<VertexId, geom::Vec3> positions;
+  geom::Table<geom::FacetId, TriMesh::Facet> facets;
+  for (std::size_t i = 0; i < around; ++i)
+    for (std::size_t j = 0; j < across; ++j) {
+      const double u = 2 * std::numbers::pi * static_cast<double>(i) / around,
+                   v = 2 * std::numbers::pi * static_cast<double>(j) / across, r = 1 + 0.06 * std::cos(v);
+      positions.push_back({r * std::cos(u), r * std::sin(u), 0.06 * std::sin(v)});
+      facets.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
+      facets.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+    }
+  return TriMesh(std::move(positions), std::move(facets));
 }
 
 }  // namespace
@@ -51,6 +71,14 @@ TEST_CASE("last resort: too few samples for the diagram make a surface of the ri
                 .distance2 < 1e-12);
     }
   }
+}
+
+TEST_CASE("last resort: a tube that is thin all along has its samples spread along it") {
+  constexpr std::size_t n = 150;
+  RemeshOptions options = default_options(n, SizingKind::uniform);
+  const RemeshResult result = remesh(thin_ring(), options);
+  CHECK(result.type.ok());
+  CHECK(result.measures.angles_below_30 < n / 10);
 }
 
 TEST_CASE("last resort: where the diagram is right there is none") {

@@ -23,7 +23,7 @@ using geom::VertexId;
 
 namespace {
 
-struct Scene {
+struct SampledScene {
   TriMesh surface;
   Features features;
   FeatureSamples of_features;
@@ -31,8 +31,8 @@ struct Scene {
 };
 
 /// Features first, then anywhere, one of them at a vertex, one in the middle of an edge.
-Scene scene(const char* name, int size, std::size_t n) {
-  Scene s{geom::make_shape(name, size), {}, {}, {}};
+SampledScene scene(const char* name, int size, std::size_t n) {
+  SampledScene s{geom::make_shape(name, size), {}, {}, {}};
   s.features = find_features(s.surface);
   CurveSampling sampling;
   sampling.most = n;
@@ -44,11 +44,11 @@ Scene scene(const char* name, int size, std::size_t n) {
   return s;
 }
 
-SampledSurface sampled(const Scene& s) {
+SampledSurface sampled(const SampledScene& s) {
   return sampled_surface({s.surface, s.features, s.of_features, s.samples});
 }
 
-void require_right(const Scene& s, const SampledSurface& found) {
+void require_right(const SampledScene& s, const SampledSurface& found) {
   const TriMesh mesh = found.mesh.mesh();
   CHECK(geom::surface_type(mesh).parts == geom::surface_type(s.surface).parts);
   CHECK(mesh.area() == doctest::Approx(s.surface.area()).epsilon(1e-6));
@@ -74,7 +74,7 @@ void require_right(const Scene& s, const SampledSurface& found) {
 }
 
 /// From each sample of a chain along edges of curves to the next one, and no other sample in between.
-void require_curves(const Scene& s, const SampledSurface& found) {
+void require_curves(const SampledScene& s, const SampledSurface& found) {
   std::vector<char> is_sample(found.mesh.num_vertices(), 0);
   for (const VertexId v : found.vertex_of) is_sample[v.index()] = 1;
   std::size_t chains = 0;
@@ -102,7 +102,7 @@ TEST_CASE(
   for (const auto& [name, size, n] :
        {std::tuple("cube", 1, 300), {"sphere", 12, 100}, {"gear", 0, 400}, {"moebius", 0, 60}}) {
     CAPTURE(std::string(name));
-    const Scene s = scene(name, size, static_cast<std::size_t>(n));
+    const SampledScene s = scene(name, size, static_cast<std::size_t>(n));
     const SampledSurface found = sampled(s);
     require_right(s, found);
     require_curves(s, found);
@@ -110,7 +110,7 @@ TEST_CASE(
 }
 
 TEST_CASE("sampled surface: samples at a vertex, on an edge, twice in one place") {
-  Scene s = scene("sphere", 12, 20);
+  SampledScene s = scene("sphere", 12, 20);
   const FacetId t(7);
   s.samples.push_back({s.surface.corner(t, 1), t});
   s.samples.push_back({(s.surface.corner(t, 0) + s.surface.corner(t, 2)) / 2, t});
@@ -122,7 +122,7 @@ TEST_CASE("sampled surface: samples at a vertex, on an edge, twice in one place"
 }
 
 TEST_CASE("surface regions: no way to a sample is shorter than that to the one of the region") {
-  const Scene s = scene("sphere", 8, 15);
+  const SampledScene s = scene("sphere", 8, 15);
   const SampledSurface surface = sampled(s);
   const SurfaceRegions regions = surface_regions(surface);
   const std::size_t n = surface.mesh.num_vertices();
@@ -153,7 +153,7 @@ TEST_CASE("surface regions: no way to a sample is shorter than that to the one o
 }
 
 TEST_CASE("surface regions: long edges are split on the surface, where lengths are short the more") {
-  const Scene s = scene("cube", 1, 40);
+  const SampledScene s = scene("cube", 1, 40);
   SampledSurface surface = sampled(s);
   std::vector<double> wanted(s.samples.size(), 0.4);
   for (std::size_t i = 0; i < wanted.size(); ++i)
