@@ -16,7 +16,8 @@
 namespace fpo {
 namespace {
 
-constexpr std::size_t least_fidelity_moves = 2000;
+constexpr std::size_t least_moves = 2000;
+constexpr std::size_t most_facets = 1'000'000;    // of the surface that these moves pass
 constexpr std::size_t moves_to_come_closer = 20;  // a sample, if it is asked for
 constexpr double most_far = 1.0 / 12;             // of the triangles, if it is not
 constexpr std::size_t looks_a_move = 20;          // of the optimization, then: at most about its time
@@ -37,14 +38,20 @@ bool comes_closer_by_itself(const SurfaceDomain& domain, const Improvement& how,
          result.thin_parts.faults_before == 0;
 }
 
-FidelityOptions fidelity_options(const Improvement& how, const RemeshOptions& options,
-                                 const RemeshResult& result) {
+/// How many there may be, few as the samples are. A move passes the facets of a cell, at least: there are
+/// fewer where these are thousands.
+std::size_t least_fidelity_moves(const SurfaceDomain& domain) {
+  return std::min(least_moves, most_facets / (domain.mesh().num_facets() / domain.num_samples() + 1));
+}
+
+FidelityOptions fidelity_options(const SurfaceDomain& domain, const Improvement& how,
+                                 const RemeshOptions& options, const RemeshResult& result) {
   FidelityOptions fidelity;
   fidelity.enough_delta = options.angles.enough_delta;
   fidelity.interrupted = options.optimize.interrupted;
   const bool has_features = !how.shared.features.samples.empty();
   if (options.method == Method::fpo)  // who wants it fast wants this fast, too
-    fidelity.most_moves = least_fidelity_moves + result.optimization.moves / (has_features ? 4 : 12);
+    fidelity.most_moves = least_fidelity_moves(domain) + result.optimization.moves / (has_features ? 4 : 12);
   if (result.thin_parts.faults_before > 0) {  // moves there cost the most and bring samples together
     fidelity.most_moves /= 4;
     fidelity.keep_spacing = true;
@@ -61,8 +68,9 @@ ClosenessOptions closeness_options(const SurfaceDomain& domain, const RemeshOpti
                                    const RememberedSamples& before, const RemeshResult& result) {
   ClosenessOptions closeness;
   closeness.enough_delta = std::min(options.closer_delta, options.angles.enough_delta);
-  closeness.most_moves = by_itself ? least_fidelity_moves + result.optimization.moves / 12
-                                   : least_fidelity_moves + moves_to_come_closer * domain.num_samples();
+  closeness.most_moves = by_itself
+                             ? least_fidelity_moves(domain) + result.optimization.moves / 12
+                             : least_fidelity_moves(domain) + moves_to_come_closer * domain.num_samples();
   if (by_itself)
     closeness.most_far = most_far, closeness.most_looks = looks_a_move * result.optimization.moves;
   closeness.older = &before;
@@ -76,7 +84,7 @@ ClosenessOptions closeness_options(const SurfaceDomain& domain, const RemeshOpti
 void come_nearer(SurfaceDomain& domain, const Improvement& how, const RemeshOptions& options,
                  const RememberedSamples& before, RemeshResult& result) {
   const bool by_itself = comes_closer_by_itself(domain, how, options, result);
-  const FidelityOptions fidelity = fidelity_options(how, options, result);
+  const FidelityOptions fidelity = fidelity_options(domain, how, options, result);
   if (!by_itself) result.fidelity = improve_fidelity(domain, how.angles, fidelity);
   if (by_itself || options.closer == Closer::always)
     result.closeness =
