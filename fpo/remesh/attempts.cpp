@@ -114,6 +114,13 @@ bool is_worth_creases(const RemeshResult& with_fewer, const RemeshResult& with_a
 
 bool is_better(const RemeshResult& a, const RemeshResult& b) { return rank(a) > rank(b); }
 
+RemeshOptions in_the_way_of(const RemeshResult& other, RemeshOptions options) {
+  if (options.sheets != Sheets::automatic) return options;
+  options.sheets = other.has_levels ? Sheets::apart : Sheets::together;
+  options.facing_samples = other.has_facing_samples;
+  return options;
+}
+
 const RemeshResult& as_it_will_be(const RemeshResult& r) {
   return r.last_resort && is_better(*r.last_resort, r) ? *r.last_resort : r;
 }

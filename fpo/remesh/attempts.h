@@ -76,6 +76,9 @@ bool is_worth_creases(const RemeshResult& with_fewer, const RemeshResult& with_a
 /// 30 degrees, a tenth of the triangles as 6. Then by the smallest angle.
 bool is_better(const RemeshResult& a, const RemeshResult& b);
 
+/// As the other one was made, as far as that is left to us.
+RemeshOptions in_the_way_of(const RemeshResult& other, RemeshOptions options);
+
 /// The result, or what there is instead (last_resort.h), which is better.
 const RemeshResult& as_it_will_be(const RemeshResult& result);
 

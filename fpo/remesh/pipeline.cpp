@@ -231,14 +231,6 @@ bool should_drop_creases(const RemeshResult& result, const RemeshOptions& option
   return may_drop_creases(options) && options.sizing == SizingKind::uniform && is_spoilt_by_creases(result);
 }
 
-/// In the way in which the other one was made, if it is left to us.
-RemeshOptions in_the_way_of(const RemeshResult& other, RemeshOptions options) {
-  if (options.sheets != Sheets::automatic) return options;
-  options.sheets = other.has_levels ? Sheets::apart : Sheets::together;
-  options.facing_samples = other.has_facing_samples;
-  return options;
-}
-
 /// Sheets that are left to us are together unless they are near each other nearly everywhere, or that does
 /// harm and being apart helps. Samples of close curves face each other if edges of curves are lost else.
 /// Nothing of that where creases that may be dropped spoil it all, nor where the remesh is of another type
@@ -436,7 +428,7 @@ RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const Reme
   }
   if (result.crease_curves == 0 || !may_drop_creases(options) || result.stood_in || interrupted(options) ||
       geom::topology(surface).nonmanifold_edges > 0 || has_wanted_angles(as_it_will_be(result)) ||
-      (is_useful(result) && !crowded && !has_many_small_angles(result)))
+      (is_useful(as_it_will_be(result)) && !crowded && !has_many_small_angles(as_it_will_be(result))))
     return std::move(result);
   const bool has_few_on_curves = 2 * result.feature_samples < options.num_samples;
   const bool has_other_ways = may_be_smoothed(options) && is_folded(surface);

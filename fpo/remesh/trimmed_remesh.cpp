@@ -94,6 +94,9 @@ std::optional<RemeshResult> try_part(const TriMesh& surface, const Submesh& part
   return {};
 }
 
+/// In vain: then it is not all tried once more.
+bool was_all_tried(const RemeshResult& result) { return !result.type.ok() || result.by_collapses; }
+
 }  // namespace
 
 RemeshResult remesh_trimmed_or_not(const TriMesh& surface, const RemeshOptions& options,
@@ -101,13 +104,14 @@ RemeshResult remesh_trimmed_or_not(const TriMesh& surface, const RemeshOptions& 
   RemeshResult best = remesh(surface, options);
   if (!may_be_trimmed(options) || is_good(best) || best.stood_in || !has_plain_borders(surface)) return best;
   const double spacing = even_spacing(surface, options);
+  const RemeshOptions how = was_all_tried(best) ? in_the_way_of(best, options) : options;
   std::size_t left = surface.num_facets();
   for (const Tooth& tooth : teeth) {
     if (is_good(best) || interrupted(options.optimize.interrupted)) break;
     std::vector<FacetId> facets = without_teeth(surface, {tooth.longest * spacing, tooth.angle});
     if (std::exchange(left, facets.size()) == facets.size()) continue;
     std::optional<RemeshResult> other =
-        try_part(surface, geom::submesh(surface, std::move(facets)), options, remesh);
+        try_part(surface, geom::submesh(surface, std::move(facets)), how, remesh);
     if (other && is_worth_it(*other, best)) best = std::move(*other);
   }
   return best;
