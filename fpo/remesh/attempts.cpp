@@ -1,6 +1,7 @@
 #include "fpo/remesh/attempts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace fpo {
@@ -8,6 +9,8 @@ namespace {
 
 constexpr double small_angle = 30, useless_angle = 10, hopeless_angle = 5;
 constexpr double weight_of_edges = 10, weight_of_small = 2;  // of a share of all
+constexpr double no_angle = 1e-3, of_no_angle = 10;          // degrees; doublings
+constexpr double long_edge = 4, weight_of_long = 2;          // in wanted lengths; of each doubling
 constexpr std::size_t samples_for_one_mended = 1000;
 constexpr std::size_t samples_for_one_place = 10;
 constexpr std::size_t samples_for_one_fault = 10;
@@ -17,6 +20,14 @@ constexpr std::size_t samples_for_one_spoilt = 200, least_spoilt = 10;
 constexpr std::size_t triangles_for_one_small_angle = 10;
 constexpr double by_chords = 0.97;  // the angle between chords of two curves over that between the curves
 
+/// Of a mesh by collapses with edges so much longer than wanted that they leave parts of the surface out, or
+/// with samples at the same place.
+double left_out(const RemeshResult& r) {
+  if (!r.by_collapses) return 0;
+  const double by_length = std::max(std::log2(r.measures.greatest_edge / long_edge), 0.0);
+  return by_length + (r.measures.theta_min < no_angle ? of_no_angle : 0);
+}
+
 auto rank(const RemeshResult& r) {
   const double edges = static_cast<double>(std::max<std::size_t>(r.feature_edges, 1));
   const double lost = static_cast<double>(r.broken_feature_edges) / edges;
@@ -25,7 +36,8 @@ auto rank(const RemeshResult& r) {
                        static_cast<double>(std::max<std::size_t>(r.mesh.num_facets(), 1));
   const auto faults = static_cast<long>(r.advice.places.size() + r.broken_feature_edges);
   return std::tuple(r.type.ok(), r.type.ok() ? 0 : -faults,
-                    std::min(theta / small_angle, 1.0) - weight_of_small * small - weight_of_edges * lost,
+                    std::min(theta / small_angle, 1.0) - weight_of_small * small - weight_of_edges * lost -
+                        weight_of_long * left_out(r),
                     theta);
 }
 

@@ -22,6 +22,11 @@ std::vector<SurfaceSample> samples_of(const SurfaceDomain& domain) {
   return samples;
 }
 
+bool has_triangle(const SurfaceDomain& domain, SiteId x) {
+  return std::ranges::any_of(domain.dual().circles_of(x),
+                             [&](geom::CircleId c) { return domain.dual().circle(c).sites[2].valid(); });
+}
+
 std::size_t Dual::num_faults() const {
   return type.ok() ? 0 : std::max(defects.size() + cell_faults.size() + type.parts.size(), std::size_t{1});
 }

@@ -42,6 +42,9 @@ std::set<SiteId> neighbourhood(SurfaceDomain& domain, const std::vector<SiteId>&
 /// All of them, by id.
 std::vector<SurfaceSample> samples_of(const SurfaceDomain& domain);
 
+/// Is the sample a corner of any?
+bool has_triangle(const SurfaceDomain& domain, SiteId x);
+
 /// Leaves the domain as it is. O(n log n) if the type is right at once and no cells are to be kept: then no
 /// orphans are counted. Else the cost of a diagram. `type`: of the input. If interrupted, orphans are merged
 /// (localize.h). Throws InputError if there is no triangle.

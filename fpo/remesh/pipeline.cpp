@@ -104,6 +104,12 @@ RemeshResult only_samples(const SurfaceDomain& domain, RemeshResult result) {
   return result;
 }
 
+bool has_triangles(const SurfaceDomain& domain) {
+  for (std::size_t i = 0; i < domain.num_samples(); ++i)
+    if (has_triangle(domain, geom::SiteId(i))) return true;
+  return false;
+}
+
 /// The paper, in a line; what is not in it comes in between. If sheets are left to us and near each other,
 /// and the diagram of space is not of the input's type, there are only samples.
 RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
@@ -127,6 +133,17 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
       coarse      ? settled_samples(surface, shared, *coarse, options, result)
       : task.same ? same_samples(surface, shared, *task.same, options, result)
                   : distributed_samples(surface, shared, task.start, options, result));
+  if (!has_triangles(*distributed)) {
+    const Sizing of_samples = distributed->sizing();
+    result.samples = samples_of(*distributed);
+    result.type.bare_samples = result.samples.size();
+    if (const auto joined = last_resort({task, shared, of_samples, apart ? &*apart : nullptr, type, nullptr},
+                                        options, result)) {
+      result = *joined;
+      if (apart) return_to(*apart, result);
+      return result;
+    }
+  }
   const bool may_part = options.sheets == Sheets::automatic && !task.start && !apart;
   std::unique_ptr<SurfaceDomain> samples =
       with_room(std::move(distributed), shared, type, options, result, may_part);
@@ -324,6 +341,11 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
   return best;
 }
 
+RemeshOptions without_creases(RemeshOptions options) {
+  options.features->crease_angle = options.features->weak_crease_angle = 180;
+  return options;
+}
+
 /// What there is already, with all creases or, if `tried_strong`, with the strongest as well or only.
 struct WithCreases {
   RemeshResult result;
@@ -348,8 +370,7 @@ RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, WithCreases
   const auto is_useless_in_the_end = [&] { return is_useless(as_it_will_be(result)); };
   if ((!is_useless_in_the_end() && !has_many_small_angles(as_it_will_be(result))) || interrupted(options))
     return result;
-  RemeshOptions without = options;
-  without.features->crease_angle = without.features->weak_crease_angle = 180;
+  const RemeshOptions without = without_creases(options);
   const FeatureChoice borders = chosen_features(surface, without);
   std::optional<RemeshResult> other =
       unless_interrupted(options, [&] { return remesh_sheets(surface, borders, without); });
@@ -410,7 +431,7 @@ bool settles_creases(const WithRoom& with_room, const geom::TriMesh& surface, co
 
 /// Creases that nobody asked for are kept unless that alone does harm. Where they have no room, those that
 /// have are tried first.
-RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const RemeshOptions& options) {
+RemeshResult remesh_with_useful_creases(const geom::TriMesh& surface, const RemeshOptions& options) {
   const FeatureChoice all = chosen_features(surface, options);
   const bool crowded = has_crowded_creases(surface, all.features, options);
   std::optional<WithRoom> with_room;
@@ -435,6 +456,22 @@ RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const Reme
   if ((is_hopeless(result) || is_in_ruins(result)) && (has_few_on_curves || has_other_ways))
     return std::move(result);
   return remesh_with_fewer_creases(surface, std::move(with), options);
+}
+
+/// The same, or without any if samples on them make no surface at all.
+RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const RemeshOptions& options) try {
+  return remesh_with_useful_creases(surface, options);
+} catch (const geom::InputError&) {
+  if (!may_drop_creases(options)) throw;
+  const auto curves = chosen_features(surface, options).features.curves;
+  const auto creases = std::ranges::count(curves, std::size_t{2}, &FeatureCurve::sheets);
+  if (creases == 0) throw;
+  const RemeshOptions without = without_creases(options);
+  RemeshResult result = remesh_sheets(surface, chosen_features(surface, without), without);
+  result.given_up = "creases dropped: with " + std::to_string(creases) +
+                    " curves kept samples would have no triangle; --features 45 keeps them";
+  result.features_missed = true;
+  return result;
 }
 
 RemeshResult remesh_smoothed(const geom::TriMesh& surface, const RemeshOptions& options) {

@@ -21,8 +21,8 @@ struct SamplesToPut {
 struct SampledSurface {
   EditedMesh mesh;  ///< the surface's vertices first
   CurveEdges curves;
-  geom::Table<SiteId, geom::VertexId> vertex_of;      ///< a sample
-  geom::Table<geom::FacetId, geom::FacetId> parents;  ///< of its facets, those of the surface
+  geom::Table<geom::SiteId, geom::VertexId> vertex_of;  ///< a sample
+  geom::Table<geom::FacetId, geom::FacetId> parents;    ///< of its facets, those of the surface
 };
 
 /// A new vertex on an edge, on the curve that the edge is on.

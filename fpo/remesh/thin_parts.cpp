@@ -104,11 +104,6 @@ double fitting_scale(const SurfaceDomain& domain, const Sizing& base,
   return high;
 }
 
-bool has_triangle(const SurfaceDomain& domain, SiteId x) {
-  return std::ranges::any_of(domain.dual().circles_of(x),
-                             [&](geom::CircleId c) { return domain.dual().circle(c).sites[2].valid(); });
-}
-
 /// Takes samples without a triangle, one after the other around a horn, to the largest empty circles there
 /// are. How many.
 std::size_t call_back_strays(SurfaceDomain& domain, const std::atomic<bool>* interrupted) {

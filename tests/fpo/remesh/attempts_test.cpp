@@ -260,6 +260,21 @@ TEST_CASE("attempts: without staggered samples it is tried if the type is wrong 
   CHECK(!is_undone_by_staggering(result));
 }
 
+TEST_CASE("attempts: a mesh by collapses that leaves parts out is worse than one with small angles") {
+  RemeshResult whole = measured(true, 5, 1), part = measured(true, 20, 0);
+  CHECK(is_better(part, whole));
+  part.measures.greatest_edge = 16;
+  whole.measures.greatest_edge = 3;
+  CHECK(is_better(part, whole));  // of a diagram: as it is
+  part.by_collapses = whole.by_collapses = true;
+  CHECK(is_better(whole, part));
+  part.measures.greatest_edge = 3;
+  CHECK(is_better(part, whole));
+  part.measures.theta_min = 0;  // two samples at the same place
+  whole.measures.theta_min = 0.1;
+  CHECK(is_better(whole, part));
+}
+
 TEST_CASE("attempts: a comb is of its type where staggered samples spoil it") {
   RemeshOptions options = default_options(1100, SizingKind::uniform);
   options.improve_fidelity = false;
