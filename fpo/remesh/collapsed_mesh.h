@@ -16,7 +16,7 @@ struct CollapsedMesh {
   geom::TriMesh mesh;  ///< vertex i is sample i
   /// Samples that are elsewhere, at vertices on the surface: later ones count.
   struct Exchange {
-    SiteId x;
+    geom::SiteId x;
     SurfaceSample place;
   };
   std::vector<Exchange> exchanged;

@@ -22,8 +22,8 @@ struct FarthestVerticesOptions {
 /// in units of the length wanted there (`wanted`: by vertices, positive), which may be where it was. Parts
 /// without a sample are farther than any that have one. Ends where no sample moves. Those that are elsewhere
 /// in the end, ascending. Deterministic. A move costs O(R log V), R the vertices of the cells around.
-std::vector<SiteId> move_to_farthest_vertices(SampledSurface& surface,
-                                              const geom::Table<geom::VertexId, double>& wanted,
-                                              const FarthestVerticesOptions& options);
+std::vector<geom::SiteId> move_to_farthest_vertices(SampledSurface& surface,
+                                                    const geom::Table<geom::VertexId, double>& wanted,
+                                                    const FarthestVerticesOptions& options);
 
 }  // namespace fpo

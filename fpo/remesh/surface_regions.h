@@ -7,7 +7,7 @@
 namespace fpo {
 
 struct SurfaceRegions {
-  geom::Table<geom::VertexId, SiteId> of;  ///< none: nothing leads there
+  geom::Table<geom::VertexId, geom::SiteId> of;  ///< none: nothing leads there
   geom::Table<geom::VertexId, double> distance;
   /// The next vertex on the way to the sample. None: it is there.
   geom::Table<geom::VertexId, geom::VertexId> next;
