@@ -38,11 +38,16 @@ Farthest without(const SampledSurface& surface, SiteId x, const Lengths& wanted,
   return found;
 }
 
-SampledSurface random_vertices(const TriMesh& mesh, const Features& features, std::size_t n) {
-  const FeatureSamples none{.samples = {},
-                            .chains = std::vector<std::vector<SiteId>>(features.curves.size())};
-  const std::vector<SurfaceSample> samples = random_samples(mesh, n, 1);
+/// No sample on a curve.
+SampledSurface at_vertices(const TriMesh& mesh, const Features& features,
+                           const std::vector<SurfaceSample>& samples) {
+  FeatureSamples none;
+  none.chains.resize(features.curves.size());
   return sampled_surface({mesh, features, none, samples});
+}
+
+SampledSurface random_vertices(const TriMesh& mesh, const Features& features, std::size_t n) {
+  return at_vertices(mesh, features, random_samples(mesh, n, 1));
 }
 
 }  // namespace
@@ -108,9 +113,7 @@ TEST_CASE("farthest vertices: interrupted at once nothing moves, and where all i
   const Lengths wanted(surface.mesh.num_vertices(), 1.0);
   CHECK(move_to_farthest_vertices(surface, wanted, {0, 10, &stop}).empty());
   const TriMesh cube = geom::make_shape("cube", 1);
-  const Features all = find_features(cube);
-  const FeatureSamples none{.samples = {}, .chains = std::vector<std::vector<SiteId>>(all.curves.size())};
-  SampledSurface corners = sampled_surface({cube, all, none, {}});
+  SampledSurface corners = at_vertices(cube, find_features(cube), {});
   for (VertexId v(0); v.index() < 3; v = VertexId(v.value + 1)) corners.vertex_of.push_back(v);
   CHECK(move_to_farthest_vertices(corners, Lengths(8, 1.0), {0, 10}).empty());
 }
