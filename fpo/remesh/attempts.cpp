@@ -10,7 +10,7 @@ namespace {
 constexpr double small_angle = 30, useless_angle = 10, hopeless_angle = 5;
 constexpr double weight_of_edges = 10, weight_of_small = 2;  // of a share of all
 constexpr double no_angle = 1e-3, of_no_angle = 10;          // degrees; doublings
-constexpr double long_edge = 4, weight_of_long = 2;          // in wanted lengths; of each doubling
+constexpr double long_edge = 5, weight_of_long = 4;          // in wanted lengths; of each doubling
 constexpr std::size_t samples_for_one_mended = 1000;
 constexpr std::size_t samples_for_one_place = 10;
 constexpr std::size_t samples_for_one_fault = 10;

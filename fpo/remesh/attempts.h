@@ -74,8 +74,8 @@ bool is_worth_creases(const RemeshResult& with_fewer, const RemeshResult& with_a
 /// lost. Then by the smallest angle, up to 30 degrees, in units of that, less twice the angles below 30 a
 /// triangle and ten times the share of edges of curves that are lost: a tenth of the edges weighs as much as
 /// 30 degrees, a tenth of the triangles as 6. Of a mesh by collapses (last_resort.h) whose longest edge is
-/// more than four wanted lengths, so that parts are left out, each doubling of that weighs as much as all
-/// triangles, and an angle of nothing as ten. Then by the smallest angle.
+/// more than five wanted lengths, so that parts are left out, each doubling of that weighs twice as much as
+/// all triangles, and an angle of nothing as ten. Then by the smallest angle.
 bool is_better(const RemeshResult& a, const RemeshResult& b);
 
 /// As the other one was made, as far as that is left to us.

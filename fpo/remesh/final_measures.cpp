@@ -34,7 +34,7 @@ void measure_edges(const TriMesh& mesh, const VertexField& wanted, std::size_t n
     const ShortEdge edge{length, (mesh.position(a) + mesh.position(b)) / 2,
                          a.index() < num_fixed && b.index() < num_fixed};
     sum += of_wanted;
-    result.greatest_edge = std::max(result.greatest_edge, of_wanted);
+    result.greatest_edge = std::max(result.greatest_edge, length / std::max(wanted[a], wanted[b]));
     if (of_wanted < least) least = of_wanted, result.least = edge;
     if (length < least_length) least_length = length, result.shortest = edge;
     for (const VertexId v : {a, b}) shortest[v.index()] = std::min(shortest[v.index()], length / wanted[v]);

@@ -22,12 +22,13 @@ struct FinalMeasures {
   double delta = 0;       ///< the shortest edge at a vertex that is not fixed (at any if all are): the least
   double mean_delta = 0;  ///< and the mean of them
   double mean_edge = 0;
-  double least_edge = 0, greatest_edge = 0;  ///< of all edges
-  ShortEdge least;                           ///< that one, its length in the units of the surface
-  ShortEdge shortest;                        ///< the shortest in these units
-  double theta_min = 180;                    ///< the smallest angle, degrees
-  std::size_t angles_below_30 = 0;           ///< less 1e-9 for rounding
-  std::size_t bad_triangles = 0;             ///< beyond the bounds of angle optimization
+  double least_edge = 0;            ///< the shortest of all edges
+  double greatest_edge = 0;         ///< the longest, in the larger of the lengths wanted at its ends
+  ShortEdge least;                  ///< that one, its length in the units of the surface
+  ShortEdge shortest;               ///< the shortest in these units
+  double theta_min = 180;           ///< the smallest angle, degrees
+  std::size_t angles_below_30 = 0;  ///< less 1e-9 for rounding
+  std::size_t bad_triangles = 0;    ///< beyond the bounds of angle optimization
 };
 
 /// Vertices with smaller ids than `num_fixed` are fixed. O(F log F).
