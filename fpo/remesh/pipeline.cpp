@@ -5,21 +5,17 @@
 #include <string>
 #include <utility>
 
-#include "fpo/features/curve_slides.h"
 #include "fpo/features/weak_curves.h"
 #include "fpo/interruption.h"
+#include "fpo/remesh/attempt.h"
 #include "fpo/remesh/attempts.h"
-#include "fpo/remesh/distribution.h"
 #include "fpo/remesh/feature_bound.h"
-#include "fpo/remesh/improvement.h"
 #include "fpo/remesh/last_resort.h"
 #include "fpo/remesh/noise.h"
-#include "fpo/remesh/proven_edges.h"
 #include "fpo/remesh/refusal.h"
 #include "fpo/remesh/remesh_task.h"
 #include "fpo/remesh/stand_in.h"
 #include "fpo/remesh/stand_in_remesh.h"
-#include "fpo/remesh/surface_apart.h"
 #include "fpo/remesh/trimmed_remesh.h"
 #include "fpo/remesh/unit_box.h"
 #include "geom/check.h"
@@ -46,179 +42,9 @@ std::optional<RemeshResult> unless_interrupted(const RemeshOptions& options, Mak
 
 bool interrupted(const RemeshOptions& options) { return fpo::interrupted(options.optimize.interrupted); }
 
-/// The samples become those of the old surface again.
-void return_to(const SplitSurface& apart, RemeshResult& result) {
-  for (SurfaceSample& x : result.samples) x.facet = apart.parents[x.facet];
-  for (CellPolygon& cell : result.cells) cell.facet = apart.parents[cell.facet];
-  if (!result.last_resort) return;
-  RemeshResult otherwise = *result.last_resort;
-  return_to(apart, otherwise);
-  result.last_resort = std::make_shared<const RemeshResult>(std::move(otherwise));
-}
-
-/// More samples where the surface is thin. Those of a coarser one are there already.
-std::unique_ptr<SurfaceDomain> with_room(std::unique_ptr<SurfaceDomain> domain, const SharedSizing& shared,
-                                         const WantedType& type, const RemeshOptions& options,
-                                         RemeshResult& result, bool only_look = false) {
-  if (!options.mend) return domain;
-  if (result.thin_parts.faults_before == 0)
-    result.protection = protect_chains(*domain, shared.features, options.optimize.interrupted);
-  if (options.method != Method::fpo || type.branches || result.stood_in || interrupted(options))
-    return domain;
-  ThinPartOptions room;
-  room.rounds = only_look ? 0 : options.rounds_for_thin_parts;
-  room.diagram = surface_options(shared, options);
-  room.scope = options.optimize.scope;
-  room.interrupted = options.optimize.interrupted;
-  return make_room_for_thin_parts(std::move(domain), shared.features, type, room, result.thin_parts);
-}
-
-/// Lengths that differ at narrow places are reached as those of any other sizing are.
-void optimize_as_adaptive(RemeshOptions& options) {
-  options.optimize.scope = Scope::two_ring;
-  options.surface.weight_factor = best_weight_factor(options.optimize.scope);
-  const MethodFacts& facts = facts_of(options.method);  // unless another number was asked for
-  if (options.optimize.max_iterations == facts.iterations)
-    options.optimize.max_iterations = facts.adaptive_iterations;
-}
-
-void take(Dual dual, RemeshResult& result) {
-  result.type = dual.type;
-  result.localization = dual.localization;
-  result.mesh = std::move(dual.mesh);
-  result.samples = std::move(dual.samples);
-  result.cells = std::move(dual.cells);
-}
-
-/// Is mending, which is still to come, to lead to the type?
-bool is_at_fault(const RemeshResult& result) {
-  return result.by_collapses || (result.thin_parts.faults_before > 0 && !result.thin_parts.right_type);
-}
-
-/// No mesh, for that is better made otherwise, with these samples to begin with.
-RemeshResult only_samples(const SurfaceDomain& domain, RemeshResult result) {
-  result.samples = samples_of(domain);
-  while (result.feature_samples < result.samples.size() &&
-         domain.is_fixed(geom::SiteId(result.feature_samples)))
-    ++result.feature_samples;
-  return result;
-}
-
-bool has_triangles(const SurfaceDomain& domain) {
-  for (std::size_t i = 0; i < domain.num_samples(); ++i)
-    if (has_triangle(domain, geom::SiteId(i))) return true;
-  return false;
-}
-
-/// The paper, in a line; what is not in it comes in between. If sheets are left to us and near each other,
-/// and the diagram of space is not of the input's type, there are only samples.
-RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options) {
-  RemeshResult result;
-  SharedSizing shared = sizing_and_features(task, options);
-  if (interrupted(options) && !task.start) throw geom::Interrupted();
-  if (!shared.sizing.is_even() && options.sizing == SizingKind::uniform) optimize_as_adaptive(options);
-  if (task.only_apart && has_needles(task.surface(), options.num_samples, even_spacing(task.input, options)))
-    return result;  // each cell would be cut to thousands of parts
-  std::optional<RemeshResult> coarse;
-  if (!task.narrow) coarse = remesh_of_stand_in(task.input, options, remesh_smoothed_or_not);
-  if (coarse && (interrupted(options) || is_remnant(coarse->mesh)) && options.fixed.empty())
-    return on_surface(std::move(*coarse), task.input, shared.sizing, options);
-  std::optional<SplitSurface> apart;
-  if (!coarse) apart = surface_apart(task, shared, options);
-  if (task.only_apart && !apart) return result;
-  if (apart && !apart->h.empty()) shared.sizing = Sizing(apart->mesh, apart->h);
-  const geom::TriMesh& surface = apart ? apart->mesh : task.surface();
-  const WantedType type(surface, branch_edges(shared.features));
-  auto distributed = std::make_unique<SurfaceDomain>(
-      coarse      ? settled_samples(surface, shared, *coarse, options, result)
-      : task.same ? same_samples(surface, shared, *task.same, options, result)
-                  : distributed_samples(surface, shared, task.start, options, result));
-  if (!has_triangles(*distributed)) {
-    const Sizing of_samples = distributed->sizing();
-    result.samples = samples_of(*distributed);
-    result.type.bare_samples = result.samples.size();
-    if (const auto joined = last_resort({task, shared, of_samples, apart ? &*apart : nullptr, type, nullptr},
-                                        options, result)) {
-      result = *joined;
-      if (apart) return_to(*apart, result);
-      return result;
-    }
-  }
-  const bool may_part = options.sheets == Sheets::automatic && !task.start && !apart;
-  std::unique_ptr<SurfaceDomain> samples =
-      with_room(std::move(distributed), shared, type, options, result, may_part);
-  if (may_part && result.thin_parts.faults_before > 0) {
-    if (has_near_sheets(task, shared, options) && !interrupted(options))
-      return only_samples(*samples, std::move(result));
-    samples = with_room(std::move(samples), shared, type, options, result);
-  }
-  if (interrupted(options) && task.start && task.start->mesh.num_facets() > 0) throw geom::Interrupted();
-  if (task.rival && is_left_behind(result.thin_parts, options.num_samples, *task.rival)) return {};
-  SurfaceDomain& domain = *samples;
-  const Sizing sizing = domain.sizing();
-  AngleOptions angles = angle_options(options);
-  std::optional<CurveSlides> slides;
-  if (!shared.features.chains.empty()) slides.emplace(task.surface(), task.features, shared.features, sizing);
-  if (slides && !apart) angles.slides = &*slides;
-  const bool provable = slides && !apart && options.mend && options.method == Method::fpo;
-  std::vector<SurfaceSample> unmended;
-  if (is_at_fault(result) || (coarse && is_at_fault(*coarse))) unmended = samples_of(domain);
-  Dual dual =
-      improved_dual(domain, {shared, type, provable ? &task.features : nullptr, angles}, options, result);
-  if (!apart && !interrupted(options))
-    result.proven_edges = num_proven_edges(domain, task.features, shared.features);
-  if (options.mend && options.method == Method::fpo && !interrupted(options))
-    result.finish = finish(std::move(samples), shared.features, type,
-                           {.angles = angle_options(options),
-                            .mend_angles = options.optimize_angles && !options.maximal,
-                            .all_wanted = options.closer == Closer::always || result.closeness.mended > 0,
-                            .least_edge = std::min(options.closer_delta, options.angles.enough_delta),
-                            .keep_cells = options.keep_cells,
-                            .slides = slides ? &*slides : nullptr},
-                           dual);
-  result.advice = type_advice(dual, surface, type, sizing);
-  take(std::move(dual), result);
-  tell_of_features(task, shared, result);
-  tell_of_lengths(task, sizing, angle_options(options), result);
-  result.has_levels = apart.has_value();
-  result.has_facing_samples = options.facing_samples;
-  result.last_resort = last_resort(
-      {task, shared, sizing, apart ? &*apart : nullptr, type, slides ? &*slides : nullptr, unmended}, options,
-      result);
-  if (apart) return_to(*apart, result);
-  if (!coarse || is_fine(result) || !options.fixed.empty()) return result;
-  RemeshResult other = on_surface(std::move(*coarse), task.input, shared.sizing, options);
-  return is_better(other, result) ? other : result;
-}
-
-/// What a remesh begins with, and whether there is nothing to do.
-struct Beginning {
-  const RemeshResult* start = nullptr;
-  bool only_apart = false;
-  const RemeshResult* rival = nullptr;
-  const RemeshResult* same = nullptr;
-};
-
 RemeshResult remesh_with(const geom::TriMesh& surface, const FeatureChoice& choice,
                          const RemeshOptions& options, const Beginning& begin = {}) {
-  const SizingFor plain = part_sizing(surface, choice.features, options);
-  const std::optional<NarrowSurface> narrow =
-      helpful_narrow_surface(surface, choice.features, plain, options);
-  RemeshTask task{surface, plain, nullptr, choice.features, begin.only_apart, begin.start, begin.rival};
-  RemeshResult result;
-  if (narrow) {
-    task.narrow = &*narrow;
-    task.features = chosen_features(narrow->split.mesh, options).features;
-    result = remesh_task(task, options);
-    return_to(narrow->split, result);
-  } else {
-    task.same = begin.same;  // else its samples are on another mesh
-    result = remesh_task(task, options);
-  }
-  result.given_up = choice.given_up;
-  result.features_missed = choice.are_missed;
-  result.collapsed_curves = choice.collapsed;
-  return result;
+  return attempted_remesh(surface, choice, options, begin, remesh_smoothed_or_not);
 }
 
 bool has_only_samples(const RemeshResult& result) {
@@ -458,18 +284,18 @@ RemeshResult remesh_with_useful_creases(const geom::TriMesh& surface, const Reme
   return remesh_with_fewer_creases(surface, std::move(with), options);
 }
 
-/// The same, or without any if samples on them make no surface at all.
+/// The same, or without any if with them it is refused.
 RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const RemeshOptions& options) try {
   return remesh_with_useful_creases(surface, options);
-} catch (const geom::InputError&) {
+} catch (const geom::InputError& refusal) {
   if (!may_drop_creases(options)) throw;
   const auto curves = chosen_features(surface, options).features.curves;
   const auto creases = std::ranges::count(curves, std::size_t{2}, &FeatureCurve::sheets);
   if (creases == 0) throw;
   const RemeshOptions without = without_creases(options);
   RemeshResult result = remesh_sheets(surface, chosen_features(surface, without), without);
-  result.given_up = "creases dropped: with " + std::to_string(creases) +
-                    " curves kept samples would have no triangle; --features 45 keeps them";
+  result.given_up = "creases dropped: with " + std::to_string(creases) + " curves kept " + refusal.what() +
+                    "; --features 45 keeps them";
   result.features_missed = true;
   return result;
 }
