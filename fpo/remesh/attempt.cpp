@@ -15,6 +15,7 @@
 #include "fpo/remesh/refusal.h"
 #include "fpo/remesh/remesh_task.h"
 #include "fpo/remesh/stand_in.h"
+#include "fpo/remesh/stand_in_remesh.h"
 #include "fpo/remesh/surface_apart.h"
 
 namespace fpo {
@@ -115,6 +116,11 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options, const Re
   std::optional<SplitSurface> apart;
   if (!coarse) apart = surface_apart(task, shared, options);
   if (task.only_apart && !apart) return result;
+  const bool is_dense = !coarse && task.of_input && may_be_coarser(task.input, *task.of_input, options);
+  const Sizing wanted = shared.sizing;
+  const auto on_coarser = [&] { return remesh_of_coarser(task.input, wanted, options, coarser); };
+  if (apart && is_dense)
+    if (auto made = on_coarser()) return std::move(*made);
   if (apart && !apart->h.empty()) shared.sizing = Sizing(apart->mesh, apart->h);
   const geom::TriMesh& surface = apart ? apart->mesh : task.surface();
   const WantedType type(surface, branch_edges(shared.features));
@@ -131,9 +137,11 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options, const Re
   }
   const bool may_part = options.sheets == Sheets::automatic && !task.start && !apart;
   std::unique_ptr<SurfaceDomain> samples =
-      with_room(std::move(distributed), shared, type, options, result, may_part);
-  if (may_part && result.thin_parts.faults_before > 0) {
-    if (has_near_sheets(task, shared, options) && !was_interrupted(options))
+      with_room(std::move(distributed), shared, type, options, result, may_part || is_dense);
+  if ((may_part || is_dense) && result.thin_parts.faults_before > 0) {
+    if (is_dense)
+      if (auto made = on_coarser()) return std::move(*made);
+    if (may_part && has_near_sheets(task, shared, options) && !was_interrupted(options))
       return only_samples(*samples, std::move(result));
     samples = with_room(std::move(samples), shared, type, options, result);
   }
@@ -185,6 +193,7 @@ RemeshResult attempted_remesh(const geom::TriMesh& surface, const FeatureChoice&
   const std::optional<NarrowSurface> narrow =
       helpful_narrow_surface(surface, choice.features, plain, options);
   RemeshTask task{surface, plain, nullptr, choice.features, begin.only_apart, begin.start, begin.rival};
+  if (!begin.start && !begin.rival && !begin.same && !begin.only_apart) task.of_input = &choice.features;
   RemeshResult result;
   if (narrow) {
     task.narrow = &*narrow;
@@ -195,8 +204,10 @@ RemeshResult attempted_remesh(const geom::TriMesh& surface, const FeatureChoice&
     task.same = begin.same;  // else its samples are on another mesh
     result = remesh_task(task, options, coarser);
   }
-  result.given_up = choice.given_up;
-  result.features_missed = choice.are_missed;
+  if (!result.stood_in || result.given_up.empty()) {  // else something was on the coarser surface
+    result.given_up = choice.given_up;
+    result.features_missed = choice.are_missed;
+  }
   result.collapsed_curves = choice.collapsed;
   return result;
 }

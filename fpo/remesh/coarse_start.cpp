@@ -5,9 +5,10 @@
 namespace fpo {
 namespace {
 
-constexpr std::size_t dense = 30;  // facets a sample
-constexpr std::size_t fewer = 2;   // times
-constexpr StandInEdges edges = {.collapsed = 0.4, .made = 0.53};
+constexpr std::size_t dense = 30, dense_for_all = 60;  // facets a sample
+constexpr std::size_t fewer = 2;                       // times
+constexpr StandInEdges edges = {.collapsed = 0.4, .made = 0.53},
+                       edges_for_all = {.collapsed = 0.3, .made = 0.4};
 constexpr int last_iterations = 10;
 
 VertexField lengths(const geom::TriMesh& surface, const Sizing& sizing) {
@@ -17,14 +18,29 @@ VertexField lengths(const geom::TriMesh& surface, const Sizing& sizing) {
   return all;
 }
 
+std::optional<geom::TriMesh> with_fewer_facets(const geom::TriMesh& surface, const Sizing& sizing,
+                                               const StandInEdges& edges) {
+  geom::TriMesh coarse = stand_in(surface, lengths(surface, sizing), edges);
+  if (fewer * coarse.num_facets() > surface.num_facets()) return {};
+  return coarse;
+}
+
 }  // namespace
 
 std::optional<geom::TriMesh> coarse_surface(const geom::TriMesh& surface, const Sizing& sizing,
                                             std::size_t n) {
   if (surface.has_levels() || surface.num_facets() < dense * n) return {};
-  geom::TriMesh coarse = stand_in(surface, lengths(surface, sizing), edges);
-  if (fewer * coarse.num_facets() > surface.num_facets()) return {};
-  return coarse;
+  return with_fewer_facets(surface, sizing, edges);
+}
+
+bool is_dense_for_all(const geom::TriMesh& surface, std::size_t n) {
+  return surface.num_facets() >= dense_for_all * n;
+}
+
+std::optional<geom::TriMesh> coarse_surface_for_all(const geom::TriMesh& surface, const Sizing& sizing,
+                                                    std::size_t n) {
+  if (surface.has_levels() || !is_dense_for_all(surface, n)) return {};
+  return with_fewer_facets(surface, sizing, edges_for_all);
 }
 
 Sizing sizing_on(const geom::TriMesh& coarse, const Sizing& sizing) {

@@ -6,6 +6,9 @@
 // these are optimized on a surface with facets about half as long as they are apart (stand_in.h), brought
 // back, and settle in the last iterations on the surface itself. Not in the paper, whose surfaces have few
 // facets a sample. The set is another one than without that, as if it came from other initial samples.
+//
+// Where the surface is thinner than the samples are apart, ways to its type are tried one after the other,
+// each with a diagram made anew. There the whole remesh is made on a coarser surface (stand_in_remesh.h).
 
 #include <cstddef>
 #include <optional>
@@ -21,6 +24,11 @@ namespace fpo {
 /// that of stand_in().
 std::optional<geom::TriMesh> coarse_surface(const geom::TriMesh& surface, const Sizing& sizing,
                                             std::size_t n);
+/// Whether there are 60 facets a sample.
+bool is_dense_for_all(const geom::TriMesh& surface, std::size_t n);
+/// The coarser surface for a whole remesh, some finer: none where it is not dense.
+std::optional<geom::TriMesh> coarse_surface_for_all(const geom::TriMesh& surface, const Sizing& sizing,
+                                                    std::size_t n);
 
 /// The same sizing there. Keeps a reference to the coarser surface.
 Sizing sizing_on(const geom::TriMesh& coarse, const Sizing& sizing);

@@ -262,7 +262,8 @@ RemeshResult remesh_with_useful_creases(const geom::TriMesh& surface, const Reme
   const bool crowded = has_crowded_creases(surface, all.features, options);
   std::optional<WithRoom> with_room;
   if (crowded) with_room = remesh_with_room(surface, all.features, options);
-  if (with_room && (has_wanted_angles(with_room->result) || interrupted(options)))
+  if (with_room &&
+      (has_wanted_angles(with_room->result) || with_room->result.stood_in || interrupted(options)))
     return std::move(with_room->result);
   WithCreases with{{}, with_room.has_value()};
   RemeshResult& result = with.result;

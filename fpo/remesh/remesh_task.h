@@ -42,6 +42,7 @@ struct RemeshTask {
   const RemeshResult* start = nullptr;  ///< its samples are those to begin with
   const RemeshResult* rival = nullptr;  ///< there is nothing to do if the diagram is far worse (attempts.h)
   const RemeshResult* same = nullptr;   ///< its samples are those that the optimization leads to
+  const Features* of_input = nullptr;   ///< where a coarser surface may stand in
   const geom::TriMesh& surface() const { return narrow ? narrow->split.mesh : input; }
 };
 

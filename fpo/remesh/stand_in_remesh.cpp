@@ -1,31 +1,73 @@
 #include "fpo/remesh/stand_in_remesh.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "fpo/interruption.h"
+#include "fpo/remesh/coarse_start.h"
 #include "fpo/remesh/last_angles.h"
+#include "fpo/remesh/refusal.h"
 #include "fpo/remesh/remesh_task.h"
 #include "fpo/remesh/stand_in.h"
 #include "geom/check.h"
 
 namespace fpo {
 
-std::optional<RemeshResult> remesh_of_stand_in(const geom::TriMesh& surface, const RemeshOptions& options,
-                                               const RemeshFunction& remesh) try {
-  const double spacing = even_spacing(surface, options);
-  if (options.method != Method::fpo || options.optimize.max_iterations == 0) return {};
-  if (!has_needles(surface, options.num_samples, spacing)) return {};
-  const geom::TriMesh coarse = stand_in(surface, spacing);
-  if (has_needles(coarse, options.num_samples, spacing)) return {};
-  RemeshOptions there = options;
-  there.fixed.clear();
-  there.keep_cells = false;
-  if (options.features && !options.features->marked.empty()) return {};
-  RemeshResult result = remesh(coarse, there);
+namespace {
+
+bool may_stand_in(const RemeshOptions& options) {
+  return options.method == Method::fpo && options.optimize.max_iterations > 0 &&
+         !(options.features && !options.features->marked.empty());
+}
+
+bool has_creases(const Features& features) {
+  return std::ranges::any_of(features.curves, [](const FeatureCurve& curve) { return curve.sheets == 2; });
+}
+
+/// Its samples brought to the surface. None if it is refused.
+std::optional<RemeshResult> remesh_there(const geom::TriMesh& coarse, const geom::TriMesh& surface,
+                                         RemeshOptions options, const RemeshFunction& remesh) try {
+  options.fixed.clear();
+  options.keep_cells = false;
+  RemeshResult result = remesh(coarse, options);
   result.samples = brought_to(surface, std::move(result.samples));
   result.stood_in = true;
   return result;
 } catch (const geom::InputError&) {  // what can be done on the coarser surface only is not asked for
+  return {};
+}
+
+}  // namespace
+
+std::optional<RemeshResult> remesh_of_stand_in(const geom::TriMesh& surface, const RemeshOptions& options,
+                                               const RemeshFunction& remesh) {
+  const double spacing = even_spacing(surface, options);
+  if (!may_stand_in(options) || !has_needles(surface, options.num_samples, spacing)) return {};
+  const geom::TriMesh coarse = stand_in(surface, spacing);
+  if (has_needles(coarse, options.num_samples, spacing)) return {};
+  return remesh_there(coarse, surface, options, remesh);
+}
+
+bool may_be_coarser(const geom::TriMesh& surface, const Features& features, const RemeshOptions& options) {
+  return is_dense_for_all(surface, options.num_samples) && may_stand_in(options) && options.fixed.empty() &&
+         options.coarse_start && options.mend && !options.shortest_edge_removal && !has_creases(features);
+}
+
+std::optional<RemeshResult> remesh_of_coarser(const geom::TriMesh& surface, const Sizing& sizing,
+                                              const RemeshOptions& options,
+                                              const RemeshFunction& remesh) try {
+  const WantedType type(surface, {});
+  if (type.branches) return {};
+  const std::optional<geom::TriMesh> coarse = coarse_surface_for_all(surface, sizing, options.num_samples);
+  if (!coarse) return {};
+  RemeshOptions there = options;
+  if (there.features) there.features->crease_angle = there.features->weak_crease_angle = 180;
+  std::optional<RemeshResult> result = remesh_there(*coarse, surface, there, remesh);
+  if (!result || is_remnant(result->mesh)) return {};
+  result->coarse_facets = coarse->num_facets();
+  result->type = check_type(type, result->mesh, result->samples);
+  return on_surface(std::move(*result), surface, sizing, options);
+} catch (const geom::Interrupted&) {
   return {};
 }
 

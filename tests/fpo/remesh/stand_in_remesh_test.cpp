@@ -2,7 +2,11 @@
 
 #include "fpo/remesh/stand_in_remesh.h"
 
+#include <algorithm>
+#include <string>
+
 #include "doctest.h"
+#include "fpo/remesh/coarse_start.h"
 #include "fpo/remesh/remesh_defaults.h"
 #include "fpo/surface/barycentric.h"
 #include "geom/shapes/mesh_parts.h"
@@ -44,4 +48,71 @@ TEST_CASE("brought to another surface, a remesh has its samples there, its type,
   CHECK(there.measures.theta_min == again.theta_min);
   CHECK(there.measures.mean_edge == again.mean_edge);
   CHECK(there.measures.mean_edge > 1.05 * before);
+}
+
+TEST_CASE("coarser for all: dense and thin, it has the type of the input and samples on it, as without") {
+  for (const auto& [name, size, n] : {std::tuple("plate", 60, 200UL), std::tuple("narrow-torus", 80, 60UL),
+                                      std::tuple("paper", 60, 100UL)}) {
+    CAPTURE(std::string(name));
+    const TriMesh mesh = geom::make_shape(name, size);
+    REQUIRE(mesh.num_facets() >= 60 * n);
+    fpo::RemeshOptions options = options_for(n);
+    options.optimize.max_iterations = 30;
+    options.features.reset();
+    const fpo::RemeshResult with = fpo::remesh(mesh, options);
+    CHECK(with.stood_in);
+    CHECK(2 * with.coarse_facets <= mesh.num_facets());
+    options.coarse_start = false;
+    const fpo::RemeshResult without = fpo::remesh(mesh, options);
+    CHECK(!without.stood_in);
+    const geom::Topology wanted = geom::topology(mesh), t = geom::topology(with.mesh);
+    CHECK(with.type.ok());
+    CHECK(t.manifold());
+    CHECK(t.euler == wanted.euler);
+    CHECK(t.boundary_loops == wanted.boundary_loops);
+    CHECK(with.mesh.num_vertices() == n);
+    CHECK(with.measures.theta_min > std::min(30.0, without.measures.theta_min - 3));
+    for (std::size_t i = 0; i < n; ++i) {
+      const fpo::SurfaceSample& x = with.samples[i];
+      CHECK(with.mesh.position(geom::VertexId(i)) == x.position);
+      CHECK(geom::closest_point(x.position,
+                                {mesh.corner(x.facet, 0), mesh.corner(x.facet, 1), mesh.corner(x.facet, 2)})
+                .distance2 < 1e-24);
+    }
+  }
+}
+
+TEST_CASE("coarser for all: not where creases are kept, samples are many, or nothing is thin") {
+  fpo::RemeshOptions options = options_for(200);
+  options.features.reset();
+  const TriMesh plate = geom::make_shape("plate", 60);
+  CHECK(fpo::may_be_coarser(plate, {}, options));
+  CHECK(!fpo::may_be_coarser(plate, fpo::find_features(plate), options));
+  CHECK(!fpo::may_be_coarser(plate, {}, options_for(plate.num_facets() / 60 + 1)));
+  for (const auto change : {+[](fpo::RemeshOptions& o) { o.fixed = {Vec3(0, 0, 0)}; },
+                            +[](fpo::RemeshOptions& o) { o.coarse_start = false; },
+                            +[](fpo::RemeshOptions& o) { o.method = fpo::Method::cvt; },
+                            +[](fpo::RemeshOptions& o) { o.mend = false; }}) {
+    fpo::RemeshOptions other = options;
+    change(other);
+    CHECK(!fpo::may_be_coarser(plate, {}, other));
+  }
+  const TriMesh blob = geom::make_shape("blob", 40);
+  REQUIRE(blob.num_facets() >= 60 * options.num_samples);
+  CHECK(!fpo::remesh(blob, options).stood_in);
+}
+
+TEST_CASE("coarser for all: finer than for the iterations, of the same type") {
+  const TriMesh mesh = geom::make_shape("double-torus", 80);
+  const std::size_t n = mesh.num_facets() / 100;
+  const fpo::Sizing even = fpo::Sizing::uniform(fpo::hexagonal_spacing(mesh.area(), n));
+  const auto coarse = fpo::coarse_surface_for_all(mesh, even, n);
+  const auto coarser = fpo::coarse_surface(mesh, even, n);
+  REQUIRE(coarse);
+  REQUIRE(coarser);
+  CHECK(3 * coarse->num_facets() > 4 * coarser->num_facets());
+  const geom::Topology t = geom::topology(*coarse);
+  CHECK(t.manifold());
+  CHECK(t.euler == geom::topology(mesh).euler);
+  CHECK(!fpo::coarse_surface_for_all(mesh, even, mesh.num_facets() / 60 + 1));
 }
