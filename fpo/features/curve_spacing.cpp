@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "fpo/features/curve_pieces.h"
+#include "fpo/features/length_limits.h"
 #include "fpo/features/point_grid.h"
 #include "geom/disjoint_sets.h"
 #include "geom/mesh/aabb_tree.h"
@@ -19,12 +20,11 @@ using geom::VertexId;
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double piece_length = 0.2;  // in spacings
-constexpr double widths = 1.5;        // the wanted length in a strip: right triangles have 34 degrees then
-constexpr double beside = 0.5;        // of the way along one curve: not across
-constexpr double at_corner = 0.18;    // of the distance from the corner: the sine of 10 degrees
-constexpr double off_surface = 0.1;   // of the width: the middle of a strip
-constexpr double most_growth = 1.35;  // of the lengths elsewhere
+constexpr double piece_length = 0.2;             // in spacings
+constexpr double beside = 0.5;                   // of the way along one curve: not across
+constexpr double at_corner = 0.18;               // of the distance from the corner: the sine of 10 degrees
+constexpr double off_surface = 0.1;              // of the width: the middle of a strip
+constexpr double most_growth = 1.35;             // of the lengths elsewhere
 constexpr double smallest = 0.1, largest = 0.8;  // of the least length in narrow places, in other lengths
 constexpr double least_help = 0.5;  // the length that is wanted over the least one, where that is of use
 constexpr double split_slope = 0.3, split_length = 1.5;
@@ -116,33 +116,6 @@ class FacingCurves {
   std::vector<CurvePiece> pieces_;
   std::vector<double> lengths_;
   std::vector<std::size_t> bodies_;  // of the curves: no strip is between those of two that touch
-  PointGrid grid_;
-};
-
-/// What the places allow elsewhere.
-class LengthLimits {
- public:
-  /// Up to a length of `most`.
-  LengthLimits(const std::vector<NarrowPlace>& places, double slope, double most)
-      : places_(places), slope_(slope), grid_(most / slope) {
-    for (std::size_t i = 0; i < places.size(); ++i) grid_.add(places[i].at, i);
-  }
-  struct Limit {
-    double length = infinity, distance = infinity;
-  };
-  Limit at(const Vec3& x) const {
-    Limit limit;
-    grid_.around(x, [&](std::size_t i) {
-      const double d = (places_[i].at - x).norm();
-      limit.length = std::min(limit.length, widths * places_[i].width + slope_ * d);
-      limit.distance = std::min(limit.distance, d);
-    });
-    return limit;
-  }
-
- private:
-  const std::vector<NarrowPlace>& places_;
-  double slope_;
   PointGrid grid_;
 };
 
@@ -251,7 +224,7 @@ CurveFit fit_sizing_to_curves(const TriMesh& mesh, const Sizing& base, const Nar
   const auto is_too_many = [&](double least, double growth) {
     return num_samples(surface, limited(least, growth)) > static_cast<double>(n);
   };
-  const double most = *std::ranges::max_element(h), most_wanted = widths * widest(narrow.places);
+  const double most = *std::ranges::max_element(h), most_wanted = widths_of_length * widest(narrow.places);
   for (double least = smallest * most; least < std::min(largest * most, most_wanted / least_help);
        least *= 1.2) {
     if (is_too_many(least, most_growth)) continue;
