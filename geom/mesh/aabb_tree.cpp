@@ -66,41 +66,48 @@ TrianglePoint closest_point(const Vec3& x, const std::array<Vec3, 3>& q) {
 
 AabbTree::AabbTree(const TriMesh& mesh) : mesh_(mesh) {
   require(mesh.num_facets() > 0, "the mesh has no facet");
-  Table<FacetId, Vec3> middles;
-  middles.reserve(mesh.num_facets());
-  facets_.reserve(mesh.num_facets());
+  std::vector<Item> items;
+  items.reserve(mesh.num_facets());
   for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
     Box3 box;
     for (int i = 0; i < 3; ++i) box.extend(mesh.corner(t, i));
-    middles.push_back(box.center());
-    facets_.push_back(t);
+    items.push_back({box.center(), t});
   }
-  build(middles, 0, mesh.num_facets());
+  build(items, 0);
   nodes_.shrink_to_fit();
+  facets_.reserve(items.size());
+  for (const Item& item : items) facets_.push_back(item.facet);
 }
 
 /// Halves the facets at the median of their middles, along the axis on which these spread most.
-void AabbTree::build(const Table<FacetId, Vec3>& middles, std::size_t first, std::size_t last) {
-  Box3 box, spread;
-  for (std::size_t k = first; k < last; ++k) {
-    const FacetId t = facets_[k];
-    for (int i = 0; i < 3; ++i) box.extend(mesh_.corner(t, i));
-    spread.extend(middles[t]);
-  }
+void AabbTree::build(std::span<Item> items, std::size_t first) {
   const std::size_t node = nodes_.size();
-  const bool leaf = last - first <= leaf_size;
-  nodes_.push_back({box.min(), box.max(), leaf ? static_cast<std::int32_t>(last - first) : 0,
+  const bool leaf = items.size() <= leaf_size;
+  nodes_.push_back({Vec3(0, 0, 0), Vec3(0, 0, 0), leaf ? static_cast<std::int32_t>(items.size()) : 0,
                     static_cast<std::int32_t>(first)});
-  if (leaf) return;
-  Eigen::Index axis = 0;
-  spread.sizes().maxCoeff(&axis);
-  const auto key = [&](FacetId t) { return std::pair(middles[t][axis], t); };
-  const std::size_t half = first + (last - first) / 2;
-  const auto at = [&](std::size_t k) { return facets_.begin() + static_cast<std::ptrdiff_t>(k); };
-  std::nth_element(at(first), at(half), at(last), [&](FacetId s, FacetId t) { return key(s) < key(t); });
-  build(middles, first, half);
-  nodes_[node].next = static_cast<std::int32_t>(nodes_.size());
-  build(middles, half, last);
+  Box3 box;
+  if (leaf) {
+    for (const Item& item : items)
+      for (int i = 0; i < 3; ++i) box.extend(mesh_.corner(item.facet, i));
+  } else {
+    Box3 spread;
+    for (const Item& item : items) spread.extend(item.middle);
+    Eigen::Index axis = 0;
+    spread.sizes().maxCoeff(&axis);
+    const auto is_before = [&](const Item& a, const Item& b) {
+      return a.middle[axis] != b.middle[axis] ? a.middle[axis] < b.middle[axis] : a.facet < b.facet;
+    };
+    const std::size_t half = items.size() / 2;
+    std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
+                     is_before);
+    build(items.first(half), first);
+    const std::size_t second = nodes_.size();
+    nodes_[node].next = static_cast<std::int32_t>(second);
+    build(items.subspan(half), first + half);
+    for (const std::size_t child : {node + 1, second})
+      box.extend(nodes_[child].low), box.extend(nodes_[child].high);
+  }
+  nodes_[node].low = box.min(), nodes_[node].high = box.max();
 }
 
 double AabbTree::distance2(const Node& node, const Vec3& x) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "geom/mesh/trimesh.h"
@@ -57,8 +58,12 @@ class AabbTree {
     std::int32_t next = 0;   ///< leaf: its first facet; inner: its second child
   };
 
-  /// `middles`: of the facets' boxes.
-  void build(const Table<FacetId, Vec3>& middles, std::size_t first, std::size_t last);
+  struct Item {
+    Vec3 middle;  ///< of the facet's box
+    FacetId facet;
+  };
+  /// The subtree of these items, which are put in its order; `first`: the number of those before them.
+  void build(std::span<Item> items, std::size_t first);
   /// Ends when one is found whose squared distance is less than enough.
   void search(const Vec3& x, Closest& best, double enough = -1) const;
   static double distance2(const Node& node, const Vec3& x);
