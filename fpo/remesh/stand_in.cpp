@@ -20,6 +20,7 @@ constexpr double long_edge = 1.0 / 2, near = 1.0 / 50;
 constexpr double most_stretch = 1.2;
 constexpr int most_passes = 32;
 constexpr std::size_t most_facets_at_vertex = 64;  // that is given up
+constexpr double tries = 64;  // of what is near at first: that far, and twice as far each time
 
 double longest_edge(const TriMesh& mesh, FacetId t) {
   double longest = 0;
@@ -171,6 +172,33 @@ class Collapsing {
   std::vector<Neighbour> neighbours_;         ///< of the vertex in hand
 };
 
+/// Where a facet is looked for, which way it is to face, and how far it may be.
+struct Facing {
+  Vec3 x, normal;
+  double most;
+};
+
+/// The closest facet of those that face so, or of all if none is near.
+geom::AabbTree::Closest closest_facing(const geom::AabbTree& tree, const TriMesh& surface,
+                                       const Facing& facing) {
+  const geom::AabbTree::Closest closest = tree.closest(facing.x);
+  if (surface.normal(closest.facet).dot(facing.normal) >= 0) return closest;
+  std::vector<FacetId> around;
+  for (double r = facing.most / tries; r <= facing.most; r *= 2) {
+    around.clear();
+    tree.overlapping(geom::Box3(facing.x - Vec3::Constant(r), facing.x + Vec3::Constant(r)), around);
+    std::ranges::sort(around);
+    geom::AabbTree::Closest best;
+    for (const FacetId t : around) {
+      if (!(surface.normal(t).dot(facing.normal) > 0)) continue;
+      const geom::TrianglePoint found = geom::closest_point(facing.x, tree.triangle(t));
+      if (found.distance2 < best.distance2) best = {found, t};
+    }
+    if (best.distance2 <= r * r) return best;
+  }
+  return closest;
+}
+
 }  // namespace
 
 bool has_needles(const TriMesh& surface, std::size_t n, double spacing) {
@@ -194,6 +222,17 @@ std::vector<SurfaceSample> brought_to(const TriMesh& surface, std::vector<Surfac
   const geom::AabbTree tree(surface);
   for (SurfaceSample& x : samples) {
     const geom::AabbTree::Closest closest = tree.closest(x.position);
+    x = {geom::snapped(closest.point), closest.facet};
+  }
+  return samples;
+}
+
+std::vector<SurfaceSample> brought_to(const TriMesh& surface, std::vector<SurfaceSample> samples,
+                                      const TriMesh& from) {
+  const geom::AabbTree tree(surface);
+  for (SurfaceSample& x : samples) {
+    const Facing facing{x.position, from.normal(x.facet), longest_edge(from, x.facet) / 2};
+    const geom::AabbTree::Closest closest = closest_facing(tree, surface, facing);
     x = {geom::snapped(closest.point), closest.facet};
   }
   return samples;

@@ -37,6 +37,10 @@ geom::TriMesh stand_in(const geom::TriMesh& surface, double spacing);
 
 /// The points of the surface that are nearest to the samples of another one.
 std::vector<SurfaceSample> brought_to(const geom::TriMesh& surface, std::vector<SurfaceSample> samples);
+/// The same from a mesh near the surface, to what faces the same way as they do there where that is within
+/// half an edge of the mesh: of sheets closer to each other than the mesh is to the surface, their own.
+std::vector<SurfaceSample> brought_to(const geom::TriMesh& surface, std::vector<SurfaceSample> samples,
+                                      const geom::TriMesh& from);
 
 /// A remesh whose vertices are samples that were moved.
 geom::TriMesh with_vertices_at(const std::vector<SurfaceSample>& samples, const geom::TriMesh& remesh);

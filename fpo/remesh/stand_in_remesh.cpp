@@ -30,7 +30,7 @@ std::optional<RemeshResult> remesh_there(const geom::TriMesh& coarse, const geom
   options.fixed.clear();
   options.keep_cells = false;
   RemeshResult result = remesh(coarse, options);
-  result.samples = brought_to(surface, std::move(result.samples));
+  result.samples = brought_to(surface, std::move(result.samples), coarse);
   result.stood_in = true;
   return result;
 } catch (const geom::InputError&) {  // what can be done on the coarser surface only is not asked for

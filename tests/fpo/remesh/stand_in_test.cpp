@@ -5,6 +5,7 @@
 #include "doctest.h"
 #include "fpo/remesh/pipeline.h"
 #include "geom/mesh/aabb_tree.h"
+#include "geom/shapes/mesh_parts.h"
 #include "geom/shapes/shapes.h"
 #include "tests/fixtures/needles.h"
 #include "tests/io/sample_meshes.h"
@@ -75,6 +76,31 @@ TEST_CASE("stand-in: samples are brought to the surface") {
     CHECK((brought[i].position - tree.closest(samples[i].position).point).norm() < 1e-12);
     CHECK(geom::closest_point(brought[i].position, tree.triangle(brought[i].facet)).distance2 < 1e-24);
   }
+}
+
+TEST_CASE("stand-in: samples are brought to their own sheet, were the other one nearer") {
+  const TriMesh fine = geom::make_shape("sphere", 40);
+  const auto turned = [](const TriMesh& mesh, double scale) {
+    geom::Table<geom::FacetId, TriMesh::Facet> facets = mesh.facets();
+    for (TriMesh::Facet& f : facets) std::swap(f[1], f[2]);
+    geom::Table<geom::VertexId, geom::Vec3> positions = mesh.vertices();
+    for (geom::Vec3& x : positions) x *= scale;
+    return TriMesh(std::move(positions), std::move(facets));
+  };
+  const TriMesh shell = geom::joined(fine, turned(fine, 0.9995));
+  const TriMesh coarse = geom::make_shape("sphere", 6);  // its facets are inside both
+  std::vector<fpo::SurfaceSample> outside, inside;
+  for (std::size_t t = 0; t < coarse.num_facets(); ++t) {
+    const geom::FacetId f(t);
+    outside.push_back({(coarse.corner(f, 0) + coarse.corner(f, 1) + coarse.corner(f, 2)) / 3, f});
+  }
+  inside = outside;
+  for (const auto& x : fpo::brought_to(shell, outside, coarse)) CHECK(x.facet.index() < fine.num_facets());
+  for (const auto& x : fpo::brought_to(shell, inside, turned(coarse, 1)))
+    CHECK(x.facet.index() >= fine.num_facets());
+  std::size_t elsewhere = 0;
+  for (const auto& x : fpo::brought_to(shell, outside)) elsewhere += x.facet.index() >= fine.num_facets();
+  CHECK(elsewhere > 0);
 }
 
 TEST_CASE("remesh: needles give a good surface of their type") {
