@@ -68,10 +68,20 @@ bool may_drop_creases(const RemeshOptions& options) {
   return options.features && options.features->yielding && options.method == Method::fpo;
 }
 
+/// On a dense surface each way with creases takes minutes, and one without takes seconds (stand_in_remesh.h):
+/// if the first is of no use, or of little, no other is tried.
+bool is_slow_with_creases(const geom::TriMesh& surface, const RemeshResult& result,
+                          const RemeshOptions& options) {
+  return may_drop_creases(options) && options.sizing == SizingKind::uniform && result.crease_curves > 0 &&
+         (!is_useful(result) || has_many_small_angles(result)) && may_be_coarser(surface, {}, options);
+}
+
 /// All creases that are kept are dropped at once, before other ways with them are tried: by measurement these
 /// take minutes and end at fault. Not if lengths may differ: then smaller triangles somewhere may help.
-bool should_drop_creases(const RemeshResult& result, const RemeshOptions& options) {
-  return may_drop_creases(options) && options.sizing == SizingKind::uniform && is_spoilt_by_creases(result);
+bool should_drop_creases(const geom::TriMesh& surface, const RemeshResult& result,
+                         const RemeshOptions& options) {
+  return is_slow_with_creases(surface, result, options) ||
+         (may_drop_creases(options) && options.sizing == SizingKind::uniform && is_spoilt_by_creases(result));
 }
 
 /// Sheets that are left to us are together unless they are near each other nearly everywhere, or that does
@@ -100,13 +110,13 @@ RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoic
       std::optional<RemeshResult> other =
           unless_interrupted(options, [&] { return remesh_with(surface, choice, together, {.same = same}); });
       best = other ? std::move(*other) : remesh_with(surface, choice, together, {&begun});
-    } else if (!best.type.ok() && !hopeless && !should_drop_creases(best, options)) {
+    } else if (!best.type.ok() && !hopeless && !should_drop_creases(surface, best, options)) {
       attempt(together, {.same = same});
     }
   }
   if (options.sheets != Sheets::automatic || options.method != Method::fpo || is_fine(best) ||
       is_saved(best) || best.stood_in ||  // all of this was tried on what stood in
-      should_drop_creases(best, options) || (is_remnant(best.mesh) && !may_be_faced(best)))
+      should_drop_creases(surface, best, options) || (is_remnant(best.mesh) && !may_be_faced(best)))
     return best;
   const bool parted_at_once = best.has_levels && !parted;
   if (parted_at_once && !is_useful(best)) attempt(together, {});
@@ -159,7 +169,7 @@ RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& ch
                            const RemeshOptions& options) {
   RemeshResult best = remesh_with_sheets(surface, choice, options);
   if (!is_undone_by_staggering(best) || options.sheets != Sheets::automatic || best.stood_in ||
-      should_drop_creases(best, options) || interrupted(options))
+      should_drop_creases(surface, best, options) || interrupted(options))
     return best;
   RemeshOptions side_by_side = options;
   side_by_side.staggered_samples = false;
@@ -252,7 +262,7 @@ bool settles_creases(const WithRoom& with_room, const geom::TriMesh& surface, co
   if (result.type.ok())
     return (with_room.share > nearly_all && !is_useful(result)) ||
            length_of(surface, all) > most_on_curves * most;
-  return should_drop_creases(result, options) || (is_in_ruins(result) && !may_be_faced(result));
+  return should_drop_creases(surface, result, options) || (is_in_ruins(result) && !may_be_faced(result));
 }
 
 /// Creases that nobody asked for are kept unless that alone does harm. Where they have no room, those that
@@ -278,9 +288,11 @@ RemeshResult remesh_with_useful_creases(const geom::TriMesh& surface, const Reme
       geom::topology(surface).nonmanifold_edges > 0 || has_wanted_angles(as_it_will_be(result)) ||
       (is_useful(as_it_will_be(result)) && !crowded && !has_many_small_angles(as_it_will_be(result))))
     return std::move(result);
+  const bool is_slow = is_slow_with_creases(surface, result, options);
+  if (is_slow) with.tried_strong = true;  // as good as
   const bool has_few_on_curves = 2 * result.feature_samples < options.num_samples;
   const bool has_other_ways = may_be_smoothed(options) && is_folded(surface);
-  if ((is_hopeless(result) || is_in_ruins(result)) && (has_few_on_curves || has_other_ways))
+  if ((is_hopeless(result) || is_in_ruins(result)) && (has_few_on_curves || has_other_ways) && !is_slow)
     return std::move(result);
   return remesh_with_fewer_creases(surface, std::move(with), options);
 }

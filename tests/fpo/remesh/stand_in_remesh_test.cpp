@@ -116,3 +116,21 @@ TEST_CASE("coarser for all: finer than for the iterations, of the same type") {
   CHECK(t.euler == geom::topology(mesh).euler);
   CHECK(!fpo::coarse_surface_for_all(mesh, even, mesh.num_facets() / 60 + 1));
 }
+
+TEST_CASE("coarser for all: creases that spoil the first attempt are dropped at once, those asked for kept") {
+  const TriMesh star = geom::make_shape("star", 12);
+  fpo::RemeshOptions options = options_for(60);
+  REQUIRE(star.num_facets() >= 60 * options.num_samples);
+  options.optimize.max_iterations = 30;
+  options.features = fpo::automatic_features();
+  const fpo::RemeshResult dropped = fpo::remesh(star, options);
+  CHECK(dropped.stood_in);
+  CHECK(dropped.type.ok());
+  CHECK(dropped.crease_curves == 0);
+  CHECK(!dropped.given_up.empty());
+  CHECK(dropped.measures.theta_min > 30);
+  options.features = fpo::FeatureOptions();
+  const fpo::RemeshResult kept = fpo::remesh(star, options);
+  CHECK(!kept.stood_in);
+  CHECK(kept.crease_curves > 0);
+}
