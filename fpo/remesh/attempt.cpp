@@ -100,6 +100,53 @@ std::optional<RemeshResult> without_diagram(const SampledTask& sampled, const Re
   return result;
 }
 
+/// Samples that have found their places.
+struct PlacedTask {
+  const RemeshTask& task;
+  const SharedSizing& shared;
+  const SplitSurface* apart;  ///< null: sheets are as they are
+  const WantedType& type;     ///< of the surface
+  bool came_with_faults;      ///< from a remesh of another type
+};
+
+/// Their remesh, mended, with what is told of it.
+RemeshResult remesh_of(std::unique_ptr<SurfaceDomain> samples, const PlacedTask& placed,
+                       const RemeshOptions& options, RemeshResult result) {
+  const auto& [task, shared, apart, type, came_with_faults] = placed;
+  SurfaceDomain& domain = *samples;
+  const geom::TriMesh& surface = apart ? apart->mesh : task.surface();
+  const Sizing sizing = domain.sizing();
+  AngleOptions angles = angle_options(options);
+  std::optional<CurveSlides> slides;
+  if (!shared.features.chains.empty()) slides.emplace(task.surface(), task.features, shared.features, sizing);
+  if (slides && !apart) angles.slides = &*slides;
+  const bool provable = slides && !apart && options.mend && options.method == Method::fpo;
+  std::vector<SurfaceSample> unmended;
+  if (is_at_fault(result) || came_with_faults) unmended = samples_of(domain);
+  Dual dual =
+      improved_dual(domain, {shared, type, provable ? &task.features : nullptr, angles}, options, result);
+  if (!apart && !was_interrupted(options))
+    result.proven_edges = num_proven_edges(domain, task.features, shared.features);
+  if (options.mend && options.method == Method::fpo && !was_interrupted(options))
+    result.finish = finish(std::move(samples), shared.features, type,
+                           {.angles = angle_options(options),
+                            .mend_angles = options.optimize_angles && !options.maximal,
+                            .all_wanted = options.closer == Closer::always || result.closeness.mended > 0,
+                            .least_edge = std::min(options.closer_delta, options.angles.enough_delta),
+                            .keep_cells = options.keep_cells,
+                            .slides = slides ? &*slides : nullptr},
+                           dual);
+  result.advice = type_advice(dual, surface, type, sizing);
+  take(std::move(dual), result);
+  tell_of_features(task, shared, result);
+  tell_of_lengths(task, sizing, angle_options(options), result);
+  result.has_levels = apart != nullptr;
+  result.has_facing_samples = options.facing_samples;
+  result.last_resort = last_resort({task, shared, sizing, apart, type, slides ? &*slides : nullptr, unmended},
+                                   options, result);
+  return result;
+}
+
 /// The paper, in a line; what is not in it comes in between. If sheets are left to us and near each other,
 /// and the diagram of space is not of the input's type, there are only samples.
 RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options, const RemeshFunction& coarser) {
@@ -147,37 +194,9 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options, const Re
   }
   if (was_interrupted(options) && task.start && task.start->mesh.num_facets() > 0) throw geom::Interrupted();
   if (task.rival && is_left_behind(result.thin_parts, options.num_samples, *task.rival)) return {};
-  SurfaceDomain& domain = *samples;
-  const Sizing sizing = domain.sizing();
-  AngleOptions angles = angle_options(options);
-  std::optional<CurveSlides> slides;
-  if (!shared.features.chains.empty()) slides.emplace(task.surface(), task.features, shared.features, sizing);
-  if (slides && !apart) angles.slides = &*slides;
-  const bool provable = slides && !apart && options.mend && options.method == Method::fpo;
-  std::vector<SurfaceSample> unmended;
-  if (is_at_fault(result) || (coarse && is_at_fault(*coarse))) unmended = samples_of(domain);
-  Dual dual =
-      improved_dual(domain, {shared, type, provable ? &task.features : nullptr, angles}, options, result);
-  if (!apart && !was_interrupted(options))
-    result.proven_edges = num_proven_edges(domain, task.features, shared.features);
-  if (options.mend && options.method == Method::fpo && !was_interrupted(options))
-    result.finish = finish(std::move(samples), shared.features, type,
-                           {.angles = angle_options(options),
-                            .mend_angles = options.optimize_angles && !options.maximal,
-                            .all_wanted = options.closer == Closer::always || result.closeness.mended > 0,
-                            .least_edge = std::min(options.closer_delta, options.angles.enough_delta),
-                            .keep_cells = options.keep_cells,
-                            .slides = slides ? &*slides : nullptr},
-                           dual);
-  result.advice = type_advice(dual, surface, type, sizing);
-  take(std::move(dual), result);
-  tell_of_features(task, shared, result);
-  tell_of_lengths(task, sizing, angle_options(options), result);
-  result.has_levels = apart.has_value();
-  result.has_facing_samples = options.facing_samples;
-  result.last_resort = last_resort(
-      {task, shared, sizing, apart ? &*apart : nullptr, type, slides ? &*slides : nullptr, unmended}, options,
-      result);
+  const bool came_with_faults = coarse && is_at_fault(*coarse);
+  result = remesh_of(std::move(samples), {task, shared, apart ? &*apart : nullptr, type, came_with_faults},
+                     options, std::move(result));
   if (apart) return_to(*apart, result);
   if (!coarse || is_fine(result) || !options.fixed.empty()) return result;
   RemeshResult other = on_surface(std::move(*coarse), task.input, shared.sizing, options);
