@@ -313,11 +313,27 @@ RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const Reme
   return result;
 }
 
+/// If it was made on a coarser surface, and has small angles, once more on this one: the better one.
+RemeshResult remesh_coarser_or_not(const geom::TriMesh& surface, const RemeshOptions& options) {
+  RemeshResult best = remesh_with_creases_or_not(surface, options);
+  if (!best.stood_in || best.coarse_facets == 0 || has_wanted_angles(best) || interrupted(options))
+    return best;
+  RemeshOptions itself = options;
+  itself.coarse_for_all = false;
+  try {
+    std::optional<RemeshResult> other =
+        unless_interrupted(options, [&] { return remesh_with_creases_or_not(surface, itself); });
+    if (other && is_better(as_it_will_be(*other), as_it_will_be(best))) return std::move(*other);
+  } catch (const geom::InputError&) {  // refused here: the other one stays
+  }
+  return best;
+}
+
 RemeshResult remesh_smoothed(const geom::TriMesh& surface, const RemeshOptions& options) {
   const geom::TriMesh smooth = smoothed(surface, options.num_samples);
   RemeshOptions there = options;
   there.keep_cells = false;
-  return on_noise(or_last_resort(remesh_with_creases_or_not(smooth, there)), smooth, surface, options);
+  return on_noise(or_last_resort(remesh_coarser_or_not(smooth, there)), smooth, surface, options);
 }
 
 /// On a smooth surface where this one is noise or, if it is folded, no remesh of it is of its type; or on
@@ -326,7 +342,7 @@ RemeshResult remesh_smoothed_or_not(const geom::TriMesh& surface, const RemeshOp
   const bool may_be = may_be_smoothed(options);
   if (may_be && has_noise(surface, options.num_samples)) return remesh_smoothed(surface, options);
   const auto with_bound = [](const geom::TriMesh& of, const RemeshOptions& how) {
-    RemeshResult made = or_last_resort(remesh_with_creases_or_not(of, how));
+    RemeshResult made = or_last_resort(remesh_coarser_or_not(of, how));
     if (!interrupted(how)) made.feature_bound = feature_bound(of, how);
     return made;
   };

@@ -62,6 +62,10 @@ struct RemeshOptions {
   /// All iterations of fpo but the last on a coarser surface where cells have dozens of facets
   /// (coarse_start.h). Not with shortest edge removal.
   bool coarse_start = true;
+  /// All of it on such a surface, where the input is thin and denser still (stand_in_remesh.h), if that has
+  /// no angle below 30 degrees; else on the input as well, and the better one is taken. Not without
+  /// coarse_start.
+  bool coarse_for_all = true;
   double disk_radius = 0;        ///< mps, cps: of the disks, if the sizing is uniform; 0: by num_samples
   std::size_t tile_samples = 0;  ///< in a tile (tiled_optimize.h), if there are more; 0: no tiles
   int threads = 1;               ///< no matter to the result

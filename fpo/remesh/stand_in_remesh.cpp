@@ -50,7 +50,8 @@ std::optional<RemeshResult> remesh_of_stand_in(const geom::TriMesh& surface, con
 
 bool may_be_coarser(const geom::TriMesh& surface, const Features& features, const RemeshOptions& options) {
   return is_dense_for_all(surface, options.num_samples) && may_stand_in(options) && options.fixed.empty() &&
-         options.coarse_start && options.mend && !options.shortest_edge_removal && !has_creases(features);
+         options.coarse_start && options.coarse_for_all && options.mend && !options.shortest_edge_removal &&
+         !has_creases(features);
 }
 
 std::optional<RemeshResult> remesh_of_coarser(const geom::TriMesh& surface, const Sizing& sizing,

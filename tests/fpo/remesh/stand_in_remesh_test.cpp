@@ -6,6 +6,7 @@
 #include <string>
 
 #include "doctest.h"
+#include "fpo/remesh/attempts.h"
 #include "fpo/remesh/coarse_start.h"
 #include "fpo/remesh/remesh_defaults.h"
 #include "fpo/surface/barycentric.h"
@@ -133,4 +134,27 @@ TEST_CASE("coarser for all: creases that spoil the first attempt are dropped at 
   const fpo::RemeshResult kept = fpo::remesh(star, options);
   CHECK(!kept.stood_in);
   CHECK(kept.crease_curves > 0);
+}
+
+TEST_CASE("coarser for all: where that has small angles, the remesh of the input is taken if it is better") {
+  for (const auto& [name, size, n] :
+       {std::tuple("narrow-torus", 120, 200UL), std::tuple("dumbbell", 60, 200UL)}) {
+    const std::string shape(name);
+    CAPTURE(shape);
+    const TriMesh mesh = geom::make_shape(name, size);
+    fpo::RemeshOptions options = options_for(n);
+    options.optimize.max_iterations = 30;
+    options.features.reset();
+    REQUIRE(fpo::may_be_coarser(mesh, {}, options));
+    const fpo::RemeshResult best = fpo::remesh(mesh, options);
+    options.coarse_for_all = false;
+    CHECK(!fpo::may_be_coarser(mesh, {}, options));
+    const fpo::RemeshResult itself = fpo::remesh(mesh, options);
+    CHECK(!itself.stood_in);
+    CHECK(best.type.ok());
+    CHECK((fpo::has_wanted_angles(best) || !fpo::is_better(itself, best)));
+    MESSAGE(shape, ": ", best.measures.theta_min, " degrees, edges of at most ", best.measures.greatest_edge,
+            std::string(best.stood_in ? " (coarser)" : ""), "; on the input ", itself.measures.theta_min,
+            ", ", itself.measures.greatest_edge);
+  }
 }
