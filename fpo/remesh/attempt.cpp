@@ -164,10 +164,10 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options, const Re
   if (!coarse) apart = surface_apart(task, shared, options);
   if (task.only_apart && !apart) return result;
   const bool is_dense = !coarse && task.of_input && may_be_coarser(task.input, *task.of_input, options);
-  const Sizing wanted = shared.sizing;
-  const auto on_coarser = [&] { return remesh_of_coarser(task.input, wanted, options, coarser); };
+  const auto on_coarser = [&] { return remesh_of_coarser(task.input, shared.sizing, options, coarser); };
   if (apart && is_dense)
     if (auto made = on_coarser()) return std::move(*made);
+  const bool may_stand_in = is_dense && !apart;  // else that was tried
   if (apart && !apart->h.empty()) shared.sizing = Sizing(apart->mesh, apart->h);
   const geom::TriMesh& surface = apart ? apart->mesh : task.surface();
   const WantedType type(surface, branch_edges(shared.features));
@@ -184,9 +184,9 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options, const Re
   }
   const bool may_part = options.sheets == Sheets::automatic && !task.start && !apart;
   std::unique_ptr<SurfaceDomain> samples =
-      with_room(std::move(distributed), shared, type, options, result, may_part || is_dense);
-  if ((may_part || is_dense) && result.thin_parts.faults_before > 0) {
-    if (is_dense)
+      with_room(std::move(distributed), shared, type, options, result, may_part || may_stand_in);
+  if ((may_part || may_stand_in) && result.thin_parts.faults_before > 0) {
+    if (may_stand_in)
       if (auto made = on_coarser()) return std::move(*made);
     if (may_part && has_near_sheets(task, shared, options) && !was_interrupted(options))
       return only_samples(*samples, std::move(result));
