@@ -141,7 +141,7 @@ void add_rest(Summary& s, const RemeshArguments& a, const fpo::RemeshResult& res
   if (result.coarse_facets > 0) {
     s.count("coarse_facets", result.coarse_facets);
     s.line(worded("coarser   %s on a surface of %zu facets (--no-coarse-start)",
-                  result.stood_in ? "the remesh was made" : "all iterations but the last",
+                  result.made_coarser ? "the remesh was made" : "all iterations but the last",
                   result.coarse_facets));
   }
   if (result.thin_parts.places > 0) {

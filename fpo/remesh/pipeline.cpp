@@ -273,7 +273,7 @@ RemeshResult remesh_with_useful_creases(const geom::TriMesh& surface, const Reme
   std::optional<WithRoom> with_room;
   if (crowded) with_room = remesh_with_room(surface, all.features, options);
   if (with_room &&
-      (has_wanted_angles(with_room->result) || with_room->result.stood_in || interrupted(options)))
+      (has_wanted_angles(with_room->result) || with_room->result.made_coarser || interrupted(options)))
     return std::move(with_room->result);
   WithCreases with{{}, with_room.has_value()};
   RemeshResult& result = with.result;
@@ -316,8 +316,7 @@ RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const Reme
 /// If it was made on a coarser surface, and has small angles, once more on this one: the better one.
 RemeshResult remesh_coarser_or_not(const geom::TriMesh& surface, const RemeshOptions& options) {
   RemeshResult best = remesh_with_creases_or_not(surface, options);
-  if (!best.stood_in || best.coarse_facets == 0 || has_wanted_angles(best) || interrupted(options))
-    return best;
+  if (!best.made_coarser || has_wanted_angles(best) || interrupted(options)) return best;
   RemeshOptions itself = options;
   itself.coarse_for_all = false;
   try {

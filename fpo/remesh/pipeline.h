@@ -114,11 +114,12 @@ struct RemeshResult {
   EdgeAdvice edge_advice;                ///< where, and how many samples would do
   ShortestEdgeResult shortest_edges;
   OptimizeResult optimization;
-  /// Of the coarser surface on which the first iterations or, with `stood_in`, all that follows too, were
-  /// made (coarse_start.h); 0: there is none.
+  /// Of the coarser surface on which the first iterations or, if it was made coarser, all of it was made
+  /// (coarse_start.h); 0: there is none.
   std::size_t coarse_facets = 0;
   std::vector<IterationReport> iterations;  ///< of fpo, as on_iteration was told; empty if there is none
   bool stood_in = false;         ///< needles, noise, dense: most was done on another surface (stand_in.h)
+  bool made_coarser = false;     ///< dense and thin: on the coarser surface (stand_in_remesh.h)
   double radius_factor = 0;      ///< methods with disks: their radius in units of the wanted edge length
   std::vector<Reached> reached;  ///< the measures that another method than fpo has of itself
   AngleResult angles;

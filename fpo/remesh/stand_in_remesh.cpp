@@ -32,6 +32,7 @@ std::optional<RemeshResult> remesh_there(const geom::TriMesh& coarse, const geom
   RemeshResult result = remesh(coarse, options);
   result.samples = brought_to(surface, std::move(result.samples), coarse);
   result.stood_in = true;
+  result.made_coarser = false;  // what that surface was remeshed on is its own affair
   return result;
 } catch (const geom::InputError&) {  // what can be done on the coarser surface only is not asked for
   return {};
@@ -66,6 +67,7 @@ std::optional<RemeshResult> remesh_of_coarser(const geom::TriMesh& surface, cons
   std::optional<RemeshResult> result = remesh_there(*coarse, surface, there, remesh);
   if (!result || is_remnant(result->mesh)) return {};
   result->coarse_facets = coarse->num_facets();
+  result->made_coarser = true;
   result->type = check_type(type, result->mesh, result->samples);
   return on_surface(std::move(*result), surface, sizing, options);
 } catch (const geom::Interrupted&) {

@@ -62,6 +62,7 @@ TEST_CASE("coarser for all: dense and thin, it has the type of the input and sam
     options.features.reset();
     const fpo::RemeshResult with = fpo::remesh(mesh, options);
     CHECK(with.stood_in);
+    CHECK(with.made_coarser);
     CHECK(2 * with.coarse_facets <= mesh.num_facets());
     options.coarse_start = false;
     const fpo::RemeshResult without = fpo::remesh(mesh, options);
@@ -154,7 +155,7 @@ TEST_CASE("coarser for all: where that has small angles, the remesh of the input
     CHECK(best.type.ok());
     CHECK((fpo::has_wanted_angles(best) || !fpo::is_better(itself, best)));
     MESSAGE(shape, ": ", best.measures.theta_min, " degrees, edges of at most ", best.measures.greatest_edge,
-            std::string(best.stood_in ? " (coarser)" : ""), "; on the input ", itself.measures.theta_min,
+            std::string(best.made_coarser ? " (coarser)" : ""), "; on the input ", itself.measures.theta_min,
             ", ", itself.measures.greatest_edge);
   }
 }

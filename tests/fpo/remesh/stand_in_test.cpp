@@ -111,6 +111,7 @@ TEST_CASE("remesh: needles give a good surface of their type") {
     options.optimize.max_iterations = 20;
     const fpo::RemeshResult result = fpo::remesh(mesh, options);
     CHECK(result.stood_in);
+    CHECK(!result.made_coarser);
     const geom::Topology t = geom::topology(result.mesh);
     CHECK(t.vertices == 150);
     CHECK(t.manifold());
