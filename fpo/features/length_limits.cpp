@@ -12,13 +12,13 @@ using geom::Vec3;
 namespace {
 
 constexpr std::size_t leaf_size = 8;
-constexpr double less = 1 - 1e-12;  // for the rounding of distances
+constexpr double less = 1 - 1e-12;  // a dozen roundings are 2e-15
 
 }  // namespace
 
 struct LengthLimits::Query {
   Vec3 x;
-  Key key;
+  GridCell cell;
   Box3 around;  ///< its cell and those beside it, and a bit more
   Limit limit;
 };
@@ -26,14 +26,8 @@ struct LengthLimits::Query {
 LengthLimits::LengthLimits(const std::vector<NarrowPlace>& places, double slope, double most)
     : places_(places), slope_(slope), cell_(most / slope), order_(places.size()) {
   std::iota(order_.begin(), order_.end(), std::size_t{0});
-  for (const NarrowPlace& place : places) keys_.push_back(key(place.at));
+  for (const NarrowPlace& place : places) cells_.push_back(grid_cell(place.at, cell_));
   if (!places.empty()) build(0, places.size());
-}
-
-LengthLimits::Key LengthLimits::key(const Vec3& at) const {
-  return {static_cast<std::int64_t>(std::floor(at.x() / cell_)),
-          static_cast<std::int64_t>(std::floor(at.y() / cell_)),
-          static_cast<std::int64_t>(std::floor(at.z() / cell_))};
 }
 
 /// Halves across the longest side of the box.
@@ -60,18 +54,20 @@ void LengthLimits::build(std::size_t begin, std::size_t end) {
 }
 
 LengthLimits::Limit LengthLimits::at(const Vec3& x) const {
-  Query query{x, key(x), Box3(), {}};
+  Query query{x, grid_cell(x, cell_), Box3(), {}};
   for (const int beside : {-1, 2}) {
     Vec3 corner;
     for (std::size_t i = 0; i < 3; ++i)
-      corner[static_cast<Eigen::Index>(i)] = static_cast<double>(query.key[i] + beside) * cell_;
+      corner[static_cast<Eigen::Index>(i)] = static_cast<double>(query.cell[i] + beside) * cell_;
     query.around.extend(corner + Vec3::Constant((beside < 0 ? -1e-6 : 1e-6) * cell_));
   }
   if (!nodes_.empty()) look_at(0, query);
   return query.limit;
 }
 
-/// The nearer child first.
+/// The nearer child first. A place of the node is at least as wide as its narrowest, and its distance as it
+/// is computed is at least `least`, which is lowered by more than a norm and a distance from a box are
+/// rounded; products and sums round monotonically, so its limit as it is computed is at least the bound.
 void LengthLimits::look_at(std::size_t node, Query& query) const {
   const Node& n = nodes_[node];
   if (!query.around.intersects(n.box)) return;
@@ -88,8 +84,8 @@ void LengthLimits::look_at(std::size_t node, Query& query) const {
     return;
   }
   for (std::size_t i = n.begin; i < n.end; ++i) {
-    const Key& key = keys_[order_[i]];
-    const auto is_beside = [&](std::size_t k) { return std::abs(key[k] - query.key[k]) <= 1; };
+    const GridCell& cell = cells_[order_[i]];
+    const auto is_beside = [&](std::size_t k) { return std::abs(cell[k] - query.cell[k]) <= 1; };
     if (!is_beside(0) || !is_beside(1) || !is_beside(2)) continue;
     const NarrowPlace& place = places_[order_[i]];
     const double d = (place.at - query.x).norm();

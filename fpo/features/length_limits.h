@@ -1,13 +1,12 @@
 #pragma once
 // What narrow places (curve_spacing.h) allow of the wanted length elsewhere.
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
 #include "fpo/features/curve_spacing.h"
+#include "fpo/features/point_grid.h"
 
 namespace fpo {
 
@@ -30,22 +29,20 @@ class LengthLimits {
   Limit at(const geom::Vec3& x) const;
 
  private:
-  using Key = std::array<std::int64_t, 3>;
   struct Node {
     geom::Box3 box;
     double least_width = std::numeric_limits<double>::infinity();
-    std::size_t begin, end;  ///< in order_
-    std::size_t second = 0;  ///< the other child; the first one follows its parent; 0: a leaf
+    std::size_t begin = 0, end = 0;  ///< in order_
+    std::size_t second = 0;          ///< the other child; the first one follows its parent; 0: a leaf
   };
   struct Query;
-  Key key(const geom::Vec3& at) const;
   void build(std::size_t begin, std::size_t end);
   void look_at(std::size_t node, Query& query) const;
 
   const std::vector<NarrowPlace>& places_;
   double slope_, cell_;
   std::vector<std::size_t> order_;
-  std::vector<Key> keys_;  ///< of the places' cells
+  std::vector<GridCell> cells_;  ///< of the places
   std::vector<Node> nodes_;
 };
 

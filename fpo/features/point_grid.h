@@ -12,16 +12,24 @@
 
 namespace fpo {
 
+/// The cell of a point, with edges of this length.
+using GridCell = std::array<std::int64_t, 3>;
+inline GridCell grid_cell(const geom::Vec3& at, double cell) {
+  return {static_cast<std::int64_t>(std::floor(at.x() / cell)),
+          static_cast<std::int64_t>(std::floor(at.y() / cell)),
+          static_cast<std::int64_t>(std::floor(at.z() / cell))};
+}
+
 class PointGrid {
  public:
   /// Cells with edges of this length.
   explicit PointGrid(double cell) : cell_(cell) {}
-  void add(const geom::Vec3& at, std::size_t item) { items_[key(at)].push_back(item); }
+  void add(const geom::Vec3& at, std::size_t item) { items_[grid_cell(at, cell_)].push_back(item); }
 
   /// Visits what is in the cells around: all within a cell's length, and more. Always in the same order.
   template <class Visit>
   void around(const geom::Vec3& at, Visit visit) const {
-    const Key middle = key(at);
+    const GridCell middle = grid_cell(at, cell_);
     for (int i = -1; i <= 1; ++i)
       for (int j = -1; j <= 1; ++j)
         for (int k = -1; k <= 1; ++k) {
@@ -32,14 +40,8 @@ class PointGrid {
   }
 
  private:
-  using Key = std::array<std::int64_t, 3>;
-  Key key(const geom::Vec3& at) const {
-    return {static_cast<std::int64_t>(std::floor(at.x() / cell_)),
-            static_cast<std::int64_t>(std::floor(at.y() / cell_)),
-            static_cast<std::int64_t>(std::floor(at.z() / cell_))};
-  }
   double cell_;
-  std::map<Key, std::vector<std::size_t>> items_;
+  std::map<GridCell, std::vector<std::size_t>> items_;
 };
 
 }  // namespace fpo

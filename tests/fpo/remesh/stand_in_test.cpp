@@ -88,7 +88,7 @@ TEST_CASE("stand-in: samples are brought to their own sheet, were the other one 
     return TriMesh(std::move(positions), std::move(facets));
   };
   const TriMesh shell = geom::joined(fine, turned(fine, 0.9995));
-  const TriMesh coarse = geom::make_shape("sphere", 6);  // its facets are inside both
+  const TriMesh coarse = geom::make_shape("sphere", 6);  // its middles are inside both
   std::vector<fpo::SurfaceSample> outside, inside;
   for (std::size_t t = 0; t < coarse.num_facets(); ++t) {
     const geom::FacetId f(t);
