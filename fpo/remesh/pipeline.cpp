@@ -68,8 +68,9 @@ bool may_drop_creases(const RemeshOptions& options) {
   return options.features && options.features->yielding && options.method == Method::fpo;
 }
 
-/// On a dense surface each way with creases takes minutes, and one without takes seconds (stand_in_remesh.h):
-/// if the first is of no use, or of little, no other is tried.
+/// On a dense surface each way with creases is made on the surface itself, and one without can be made on a
+/// coarser one (stand_in_remesh.h), by measurement several times as fast: if the first is of no use, or of
+/// little, no other with creases is tried.
 bool is_slow_with_creases(const geom::TriMesh& surface, const RemeshResult& result,
                           const RemeshOptions& options) {
   return may_drop_creases(options) && options.sizing == SizingKind::uniform && result.crease_curves > 0 &&
@@ -182,10 +183,11 @@ RemeshOptions without_creases(RemeshOptions options) {
   return options;
 }
 
-/// What there is already, with all creases or, if `tried_strong`, with the strongest as well or only.
+/// What there is already, and whether the strongest creases alone are not to be tried: they were, or the
+/// surface is slow with creases.
 struct WithCreases {
   RemeshResult result;
-  bool tried_strong = false;
+  bool strong_settled = false;
 };
 
 /// Only the strongest creases, if that is of more use than all of them; if all are useless perhaps none. None
@@ -197,7 +199,7 @@ RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, WithCreases
   RemeshOptions fewer = options;
   fewer.strong_creases_only = true;
   const FeatureChoice strong = chosen_features(surface, fewer);
-  if (!with.tried_strong && !strong.given_up.empty() && !strong.features.curves.empty()) {
+  if (!with.strong_settled && !strong.given_up.empty() && !strong.features.curves.empty()) {
     RemeshResult other = result;
     if (take_if_better_with(surface, strong, fewer, other) &&
         is_worth_creases(as_it_will_be(other), as_it_will_be(result)))
@@ -289,7 +291,7 @@ RemeshResult remesh_with_useful_creases(const geom::TriMesh& surface, const Reme
       (is_useful(as_it_will_be(result)) && !crowded && !has_many_small_angles(as_it_will_be(result))))
     return std::move(result);
   const bool is_slow = is_slow_with_creases(surface, result, options);
-  if (is_slow) with.tried_strong = true;  // as good as
+  with.strong_settled |= is_slow;
   const bool has_few_on_curves = 2 * result.feature_samples < options.num_samples;
   const bool has_other_ways = may_be_smoothed(options) && is_folded(surface);
   if ((is_hopeless(result) || is_in_ruins(result)) && (has_few_on_curves || has_other_ways) && !is_slow)
