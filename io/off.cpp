@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "io/binary_off.h"
 #include "io/mesh_builder.h"
 #include "io/numbers.h"
 #include "io/text_cursor.h"
@@ -41,15 +42,23 @@ std::size_t header_length(std::string_view word) {
   return ends ? length : 0;
 }
 
-/// The header and both counts, which the bytes that follow can hold: a vertex takes at least the 6 bytes
-/// "0 0 0\n", a facet the 2 bytes "0\n", the last of them may lack its line end.
-Counts read_header(TextCursor& cursor) {
+/// The header, and the word behind it: the first count, unless it is on the next line, or BINARY.
+struct OffHeader {
+  std::string_view word, next;
+};
+
+OffHeader read_header(TextCursor& cursor) {
   const bool has_line = cursor.next_line();
-  const std::string_view header = has_line ? cursor.word() : std::string_view();
-  if (!is_off_header(header)) cursor.fail("no OFF header (OFF, COFF, NOFF, ...)");
-  std::string_view word = header.substr(header_length(header));
-  if (word.empty()) word = cursor.word();
-  if (word == "BINARY") cursor.fail("binary OFF is not supported");
+  const std::string_view word = has_line ? cursor.word() : std::string_view();
+  const std::size_t length = header_length(word);
+  if (length == 0) cursor.fail("no OFF header (OFF, COFF, NOFF, ...)");
+  const std::string_view next = word.substr(length);
+  return {word.substr(0, length), next.empty() ? cursor.word() : next};
+}
+
+/// Both counts, which the bytes that follow can hold: a vertex takes at least the 6 bytes "0 0 0\n", a facet
+/// the 2 bytes "0\n", the last of them may lack its line end.
+Counts read_counts(TextCursor& cursor, std::string_view word) {
   if (word.empty()) {
     if (!cursor.next_line()) cursor.fail("truncated: the file ends before the counts");
     word = cursor.word();
@@ -63,6 +72,22 @@ Counts read_header(TextCursor& cursor) {
                 std::to_string(counts.facets) + " facets, only " + std::to_string(cursor.remaining()) +
                 " bytes follow");
   return counts;
+}
+
+/// Numbers that a vertex of a binary file has behind its coordinates: a normal, a colour with its opacity, a
+/// place in a texture.
+std::size_t extras(std::string_view header) {
+  std::size_t count = 0;
+  for (const char letter : header) count += letter == 'N' ? 3 : letter == 'C' ? 4 : letter == 'S' ? 2 : 0;
+  return count;
+}
+
+/// Behind the line that says BINARY.
+std::size_t begin_of_body(TextCursor& cursor) {
+  if (const std::string_view word = cursor.word(); !word.empty())
+    cursor.fail(in_quotes(word) + " where the line should end");
+  cursor.skip_line();
+  return cursor.offset();
 }
 
 /// The facets, a new line each. One whose line ends too soon goes on in the next ones, for to the format a
@@ -112,8 +137,11 @@ bool is_off_header(std::string_view word) { return header_length(word) > 0; }
 
 geom::TriMesh parse_off(const InputFile& file, std::size_t* repeated) {
   TextCursor cursor(file);
+  const OffHeader header = read_header(cursor);
+  if (header.next == "BINARY")
+    return parse_binary_off(file, begin_of_body(cursor), extras(header.word), repeated);
   MeshBuilder mesh(file, Unit::line);
-  const Counts counts = read_header(cursor);
+  const Counts counts = read_counts(cursor, header.next);
   for (std::size_t i = 0; i < counts.vertices; ++i) {
     require_line(cursor, "vertex", i, counts.vertices);
     std::array<double, 3> p{};

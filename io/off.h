@@ -1,5 +1,5 @@
 #pragma once
-// Geomview's OFF, text form.
+// Geomview's OFF; binary files are only read.
 
 #include <string>
 
@@ -12,7 +12,8 @@ namespace io {
 /// with or without a blank before them, or on the next one; comments anywhere. Each vertex and each facet
 /// begins a line; corners may go on in further lines, coordinates may not. What follows the coordinates or
 /// the corners on their line (normals, colours) is ignored. Polygons are triangulated (polygon.h), facets of
-/// one or two corners ignored. Throws geom::InputError "name:line: what". Cost: linear.
+/// one or two corners ignored. Behind "OFF BINARY\n" the rest is binary (binary_off.h).
+/// Throws geom::InputError "name:line: what" or "name:byte offset: what". Cost: linear.
 /// `repeated`: as in MeshBuilder::finish().
 geom::TriMesh parse_off(const InputFile& file, std::size_t* repeated = nullptr);
 

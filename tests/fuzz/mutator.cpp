@@ -15,6 +15,7 @@
 #include "io/ply.h"
 #include "io/stl.h"
 #include "tests/fixtures/spoilt.h"
+#include "tests/io/binary_off_samples.h"
 
 namespace fuzz {
 
@@ -201,10 +202,27 @@ std::string as_text(const Soup& soup, bool off) {
   return text;
 }
 
+bool fits_single_precision(const Soup& soup) {
+  const auto too_large = [](double x) {
+    return std::isfinite(x) && std::abs(x) > std::numeric_limits<float>::max();
+  };
+  return std::ranges::none_of(soup.vertices,
+                              [&](const Vec3& p) { return std::ranges::any_of(p, too_large); });
+}
+
+std::string as_binary_off(const Soup& soup, Rng& rng) {
+  fixtures::BinaryOff file({rng.below(2) == 0 ? std::endian::big : std::endian::little, rng.below(2) == 0});
+  file.add_counts(soup.vertices.size(), soup.facets.size());
+  for (const Vec3& p : soup.vertices) file.add_vertex({p.x(), p.y(), p.z()});
+  for (const auto& f : soup.facets) file.add_facet({f[0], f[1], f[2]});
+  return file.bytes();
+}
+
 /// In a format of chance; as text if it is not sound enough for another.
 Mutant as_file(const Soup& soup, Rng& rng) {
   const bool off = rng.below(2) == 0;
   const std::uint64_t format = rng.below(4);
+  if (format == 3 && off && fits_single_precision(soup)) return {"mutant.off", as_binary_off(soup, rng)};
   if (format >= 2) try {
       geom::Table<geom::VertexId, Vec3> vertices;
       geom::Table<geom::FacetId, geom::TriMesh::Facet> facets;

@@ -7,6 +7,7 @@
 #include "io/ply.h"
 #include "io/stl.h"
 #include "tests/fuzz/mutator.h"
+#include "tests/io/binary_off_samples.h"
 #include "tests/io/sample_meshes.h"
 #include "tests/io/scratch_folder.h"
 
@@ -60,6 +61,8 @@ TEST_CASE("bad input: a damaged file is read or refused with one line that names
                             {"t.off", text_off},
                             {"t.ply", text_ply},
                             {"t.stl", text_stl},
+                            {"b.off", fixtures::binary_off(tetrahedron, {std::endian::big, true})},
+                            {"c.off", fixtures::binary_off(tetrahedron, {std::endian::little, false})},
                             {"b.ply", io::to_ply(tetrahedron)},
                             {"b.stl", io::to_stl(tetrahedron)}};
   geom::Rng rng(2014);

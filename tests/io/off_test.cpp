@@ -66,7 +66,6 @@ TEST_CASE("OFF: each fault is named with its line") {
   CHECK(fault("\n\n").find("no OFF header") != std::string::npos);
   for (const std::string header : {"4OFF 1 1 1\n", "OFFS 4 2 0\n", "OFF-4 2 0\n", "ST4 2 0\n"})
     CHECK(fault(header + off_square).find("no OFF header") != std::string::npos);
-  CHECK(fault("OFF BINARY\n") == "a.off:1: binary OFF is not supported");
   CHECK(fault("OFF\n") == "a.off:2: truncated: the file ends before the counts");
   CHECK(fault("OFF\n4\n" + off_square) == "a.off:2: the number of facets is missing");
   CHECK(fault("OFF\n4 -1 0\n" + off_square) == "a.off:2: the number of facets is negative");
