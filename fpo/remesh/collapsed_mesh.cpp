@@ -63,13 +63,13 @@ class Collapses {
     as_long_as_any_goes([&](VertexId v) { return withdraw(v); });
     for (const Bounds& allowed : bounds)
       as_long_as_any_goes([&](VertexId v) { return collapse(v, allowed); });
-    make_better_flips(mesh_, no_curves());
+    flip_edges();
   }
 
   /// Of those that are left, even if facets without area come of it.
   void run_to_the_end() {
     as_long_as_any_goes([&](VertexId v) { return collapse(v, any); });
-    make_better_flips(mesh_, no_curves());
+    flip_edges();
   }
 
   /// Vertices that are left become samples instead of others, from the first one that may.
@@ -147,6 +147,10 @@ class Collapses {
     curves_.collapse(v, best);
     make_better_flips(mesh_, best, no_curves());
     return true;
+  }
+
+  void flip_edges() {
+    if (!interrupted(interrupted_)) make_better_flips(mesh_, no_curves());  // else dozens of times the edges
   }
 
   BetterFlips no_curves() const {
