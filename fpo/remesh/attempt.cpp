@@ -21,6 +21,9 @@
 namespace fpo {
 namespace {
 
+constexpr int glance = 20, least_share_of_all = 2;  // iterations; times, of all
+constexpr double some_near_itself = 0.005;          // of the surface
+
 bool was_interrupted(const RemeshOptions& options) { return fpo::interrupted(options.optimize.interrupted); }
 
 /// The samples become those of the old surface again.
@@ -147,6 +150,25 @@ RemeshResult remesh_of(std::unique_ptr<SurfaceDomain> samples, const PlacedTask&
   return result;
 }
 
+/// Samples after some iterations, if they are at fault then, and sheets are near each other: what more would
+/// be done with these together is left undone. Else none, and all begins anew.
+std::optional<RemeshResult> at_fault_early(const RemeshTask& task, const SharedSizing& shared,
+                                           const WantedType& type, RemeshOptions options) {
+  if (options.optimize.max_iterations < least_share_of_all * glance || type.branches) return {};
+  if (!(share_near_itself(task, shared, options) > some_near_itself)) return {};
+  options.optimize.max_iterations = glance;
+  options.optimize.on_iteration = {};
+  RemeshResult result;
+  auto samples =
+      std::make_unique<SurfaceDomain>(distributed_samples(task.surface(), shared, nullptr, options, result));
+  samples = with_room(std::move(samples), shared, type, options, result, true);
+  if (was_interrupted(options) || result.thin_parts.faults_before == 0 ||
+      !has_near_sheets(task, shared, options))
+    return {};
+  result.cut_short = true;
+  return only_samples(*samples, std::move(result));
+}
+
 /// The paper, in a line; what is not in it comes in between. If sheets are left to us and near each other,
 /// and the diagram of space is not of the input's type, there are only samples.
 RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options, const RemeshFunction& coarser) {
@@ -171,6 +193,13 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options, const Re
   if (apart && !apart->h.empty()) shared.sizing = Sizing(apart->mesh, apart->h);
   const geom::TriMesh& surface = apart ? apart->mesh : task.surface();
   const WantedType type(surface, branch_edges(shared.features));
+  const bool may_part = options.sheets == Sheets::automatic && !task.start && !apart;
+  if (may_part && !coarse && !task.same)
+    if (auto early = at_fault_early(task, shared, type, options)) {
+      std::optional<RemeshResult> made;
+      if (is_dense) made = on_coarser();
+      return made ? std::move(*made) : std::move(*early);
+    }
   auto distributed = std::make_unique<SurfaceDomain>(
       coarse      ? settled_samples(surface, shared, *coarse, options, result)
       : task.same ? same_samples(surface, shared, *task.same, options, result)
@@ -182,7 +211,6 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options, const Re
                                 options, result);
     if (made) return std::move(*made);
   }
-  const bool may_part = options.sheets == Sheets::automatic && !task.start && !apart;
   std::unique_ptr<SurfaceDomain> samples =
       with_room(std::move(distributed), shared, type, options, result, may_part || may_stand_in);
   if ((may_part || may_stand_in) && result.thin_parts.faults_before > 0) {

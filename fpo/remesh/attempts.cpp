@@ -18,6 +18,7 @@ constexpr std::size_t samples_for_one_unmended = 100;
 constexpr std::size_t most_to_mend = 20, few_in_thin_parts = 12;
 constexpr std::size_t samples_for_one_spoilt = 200, least_spoilt = 10;
 constexpr std::size_t triangles_for_one_small_angle = 10;
+constexpr std::size_t edges_for_one_broken = 4;
 constexpr double by_chords = 0.97;  // the angle between chords of two curves over that between the curves
 
 /// Of a mesh by collapses with edges so much longer than wanted that they leave parts of the surface out, or
@@ -89,6 +90,12 @@ bool is_spoilt_by_creases(const RemeshResult& r) {
   const std::size_t n = r.samples.size(), many = std::max(least_spoilt, n / samples_for_one_spoilt);
   return !r.type.ok() && r.advice.places.size() >= many && 4 * r.feature_samples > n &&
          2 * r.crease_edges > r.feature_edges && !may_be_faced(r) && !is_undone_by_staggering(r);
+}
+
+bool is_in_pieces(const RemeshResult& r) {
+  return !r.type.ok() && has_many_small_angles(r) &&
+         (r.broken_feature_edges * edges_for_one_broken > r.feature_edges ||
+          2 * r.measures.angles_below_30 > r.mesh.num_facets());
 }
 
 bool has_many_small_angles(const RemeshResult& r) {

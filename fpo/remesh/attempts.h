@@ -43,6 +43,10 @@ bool is_in_ruins(const RemeshResult& result);
 /// other way with the same creases is tried.
 bool is_spoilt_by_creases(const RemeshResult& result);
 
+/// Of another type, with many small angles, and without a fourth of the edges of curves or with such an angle
+/// for two triangles.
+bool is_in_pieces(const RemeshResult& result);
+
 /// With creases, and an angle below 30 degrees for ten triangles: there are lines between which no good ones
 /// have room.
 bool has_many_small_angles(const RemeshResult& result);

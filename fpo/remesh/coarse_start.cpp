@@ -5,7 +5,7 @@
 namespace fpo {
 namespace {
 
-constexpr std::size_t dense = 30, dense_for_all = 60;  // facets a sample
+constexpr std::size_t dense = 30, dense_for_all = 45;  // facets a sample
 constexpr std::size_t fewer = 2;                       // times
 constexpr StandInEdges edges = {.collapsed = 0.4, .made = 0.53},
                        edges_for_all = {.collapsed = 0.3, .made = 0.4};
@@ -40,7 +40,8 @@ bool is_dense_for_all(const geom::TriMesh& surface, std::size_t n) {
 std::optional<geom::TriMesh> coarse_surface_for_all(const geom::TriMesh& surface, const Sizing& sizing,
                                                     std::size_t n) {
   if (surface.has_levels() || !is_dense_for_all(surface, n)) return {};
-  return with_fewer_facets(surface, sizing, edges_for_all);
+  auto finer = with_fewer_facets(surface, sizing, edges_for_all);
+  return finer ? std::move(finer) : with_fewer_facets(surface, sizing, edges);
 }
 
 Sizing sizing_on(const geom::TriMesh& coarse, const Sizing& sizing) {

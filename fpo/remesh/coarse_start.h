@@ -24,9 +24,10 @@ namespace fpo {
 /// that of stand_in().
 std::optional<geom::TriMesh> coarse_surface(const geom::TriMesh& surface, const Sizing& sizing,
                                             std::size_t n);
-/// Whether there are 60 facets a sample.
+/// Whether there are 45 facets a sample.
 bool is_dense_for_all(const geom::TriMesh& surface, std::size_t n);
-/// The coarser surface for a whole remesh, some finer: none where it is not dense.
+/// The coarser surface for a whole remesh, some finer if that has no more than half of the facets: none where
+/// it is not dense.
 std::optional<geom::TriMesh> coarse_surface_for_all(const geom::TriMesh& surface, const Sizing& sizing,
                                                     std::size_t n);
 

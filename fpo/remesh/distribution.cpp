@@ -88,9 +88,8 @@ SurfaceDomain optimized_samples(const geom::TriMesh& surface, const SharedSizing
     result.coarse_facets = start->coarse_facets;
     task.how.max_iterations =
         std::min(task.how.max_iterations, std::max(task.how.max_iterations / start_saves, 1));
-  } else if (surface.has_levels()) {
-    task.how.least_gain = gain_apart;
   }
+  if (surface.has_levels()) task.how.least_gain = gain_apart;
   if (options.shortest_edge_removal) {
     SurfaceDomain domain(surface, shared.sizing, samples, task.diagram);
     remove_short_edges(domain, options, result);

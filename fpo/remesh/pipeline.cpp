@@ -89,9 +89,10 @@ bool should_drop_creases(const geom::TriMesh& surface, const RemeshResult& resul
 /// harm and being apart helps. Samples of close curves face each other if edges of curves are lost else.
 /// Nothing of that where creases that may be dropped spoil it all, nor where the remesh is of another type
 /// and the input has edges of more than two facets: most such are faulty all over, and each way is as slow.
+/// `first`: what the first way leads to, if that is known.
 RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoice& choice,
-                                const RemeshOptions& options) {
-  RemeshResult best = remesh_with(surface, choice, options);
+                                const RemeshOptions& options, std::optional<RemeshResult> first = {}) {
+  RemeshResult best = first ? std::move(*first) : remesh_with(surface, choice, options);
   RemeshOptions together = options, with_levels = options;
   together.sheets = Sheets::together;
   with_levels.sheets = Sheets::apart;
@@ -104,7 +105,7 @@ RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoic
   const bool parted = has_only_samples(best);
   if (parted) {
     const RemeshResult begun = std::move(best);
-    const RemeshResult* const same = begun.protection.moved == 0 ? &begun : nullptr;
+    const RemeshResult* const same = begun.protection.moved == 0 && !begun.cut_short ? &begun : nullptr;
     best = remesh_with(surface, choice, with_levels, {&begun, true});
     const bool hopeless = (is_hopeless(best) || is_in_ruins(best)) && is_hopeless(begun);
     if (!best.has_levels) {
@@ -167,8 +168,8 @@ bool take_if_better_with(const geom::TriMesh& surface, const FeatureChoice& choi
 
 /// The same, and once more without staggered samples where these may have spoilt it; the better one.
 RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& choice,
-                           const RemeshOptions& options) {
-  RemeshResult best = remesh_with_sheets(surface, choice, options);
+                           const RemeshOptions& options, std::optional<RemeshResult> first = {}) {
+  RemeshResult best = remesh_with_sheets(surface, choice, options, std::move(first));
   if (!is_undone_by_staggering(best) || options.sheets != Sheets::automatic || best.stood_in ||
       should_drop_creases(surface, best, options) || interrupted(options))
     return best;
@@ -188,7 +189,22 @@ RemeshOptions without_creases(RemeshOptions options) {
 struct WithCreases {
   RemeshResult result;
   bool strong_settled = false;
+  std::optional<RemeshResult> without;  ///< any creases, if that is known
 };
+
+std::optional<RemeshResult> remesh_without_creases(const geom::TriMesh& surface,
+                                                   const RemeshOptions& options) {
+  const RemeshOptions without = without_creases(options);
+  const FeatureChoice borders = chosen_features(surface, without);
+  return unless_interrupted(options, [&] { return remesh_sheets(surface, borders, without); });
+}
+
+/// That, for what creases did to another.
+RemeshResult with_creases_dropped(RemeshResult without, const std::string& harm) {
+  without.given_up = "creases dropped: " + harm + "; --features 45 keeps them";
+  without.features_missed = true;
+  return without;
+}
 
 /// Only the strongest creases, if that is of more use than all of them; if all are useless perhaps none. None
 /// as well if that alone has no small angles, where there are many.
@@ -208,15 +224,11 @@ RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, WithCreases
   const auto is_useless_in_the_end = [&] { return is_useless(as_it_will_be(result)); };
   if ((!is_useless_in_the_end() && !has_many_small_angles(as_it_will_be(result))) || interrupted(options))
     return result;
-  const RemeshOptions without = without_creases(options);
-  const FeatureChoice borders = chosen_features(surface, without);
-  std::optional<RemeshResult> other =
-      unless_interrupted(options, [&] { return remesh_sheets(surface, borders, without); });
+  std::optional<RemeshResult> other = std::move(with.without);
+  if (!other) other = remesh_without_creases(surface, options);
   if (other && is_worth_creases(as_it_will_be(*other), as_it_will_be(result)) &&
-      (is_useless_in_the_end() || has_wanted_angles(*other)) && take_if_better(std::move(other), result)) {
-    result.given_up = "creases dropped: " + harm + "; --features 45 keeps them";
-    result.features_missed = true;
-  }
+      (is_useless_in_the_end() || has_wanted_angles(*other)) && take_if_better(std::move(other), result))
+    return with_creases_dropped(std::move(result), harm);
   return result;
 }
 
@@ -240,19 +252,18 @@ struct WithRoom {
   double share;  ///< of the length of all
 };
 
-/// If there are some, and smaller triangles between are no help or would be smaller than a third of the
-/// spacing.
-std::optional<WithRoom> remesh_with_room(const geom::TriMesh& surface, const Features& all,
-                                         const RemeshOptions& options) {
+/// Those, if there are some, and smaller triangles between are no help or would be smaller than a third of
+/// the spacing.
+std::optional<FeatureChoice> creases_with_room(const geom::TriMesh& surface, const Features& all,
+                                               const RemeshOptions& options) {
   const auto narrow = helpful_narrow_surface(surface, all, part_sizing(surface, all, options), options);
   if (narrow && std::ranges::min(narrow->lengths) >= smallest_beside_curves * even_spacing(surface, options))
     return {};
   RemeshOptions fewer = options;
   fewer.strong_creases_only = true;
-  const FeatureChoice strong = chosen_features(surface, fewer);
+  FeatureChoice strong = chosen_features(surface, fewer);
   if (strong.given_up.empty() || strong.features.curves.empty()) return {};
-  return WithRoom{remesh_sheets(surface, strong, fewer),
-                  length_of(surface, strong.features) / length_of(surface, all)};
+  return strong;
 }
 
 /// Is it settled by the creases that have room that others are not to be tried with them? These would take
@@ -267,24 +278,46 @@ bool settles_creases(const WithRoom& with_room, const geom::TriMesh& surface, co
   return should_drop_creases(surface, result, options) || (is_in_ruins(result) && !may_be_faced(result));
 }
 
+/// Without creases, if the first way with them leaves these in pieces and many angles small: by measurement
+/// other ways with them take minutes, and most lead no farther.
+std::optional<RemeshResult> instead_of_pieces(const geom::TriMesh& surface, const RemeshResult& first,
+                                              const RemeshOptions& options) {
+  if (!may_drop_creases(options) || options.sizing != SizingKind::uniform || !is_in_pieces(first) ||
+      is_useful(as_it_will_be(first)) || interrupted(options) ||
+      geom::topology(surface).nonmanifold_edges > 0)
+    return {};
+  return remesh_without_creases(surface, options);
+}
+
 /// Creases that nobody asked for are kept unless that alone does harm. Where they have no room, those that
 /// have are tried first.
 RemeshResult remesh_with_useful_creases(const geom::TriMesh& surface, const RemeshOptions& options) {
   const FeatureChoice all = chosen_features(surface, options);
   const bool crowded = has_crowded_creases(surface, all.features, options);
+  std::optional<FeatureChoice> roomy;
+  if (crowded) roomy = creases_with_room(surface, all.features, options);
+  RemeshOptions how = options;
+  how.strong_creases_only |= roomy.has_value();
+  const FeatureChoice& chosen = roomy ? *roomy : all;
+  RemeshResult first = remesh_with(surface, chosen, how);
+  std::optional<RemeshResult> without = instead_of_pieces(surface, first, options);
+  if (without && is_useful(as_it_will_be(*without)))
+    return with_creases_dropped(std::move(*without), harm_of_creases(as_it_will_be(first)));
+  first = remesh_sheets(surface, chosen, how, std::move(first));
   std::optional<WithRoom> with_room;
-  if (crowded) with_room = remesh_with_room(surface, all.features, options);
+  if (roomy)
+    with_room = {std::move(first), length_of(surface, chosen.features) / length_of(surface, all.features)};
   if (with_room &&
       (has_wanted_angles(with_room->result) || with_room->result.made_coarser || interrupted(options)))
     return std::move(with_room->result);
-  WithCreases with{{}, with_room.has_value()};
+  WithCreases with{{}, with_room.has_value(), std::move(without)};
   RemeshResult& result = with.result;
   if (with_room) {
     const bool settled = settles_creases(*with_room, surface, all.features, options);
     result = std::move(with_room->result);
     if (!settled) take_if_better_with(surface, all, options, result);
   } else {
-    result = remesh_sheets(surface, all, options);
+    result = std::move(first);
   }
   if (result.crease_curves == 0 || !may_drop_creases(options) || result.stood_in || interrupted(options) ||
       geom::topology(surface).nonmanifold_edges > 0 || has_wanted_angles(as_it_will_be(result)) ||

@@ -118,6 +118,7 @@ struct RemeshResult {
   /// (coarse_start.h); 0: there is none.
   std::size_t coarse_facets = 0;
   std::vector<IterationReport> iterations;  ///< of fpo, as on_iteration was told; empty if there is none
+  bool cut_short = false;        ///< sheets near each other put cells at fault early (only samples)
   bool stood_in = false;         ///< needles, noise, dense: most was done on another surface (stand_in.h)
   bool made_coarser = false;     ///< dense and thin: on the coarser surface (stand_in_remesh.h)
   double radius_factor = 0;      ///< methods with disks: their radius in units of the wanted edge length

@@ -17,7 +17,7 @@ using RemeshFunction = std::function<RemeshResult(const geom::TriMesh&, const Re
 std::optional<RemeshResult> remesh_of_stand_in(const geom::TriMesh& surface, const RemeshOptions& options,
                                                const RemeshFunction& remesh);
 
-/// Whether a coarser surface may stand in for this one: there are 60 facets a sample, no creases, and the
+/// Whether a coarser surface may stand in for this one: there are 45 facets a sample, no creases, and the
 /// options ask for nothing that it has not. O(1) but for the curves.
 bool may_be_coarser(const geom::TriMesh& surface, const Features& features, const RemeshOptions& options);
 

@@ -11,15 +11,18 @@ namespace {
 constexpr double most_near_itself = 0.25;  // of the surface
 
 bool is_mostly_near_itself(const RemeshTask& task, const SharedSizing& shared, const RemeshOptions& options) {
-  if (options.sheets != Sheets::automatic || options.method != Method::fpo || task.start || !options.mend)
-    return false;
-  const auto samples = initial_samples(task.surface(), shared, options.num_samples, options.seed);
-  return share_on_near_sheets(task.surface(), shared.sizing, samples, SheetOptions().near) >
-             most_near_itself &&
+  return share_near_itself(task, shared, options) > most_near_itself &&
          !has_needles(task.surface(), options.num_samples, even_spacing(task.input, options));
 }
 
 }  // namespace
+
+double share_near_itself(const RemeshTask& task, const SharedSizing& shared, const RemeshOptions& options) {
+  if (options.sheets != Sheets::automatic || options.method != Method::fpo || task.start || !options.mend)
+    return 0;
+  const auto samples = initial_samples(task.surface(), shared, options.num_samples, options.seed);
+  return share_on_near_sheets(task.surface(), shared.sizing, samples, SheetOptions().near);
+}
 
 std::optional<SplitSurface> surface_apart(const RemeshTask& task, SharedSizing& shared,
                                           const RemeshOptions& options) {

@@ -8,6 +8,10 @@
 
 namespace fpo {
 
+/// The share of the surface, by random samples, that is near another sheet of it; 0 if it is not left to us
+/// what that leads to.
+double share_near_itself(const RemeshTask& task, const SharedSizing& shared, const RemeshOptions& options);
+
 /// The task's surface with its sheets apart, if it has some that are near each other, and that is wanted:
 /// with Sheets::apart, or, where that is left to us, if they are near each other on so much of the surface
 /// that together they would keep cells from being simple in most moves. The samples on features are then on

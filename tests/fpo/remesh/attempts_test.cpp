@@ -118,6 +118,29 @@ TEST_CASE("attempts: creases spoil what is at fault in many places, if they have
   CHECK(!is_small_spoilt(9));
 }
 
+TEST_CASE(
+    "attempts: curves are in pieces where the type is wrong, angles small, and edges lost or most small") {
+  RemeshResult result = measured(false, 5, 51);
+  result.mesh = geom::make_shape("sphere", 6);
+  result.crease_edges = 100;
+  const std::size_t facets = result.mesh.num_facets();
+  result.measures.angles_below_30 = facets / 10 + 1;
+  CHECK(is_in_pieces(result));
+  const auto is_with = [&](auto change) {
+    RemeshResult other = result;
+    change(other);
+    return is_in_pieces(other);
+  };
+  CHECK(!is_with([](RemeshResult& r) { r.type.bare_samples = 0; }));
+  CHECK(!is_with([](RemeshResult& r) { --r.measures.angles_below_30; }));
+  CHECK(!is_with([](RemeshResult& r) { r.broken_feature_edges = 50; }));
+  CHECK(!is_with([](RemeshResult& r) { r.crease_edges = 0; }));
+  CHECK(is_with([=](RemeshResult& r) {
+    r.broken_feature_edges = 0;
+    r.measures.angles_below_30 = facets / 2 + 1;
+  }));
+}
+
 TEST_CASE("attempts: more rounds for thin parts where the type is wrong and few faults are left") {
   RemeshResult result = measured(false, 30, 0);
   CHECK(!may_have_room(result));

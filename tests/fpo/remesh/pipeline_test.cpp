@@ -153,6 +153,27 @@ TEST_CASE("pipeline: sheets of a surface with an edge of three facets are set ap
   CHECK(result.measures.theta_min >= 30);
 }
 
+TEST_CASE(
+    "pipeline: sheets near each other that put cells at fault early are set apart before all iterations") {
+  const geom::TriMesh ears = geom::make_shape("ears", 40);
+  RemeshOptions options = default_options(200, SizingKind::uniform);
+  options.features.reset();
+  options.coarse_start = false;
+  int reports = 0;
+  options.optimize.on_iteration = [&](const IterationReport&) { ++reports; };
+  const RemeshResult apart = remesh(ears, options);
+  CHECK(apart.has_levels);
+  CHECK(apart.type.ok());
+  CHECK(apart.mesh.num_vertices() == 200);
+  CHECK(apart.measures.theta_min >= 30);
+  CHECK(3 * reports <
+        options.optimize.max_iterations + 6);  // a third and the beginning: none of those together
+  reports = 0;
+  options.sheets = Sheets::together;
+  remesh(ears, options);
+  CHECK(reports > options.optimize.max_iterations);
+}
+
 TEST_CASE("pipeline: fidelity has its turn where closeness has not") {
   int left_out = 0;
   for (const std::size_t n : {200, 400, 800}) {

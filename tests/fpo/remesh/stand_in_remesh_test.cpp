@@ -56,7 +56,7 @@ TEST_CASE("coarser for all: dense and thin, it has the type of the input and sam
                                       std::tuple("paper", 60, 100UL)}) {
     CAPTURE(std::string(name));
     const TriMesh mesh = geom::make_shape(name, size);
-    REQUIRE(mesh.num_facets() >= 60 * n);
+    REQUIRE(mesh.num_facets() >= 45 * n);
     fpo::RemeshOptions options = options_for(n);
     options.optimize.max_iterations = 30;
     options.features.reset();
@@ -90,7 +90,7 @@ TEST_CASE("coarser for all: not where creases are kept, samples are many, or not
   const TriMesh plate = geom::make_shape("plate", 60);
   CHECK(fpo::may_be_coarser(plate, {}, options));
   CHECK(!fpo::may_be_coarser(plate, fpo::find_features(plate), options));
-  CHECK(!fpo::may_be_coarser(plate, {}, options_for(plate.num_facets() / 60 + 1)));
+  CHECK(!fpo::may_be_coarser(plate, {}, options_for(plate.num_facets() / 45 + 1)));
   for (const auto change : {+[](fpo::RemeshOptions& o) { o.fixed = {Vec3(0, 0, 0)}; },
                             +[](fpo::RemeshOptions& o) { o.coarse_start = false; },
                             +[](fpo::RemeshOptions& o) { o.method = fpo::Method::cvt; },
@@ -100,7 +100,7 @@ TEST_CASE("coarser for all: not where creases are kept, samples are many, or not
     CHECK(!fpo::may_be_coarser(plate, {}, other));
   }
   const TriMesh blob = geom::make_shape("blob", 40);
-  REQUIRE(blob.num_facets() >= 60 * options.num_samples);
+  REQUIRE(blob.num_facets() >= 45 * options.num_samples);
   CHECK(!fpo::remesh(blob, options).stood_in);
 }
 
@@ -116,13 +116,13 @@ TEST_CASE("coarser for all: finer than for the iterations, of the same type") {
   const geom::Topology t = geom::topology(*coarse);
   CHECK(t.manifold());
   CHECK(t.euler == geom::topology(mesh).euler);
-  CHECK(!fpo::coarse_surface_for_all(mesh, even, mesh.num_facets() / 60 + 1));
+  CHECK(!fpo::coarse_surface_for_all(mesh, even, mesh.num_facets() / 45 + 1));
 }
 
 TEST_CASE("coarser for all: creases that spoil the first attempt are dropped at once, those asked for kept") {
   const TriMesh star = geom::make_shape("star", 12);
   fpo::RemeshOptions options = options_for(60);
-  REQUIRE(star.num_facets() >= 60 * options.num_samples);
+  REQUIRE(star.num_facets() >= 45 * options.num_samples);
   options.optimize.max_iterations = 30;
   options.features = fpo::automatic_features();
   const fpo::RemeshResult dropped = fpo::remesh(star, options);
