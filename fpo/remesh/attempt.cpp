@@ -150,22 +150,21 @@ RemeshResult remesh_of(std::unique_ptr<SurfaceDomain> samples, const PlacedTask&
   return result;
 }
 
-/// Samples after some iterations, if they are at fault then, and sheets are near each other: what more would
-/// be done with these together is left undone. Else none, and all begins anew.
-std::optional<RemeshResult> at_fault_early(const RemeshTask& task, const SharedSizing& shared,
-                                           const WantedType& type, RemeshOptions options) {
-  if (options.optimize.max_iterations < least_share_of_all * glance || type.branches) return {};
-  if (!(share_near_itself(task, shared, options) > some_near_itself)) return {};
+/// Samples after some iterations, where some sheets are near each other; cut short if they are at fault then,
+/// and the sheets can be set apart: what more would be done with these together is left out. If not, all
+/// begins anew.
+std::optional<RemeshResult> glanced_at(const RemeshTask& task, const SharedSizing& shared,
+                                       const WantedType& type, RemeshOptions options) {
+  if (!options.may_cut_short || options.optimize.max_iterations < least_share_of_all * glance ||
+      type.branches || !(share_near_itself(task, shared, options) > some_near_itself))
+    return {};
   options.optimize.max_iterations = glance;
-  options.optimize.on_iteration = {};
   RemeshResult result;
   auto samples =
       std::make_unique<SurfaceDomain>(distributed_samples(task.surface(), shared, nullptr, options, result));
   samples = with_room(std::move(samples), shared, type, options, result, true);
-  if (was_interrupted(options) || result.thin_parts.faults_before == 0 ||
-      !has_near_sheets(task, shared, options))
-    return {};
-  result.cut_short = true;
+  result.cut_short = !was_interrupted(options) && result.thin_parts.faults_before > 0 &&
+                     has_near_sheets(task, shared, options);
   return only_samples(*samples, std::move(result));
 }
 
@@ -194,16 +193,18 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options, const Re
   const geom::TriMesh& surface = apart ? apart->mesh : task.surface();
   const WantedType type(surface, branch_edges(shared.features));
   const bool may_part = options.sheets == Sheets::automatic && !task.start && !apart;
-  if (may_part && !coarse && !task.same)
-    if (auto early = at_fault_early(task, shared, type, options)) {
-      std::optional<RemeshResult> made;
-      if (is_dense) made = on_coarser();
-      return made ? std::move(*made) : std::move(*early);
-    }
+  std::optional<RemeshResult> early;
+  if (may_part && !coarse && !task.same) early = glanced_at(task, shared, type, options);
+  if (early && early->cut_short) {
+    std::optional<RemeshResult> made;
+    if (is_dense) made = on_coarser();
+    return made ? std::move(*made) : std::move(*early);
+  }
+  const RemeshResult* const same = early && was_interrupted(options) ? &*early : task.same;
   auto distributed = std::make_unique<SurfaceDomain>(
-      coarse      ? settled_samples(surface, shared, *coarse, options, result)
-      : task.same ? same_samples(surface, shared, *task.same, options, result)
-                  : distributed_samples(surface, shared, task.start, options, result));
+      coarse ? settled_samples(surface, shared, *coarse, options, result)
+      : same ? same_samples(surface, shared, *same, options, result)
+             : distributed_samples(surface, shared, task.start, options, result));
   if (!has_triangles(*distributed)) {
     const Sizing sizing = distributed->sizing();
     const std::vector<SurfaceSample> all = samples_of(*distributed);

@@ -18,6 +18,7 @@ constexpr std::size_t samples_for_one_unmended = 100;
 constexpr std::size_t most_to_mend = 20, few_in_thin_parts = 12;
 constexpr std::size_t samples_for_one_spoilt = 200, least_spoilt = 10;
 constexpr std::size_t triangles_for_one_small_angle = 10;
+constexpr std::size_t triangles_for_one_of_few = 100;
 constexpr std::size_t edges_for_one_broken = 4;
 constexpr double by_chords = 0.97;  // the angle between chords of two curves over that between the curves
 
@@ -90,6 +91,11 @@ bool is_spoilt_by_creases(const RemeshResult& r) {
   const std::size_t n = r.samples.size(), many = std::max(least_spoilt, n / samples_for_one_spoilt);
   return !r.type.ok() && r.advice.places.size() >= many && 4 * r.feature_samples > n &&
          2 * r.crease_edges > r.feature_edges && !may_be_faced(r) && !is_undone_by_staggering(r);
+}
+
+bool has_few_small_angles(const RemeshResult& r) {
+  return r.type.ok() && r.broken_feature_edges == 0 && !has_wanted_angles(r) &&
+         r.measures.angles_below_30 * triangles_for_one_of_few <= r.mesh.num_facets();
 }
 
 bool is_in_pieces(const RemeshResult& r) {

@@ -43,6 +43,10 @@ bool is_in_ruins(const RemeshResult& result);
 /// other way with the same creases is tried.
 bool is_spoilt_by_creases(const RemeshResult& result);
 
+/// Of the type, with all edges of curves, and small angles that one more try may do without: at most one for
+/// a hundred triangles.
+bool has_few_small_angles(const RemeshResult& result);
+
 /// Of another type, with many small angles, and without a fourth of the edges of curves or with such an angle
 /// for two triangles.
 bool is_in_pieces(const RemeshResult& result);

@@ -85,6 +85,72 @@ bool should_drop_creases(const geom::TriMesh& surface, const RemeshResult& resul
          (may_drop_creases(options) && options.sizing == SizingKind::uniform && is_spoilt_by_creases(result));
 }
 
+/// The ways to remesh a surface with these curves, one after the other, and the best result so far.
+struct Ways {
+  const geom::TriMesh& surface;
+  const FeatureChoice& choice;
+  const RemeshOptions& options;
+  RemeshResult best;
+
+  RemeshResult go(const RemeshOptions& otherwise, const Beginning& begin) const {
+    return remesh_with(surface, choice, otherwise, begin);
+  }
+  /// The same, nothing if it is interrupted.
+  std::optional<RemeshResult> go_if_time(const RemeshOptions& otherwise, const Beginning& begin) const {
+    return unless_interrupted(options, [&] { return go(otherwise, begin); });
+  }
+  void attempt(const RemeshOptions& otherwise, Beginning begin) {
+    if (interrupted(options)) return;
+    begin.rival = &best;
+    take_if_better(go_if_time(otherwise, begin), best);
+  }
+};
+
+RemeshOptions with_sheets(const RemeshOptions& options, Sheets sheets) {
+  RemeshOptions otherwise = options;
+  otherwise.sheets = sheets;
+  return otherwise;
+}
+
+const RemeshResult* if_unmoved(const RemeshResult& begun) {
+  return begun.protection.moved == 0 ? &begun : nullptr;
+}
+
+/// As if it had not been cut short: what that led to is not all that is wanted.
+void go_to_the_end(Ways& ways) {
+  RemeshOptions whole = ways.options;
+  whole.may_cut_short = false;
+  std::optional<RemeshResult> begun = ways.go_if_time(whole, {});
+  if (!begun || !has_only_samples(*begun)) {
+    take_if_better(std::move(begun), ways.best);
+    return;
+  }
+  ways.attempt(with_sheets(ways.options, Sheets::apart), {&*begun, true});
+  if (!ways.best.type.ok())
+    ways.attempt(with_sheets(ways.options, Sheets::together), {.same = if_unmoved(*begun)});
+}
+
+/// The best way has only led to samples, at fault for sheets near each other: these are set apart.
+void set_apart(Ways& ways) {
+  RemeshResult& best = ways.best;
+  const RemeshOptions together = with_sheets(ways.options, Sheets::together);
+  const RemeshResult begun = std::move(best);
+  const RemeshResult* const same = begun.cut_short ? nullptr : if_unmoved(begun);
+  best = ways.go(with_sheets(ways.options, Sheets::apart), {&begun, true});
+  if (!best.has_levels) {
+    std::optional<RemeshResult> other = ways.go_if_time(together, {.same = same});
+    best = other ? std::move(*other) : ways.go(together, {&begun});
+    return;
+  }
+  const bool hopeless = (is_hopeless(best) || is_in_ruins(best)) && is_hopeless(begun);
+  const bool may_have_type =
+      !best.type.ok() && !hopeless && !should_drop_creases(ways.surface, best, ways.options);
+  if (begun.cut_short && (may_have_type || has_few_small_angles(best)))
+    go_to_the_end(ways);
+  else if (may_have_type)
+    ways.attempt(together, {.same = same});
+}
+
 /// Sheets that are left to us are together unless they are near each other nearly everywhere, or that does
 /// harm and being apart helps. Samples of close curves face each other if edges of curves are lost else.
 /// Nothing of that where creases that may be dropped spoil it all, nor where the remesh is of another type
@@ -92,58 +158,39 @@ bool should_drop_creases(const geom::TriMesh& surface, const RemeshResult& resul
 /// `first`: what the first way leads to, if that is known.
 RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoice& choice,
                                 const RemeshOptions& options, std::optional<RemeshResult> first = {}) {
-  RemeshResult best = first ? std::move(*first) : remesh_with(surface, choice, options);
-  RemeshOptions together = options, with_levels = options;
-  together.sheets = Sheets::together;
-  with_levels.sheets = Sheets::apart;
-  const auto attempt = [&](const RemeshOptions& otherwise, Beginning begin) {
-    if (interrupted(options)) return;
-    begin.rival = &best;
-    take_if_better(
-        unless_interrupted(options, [&] { return remesh_with(surface, choice, otherwise, begin); }), best);
-  };
+  Ways ways{surface, choice, options, first ? std::move(*first) : remesh_with(surface, choice, options)};
+  RemeshResult& best = ways.best;
+  const RemeshOptions together = with_sheets(options, Sheets::together);
   const bool parted = has_only_samples(best);
-  if (parted) {
-    const RemeshResult begun = std::move(best);
-    const RemeshResult* const same = begun.protection.moved == 0 && !begun.cut_short ? &begun : nullptr;
-    best = remesh_with(surface, choice, with_levels, {&begun, true});
-    const bool hopeless = (is_hopeless(best) || is_in_ruins(best)) && is_hopeless(begun);
-    if (!best.has_levels) {
-      std::optional<RemeshResult> other =
-          unless_interrupted(options, [&] { return remesh_with(surface, choice, together, {.same = same}); });
-      best = other ? std::move(*other) : remesh_with(surface, choice, together, {&begun});
-    } else if (!best.type.ok() && !hopeless && !should_drop_creases(surface, best, options)) {
-      attempt(together, {.same = same});
-    }
-  }
+  if (parted) set_apart(ways);
   if (options.sheets != Sheets::automatic || options.method != Method::fpo || is_fine(best) ||
       is_saved(best) || best.stood_in ||  // all of this was tried on what stood in
       should_drop_creases(surface, best, options) || (is_remnant(best.mesh) && !may_be_faced(best)))
     return best;
   const bool parted_at_once = best.has_levels && !parted;
-  if (parted_at_once && !is_useful(best)) attempt(together, {});
+  if (parted_at_once && !is_useful(best)) ways.attempt(together, {});
   if ((is_hopeless(best) && !may_be_faced(best)) ||
       (!best.type.ok() && geom::topology(surface).nonmanifold_edges > 0))
     return best;
-  if (!parted && !parted_at_once && !is_in_ruins(best)) attempt(with_levels, {&best, true});
+  if (!parted && !parted_at_once && !is_in_ruins(best))
+    ways.attempt(with_sheets(options, Sheets::apart), {&best, true});
   if (best.broken_feature_edges > 0) {
     RemeshOptions facing = in_the_way_of(best, options);
     facing.facing_samples = true;
-    attempt(facing, {&best});
+    ways.attempt(facing, {&best});
   }
   if (may_have_room(best)) {
     RemeshOptions longer = in_the_way_of(best, options);
     longer.rounds_for_thin_parts *= 2;
-    attempt(longer, {&best});
+    ways.attempt(longer, {&best});
   }
   for (const double least : softer) {
     if (best.type.ok() || is_in_ruins(best) || options.sizing == SizingKind::uniform ||
         options.limits.smallest >= least)
       break;
-    RemeshOptions even = options;
+    RemeshOptions even = with_sheets(options, best.has_levels ? Sheets::apart : Sheets::together);
     even.limits.smallest = least;
-    even.sheets = best.has_levels ? Sheets::apart : Sheets::together;
-    attempt(even, {});
+    ways.attempt(even, {});
     if (best.type.ok()) best.least_length = least;
   }
   return best;

@@ -66,6 +66,9 @@ struct RemeshOptions {
   /// no angle below 30 degrees; else on the input as well, and the better one is taken. Not without
   /// coarse_start.
   bool coarse_for_all = true;
+  /// Where sheets near each other put cells at fault early, what is left of the optimization with them
+  /// together is left out; if that does not lead to the type and angles it is made after all.
+  bool may_cut_short = true;
   double disk_radius = 0;        ///< mps, cps: of the disks, if the sizing is uniform; 0: by num_samples
   std::size_t tile_samples = 0;  ///< in a tile (tiled_optimize.h), if there are more; 0: no tiles
   int threads = 1;               ///< no matter to the result

@@ -141,6 +141,23 @@ TEST_CASE(
   }));
 }
 
+TEST_CASE("attempts: small angles are few up to one for a hundred triangles, with the type and all edges") {
+  RemeshResult result = measured(true, 20, 0);
+  result.mesh = geom::make_shape("sphere", 10);
+  result.measures.angles_below_30 = result.mesh.num_facets() / 100;
+  CHECK(has_few_small_angles(result));
+  ++result.measures.angles_below_30;
+  CHECK(!has_few_small_angles(result));
+  result.measures.angles_below_30 = 1;
+  CHECK(has_few_small_angles(result));
+  result.corner_angle = 20;  // the input's own
+  CHECK(!has_few_small_angles(result));
+  result = measured(true, 31, 0);
+  CHECK(!has_few_small_angles(result));
+  result = measured(true, 20, 1);
+  CHECK(!has_few_small_angles(result));
+}
+
 TEST_CASE("attempts: more rounds for thin parts where the type is wrong and few faults are left") {
   RemeshResult result = measured(false, 30, 0);
   CHECK(!may_have_room(result));

@@ -1,5 +1,7 @@
 #include "fpo/remesh/pipeline.h"
 
+#include <atomic>
+
 #include "doctest.h"
 #include "fpo/remesh/remesh_defaults.h"
 #include "geom/check.h"
@@ -166,12 +168,28 @@ TEST_CASE(
   CHECK(apart.type.ok());
   CHECK(apart.mesh.num_vertices() == 200);
   CHECK(apart.measures.theta_min >= 30);
-  CHECK(3 * reports <
-        options.optimize.max_iterations + 6);  // a third and the beginning: none of those together
+  CHECK(reports < 60);  // twenty together, a third of all apart, and two beginnings
   reports = 0;
   options.sheets = Sheets::together;
   remesh(ears, options);
   CHECK(reports > options.optimize.max_iterations);
+}
+
+TEST_CASE("pipeline: interrupted while it is looked for faults, what was optimized is kept") {
+  RemeshOptions options = default_options(200, SizingKind::uniform);
+  options.features.reset();
+  options.coarse_start = false;
+  std::atomic<bool> interrupted = false;
+  options.optimize.interrupted = &interrupted;
+  options.optimize.on_iteration = [&](const IterationReport& report) {
+    if (report.iteration == 10) interrupted = true;
+  };
+  const RemeshResult result = remesh(geom::make_shape("ears", 40), options);
+  CHECK(interrupted);
+  CHECK(result.optimization.moves >= 2000);
+  CHECK(result.optimization.reason == StopReason::interrupted);
+  CHECK(result.mesh.num_vertices() == 200);
+  CHECK(result.optimization.last.mean_delta > 0.8);
 }
 
 TEST_CASE("pipeline: fidelity has its turn where closeness has not") {
