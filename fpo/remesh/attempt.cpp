@@ -200,11 +200,14 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options, const Re
     if (is_dense) made = on_coarser();
     return made ? std::move(*made) : std::move(*early);
   }
-  const RemeshResult* const same = early && was_interrupted(options) ? &*early : task.same;
   auto distributed = std::make_unique<SurfaceDomain>(
-      coarse ? settled_samples(surface, shared, *coarse, options, result)
-      : same ? same_samples(surface, shared, *same, options, result)
-             : distributed_samples(surface, shared, task.start, options, result));
+      coarse      ? settled_samples(surface, shared, *coarse, options, result)
+      : task.same ? same_samples(surface, shared, *task.same, options, result)
+                  : distributed_samples(surface, shared, task.start, options, result));
+  if (early && was_interrupted(options) && result.optimization.moves < early->optimization.moves) {
+    distributed = std::make_unique<SurfaceDomain>(same_samples(surface, shared, *early, options, result));
+    result.optimization.reason = StopReason::interrupted;
+  }
   if (!has_triangles(*distributed)) {
     const Sizing sizing = distributed->sizing();
     const std::vector<SurfaceSample> all = samples_of(*distributed);

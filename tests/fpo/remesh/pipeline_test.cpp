@@ -175,21 +175,27 @@ TEST_CASE(
   CHECK(reports > options.optimize.max_iterations);
 }
 
-TEST_CASE("pipeline: interrupted while it is looked for faults, what was optimized is kept") {
-  RemeshOptions options = default_options(200, SizingKind::uniform);
-  options.features.reset();
-  options.coarse_start = false;
-  std::atomic<bool> interrupted = false;
-  options.optimize.interrupted = &interrupted;
-  options.optimize.on_iteration = [&](const IterationReport& report) {
-    if (report.iteration == 10) interrupted = true;
-  };
-  const RemeshResult result = remesh(geom::make_shape("ears", 40), options);
-  CHECK(interrupted);
-  CHECK(result.optimization.moves >= 2000);
-  CHECK(result.optimization.reason == StopReason::interrupted);
-  CHECK(result.mesh.num_vertices() == 200);
-  CHECK(result.optimization.last.mean_delta > 0.8);
+TEST_CASE("pipeline: interrupted while it is looked for faults, or soon after, what was optimized is kept") {
+  for (const auto& [n, last] : {std::pair(200UL, 10), std::pair(1000UL, 24)}) {
+    CAPTURE(n);
+    RemeshOptions options = default_options(n, SizingKind::uniform);
+    options.features.reset();
+    options.coarse_start = false;
+    std::atomic<bool> interrupted = false;
+    options.optimize.interrupted = &interrupted;
+    int reports = 0, iteration = 0;
+    options.optimize.on_iteration = [&](const IterationReport& report) {
+      if (++reports == last) interrupted = true;
+      if (reports == last) iteration = report.iteration;
+    };
+    const RemeshResult result = remesh(geom::make_shape("ears", 40), options);
+    CHECK(interrupted);
+    CHECK(iteration < 10);  // the second time, of those that are no more at fault
+    CHECK(result.optimization.moves >= 9 * n);
+    CHECK(result.optimization.reason == StopReason::interrupted);
+    CHECK(result.mesh.num_vertices() == n);
+    CHECK(result.optimization.last.mean_delta > 0.8);
+  }
 }
 
 TEST_CASE("pipeline: fidelity has its turn where closeness has not") {
