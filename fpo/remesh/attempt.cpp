@@ -150,13 +150,13 @@ RemeshResult remesh_of(std::unique_ptr<SurfaceDomain> samples, const PlacedTask&
   return result;
 }
 
-/// Samples after some iterations, where some sheets are near each other; cut short if they are at fault then,
+/// Samples after some iterations, if these are few of all; cut short if they are at fault then,
 /// and the sheets can be set apart: what more would be done with these together is left out. If not, all
 /// begins anew.
 std::optional<RemeshResult> glanced_at(const RemeshTask& task, const SharedSizing& shared,
                                        const WantedType& type, RemeshOptions options) {
   if (!options.may_cut_short || options.optimize.max_iterations < least_share_of_all * glance ||
-      type.branches || !(share_near_itself(task, shared, options) > some_near_itself))
+      type.branches)
     return {};
   options.optimize.max_iterations = glance;
   RemeshResult result;
@@ -182,7 +182,8 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options, const Re
   if (coarse && (was_interrupted(options) || is_remnant(coarse->mesh)) && options.fixed.empty())
     return on_surface(std::move(*coarse), task.input, shared.sizing, options);
   std::optional<SplitSurface> apart;
-  if (!coarse) apart = surface_apart(task, shared, options);
+  const double near_itself = coarse ? 0 : share_near_itself(task, shared, options);
+  if (!coarse) apart = surface_apart(task, shared, options, near_itself);
   if (task.only_apart && !apart) return result;
   const bool is_dense = !coarse && task.of_input && may_be_coarser(task.input, *task.of_input, options);
   const auto on_coarser = [&] { return remesh_of_coarser(task.input, shared.sizing, options, coarser); };
@@ -194,12 +195,9 @@ RemeshResult remesh_task(const RemeshTask& task, RemeshOptions options, const Re
   const WantedType type(surface, branch_edges(shared.features));
   const bool may_part = options.sheets == Sheets::automatic && !task.start && !apart;
   std::optional<RemeshResult> early;
-  if (may_part && !coarse && !task.same) early = glanced_at(task, shared, type, options);
-  if (early && early->cut_short) {
-    std::optional<RemeshResult> made;
-    if (is_dense) made = on_coarser();
-    return made ? std::move(*made) : std::move(*early);
-  }
+  if (may_part && near_itself > some_near_itself && !task.same)
+    early = glanced_at(task, shared, type, options);
+  if (early && early->cut_short) return (is_dense ? on_coarser() : std::nullopt).value_or(std::move(*early));
   auto distributed = std::make_unique<SurfaceDomain>(
       coarse      ? settled_samples(surface, shared, *coarse, options, result)
       : task.same ? same_samples(surface, shared, *task.same, options, result)

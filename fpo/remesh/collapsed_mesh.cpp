@@ -149,8 +149,9 @@ class Collapses {
     return true;
   }
 
+  /// Not if it is interrupted: with most vertices still there that would take longer than all the rest.
   void flip_edges() {
-    if (!interrupted(interrupted_)) make_better_flips(mesh_, no_curves());  // else dozens of times the edges
+    if (!interrupted(interrupted_)) make_better_flips(mesh_, no_curves());
   }
 
   BetterFlips no_curves() const {

@@ -325,8 +325,8 @@ bool settles_creases(const WithRoom& with_room, const geom::TriMesh& surface, co
   return should_drop_creases(surface, result, options) || (is_in_ruins(result) && !may_be_faced(result));
 }
 
-/// Without creases, if the first way with them leaves these in pieces and many angles small: by measurement
-/// other ways with them take minutes, and most lead no farther.
+/// Without creases, if the first way with them leaves these in pieces and many angles small. Other ways with
+/// them come after that, for each costs as much.
 std::optional<RemeshResult> instead_of_pieces(const geom::TriMesh& surface, const RemeshResult& first,
                                               const RemeshOptions& options) {
   if (!may_drop_creases(options) || options.sizing != SizingKind::uniform || !is_in_pieces(first) ||

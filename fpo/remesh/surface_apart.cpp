@@ -10,11 +10,6 @@ namespace {
 
 constexpr double most_near_itself = 0.25;  // of the surface
 
-bool is_mostly_near_itself(const RemeshTask& task, const SharedSizing& shared, const RemeshOptions& options) {
-  return share_near_itself(task, shared, options) > most_near_itself &&
-         !has_needles(task.surface(), options.num_samples, even_spacing(task.input, options));
-}
-
 }  // namespace
 
 double share_near_itself(const RemeshTask& task, const SharedSizing& shared, const RemeshOptions& options) {
@@ -25,9 +20,12 @@ double share_near_itself(const RemeshTask& task, const SharedSizing& shared, con
 }
 
 std::optional<SplitSurface> surface_apart(const RemeshTask& task, SharedSizing& shared,
-                                          const RemeshOptions& options) {
+                                          const RemeshOptions& options, double near_itself) {
   if (facts_of(options.method).distribute) return {};
-  if (options.sheets != Sheets::apart && !is_mostly_near_itself(task, shared, options)) return {};
+  if (options.sheets != Sheets::apart &&
+      (!(near_itself > most_near_itself) ||
+       has_needles(task.surface(), options.num_samples, even_spacing(task.input, options))))
+    return {};
   return sheets_apart(task.surface(), shared.sizing, shared.features.samples);
 }
 

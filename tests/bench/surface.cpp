@@ -1,6 +1,6 @@
 // Microseconds of CPU time per FPO move on surfaces, and how moves after the first iteration were certified,
 // in percent: in place with leeway, in place without, removed and inserted in the fast way, at least one of
-// both in the general way (geom/dual/README.md).
+// both in the general way (geom/dual/fast_way.h).
 //   bench-surface MODEL.obj N [ITERATIONS] [search|triangulation] [c|all]     one row; without arguments: a
 //   table for the models in the folder named by FPO_MODELS (default ../shared/models) that are there.
 

@@ -1,5 +1,6 @@
 #include "io/binary_off.h"
 
+#include <cmath>
 #include <limits>
 
 #include "doctest.h"
