@@ -1,7 +1,6 @@
 #include "fpo/features/feature_choice.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -215,13 +214,6 @@ bool is_stepped(const TriMesh& mesh, const Features& features) {
       sum.length += (mesh.position(ends.second) - mesh.position(ends.first)).norm();
     }
   return others.number > many_others * sharp.number && sharp.mean() < longer * others.mean();
-}
-
-double total_strength(const SeenCurves& curves) {
-  double sum = 0;
-  for (const double strength : curves.strengths)
-    if (std::isfinite(strength)) sum += strength;
-  return sum;
 }
 
 struct StrongCurves {

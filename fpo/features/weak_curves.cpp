@@ -67,6 +67,13 @@ SeenCurves seen_curves(const TriMesh& mesh, const Features& features, double spa
   return result;
 }
 
+double total_strength(const SeenCurves& curves) {
+  double sum = 0;
+  for (const double strength : curves.strengths)
+    if (std::isfinite(strength)) sum += strength;
+  return sum;
+}
+
 std::vector<std::size_t> weakest_curves(const SeenCurves& curves, const WeakCurves& wanted) {
   const std::vector<double>& strengths = curves.strengths;
   std::vector<double> crowded(strengths.size(), 0.0);

@@ -22,6 +22,9 @@ struct SeenCurves {
 
 SeenCurves seen_curves(const geom::TriMesh& mesh, const Features& features, double spacing);
 
+/// Of all creases.
+double total_strength(const SeenCurves& curves);
+
 struct WeakCurves {
   double share = 0.125;  ///< of the creases that are asked for
   bool only_crowded =

@@ -258,6 +258,8 @@ RemeshResult attempted_remesh(const geom::TriMesh& surface, const FeatureChoice&
     result.features_missed = choice.are_missed;
   }
   result.collapsed_curves = choice.collapsed;
+  if (!result.stood_in) result.kept = std::make_shared<const Features>(choice.features);
+  result.strong_only = options.strong_creases_only;
   return result;
 }
 

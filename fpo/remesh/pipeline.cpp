@@ -10,6 +10,7 @@
 #include "fpo/remesh/attempt.h"
 #include "fpo/remesh/attempts.h"
 #include "fpo/remesh/feature_bound.h"
+#include "fpo/remesh/harmful_creases.h"
 #include "fpo/remesh/last_resort.h"
 #include "fpo/remesh/noise.h"
 #include "fpo/remesh/refusal.h"
@@ -237,6 +238,7 @@ struct WithCreases {
   RemeshResult result;
   bool strong_settled = false;
   std::optional<RemeshResult> without;  ///< any creases, if that is known
+  bool had_many_small_angles = false;   ///< before some creases were given up for it
 };
 
 std::optional<RemeshResult> remesh_without_creases(const geom::TriMesh& surface,
@@ -265,12 +267,13 @@ RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, WithCreases
   if (!with.strong_settled && !strong.given_up.empty() && !strong.features.curves.empty()) {
     RemeshResult other = result;
     if (take_if_better_with(surface, strong, fewer, other) &&
-        is_worth_creases(as_it_will_be(other), as_it_will_be(result)))
+        is_worth_creases(as_it_will_be(other), as_it_will_be(result))) {
       result = std::move(other);
+      with.had_many_small_angles = has_many_small_angles(as_it_will_be(result));
+    }
   }
   const auto is_useless_in_the_end = [&] { return is_useless(as_it_will_be(result)); };
-  if ((!is_useless_in_the_end() && !has_many_small_angles(as_it_will_be(result))) || interrupted(options))
-    return result;
+  if ((!is_useless_in_the_end() && !with.had_many_small_angles) || interrupted(options)) return result;
   std::optional<RemeshResult> other = std::move(with.without);
   if (!other) other = remesh_without_creases(surface, options);
   if (other && is_worth_creases(as_it_will_be(*other), as_it_will_be(result)) &&
@@ -336,6 +339,18 @@ std::optional<RemeshResult> instead_of_pieces(const geom::TriMesh& surface, cons
   return remesh_without_creases(surface, options);
 }
 
+/// Without those creases beside which angles are small, if nobody asked for them.
+RemeshResult with_good_creases(const geom::TriMesh& surface, RemeshResult result,
+                               const RemeshOptions& options) {
+  if (!may_drop_creases(options)) return result;
+  return without_harmful_creases(
+      surface, options, std::move(result),
+      [&](const FeatureChoice& choice, const RemeshOptions& how, const RemeshResult& rival) {
+        return unless_interrupted(options,
+                                  [&] { return remesh_with(surface, choice, how, {.rival = &rival}); });
+      });
+}
+
 /// Creases that nobody asked for are kept unless that alone does harm. Where they have no room, those that
 /// have are tried first.
 RemeshResult remesh_with_useful_creases(const geom::TriMesh& surface, const RemeshOptions& options) {
@@ -356,7 +371,7 @@ RemeshResult remesh_with_useful_creases(const geom::TriMesh& surface, const Reme
     with_room = {std::move(first), length_of(surface, chosen.features) / length_of(surface, all.features)};
   if (with_room &&
       (has_wanted_angles(with_room->result) || with_room->result.made_coarser || interrupted(options)))
-    return std::move(with_room->result);
+    return with_good_creases(surface, std::move(with_room->result), options);
   WithCreases with{{}, with_room.has_value(), std::move(without)};
   RemeshResult& result = with.result;
   if (with_room) {
@@ -366,9 +381,12 @@ RemeshResult remesh_with_useful_creases(const geom::TriMesh& surface, const Reme
   } else {
     result = std::move(first);
   }
+  with.had_many_small_angles = has_many_small_angles(as_it_will_be(result));
+  if (!is_slow_with_creases(surface, result, options))
+    result = with_good_creases(surface, std::move(result), options);
   if (result.crease_curves == 0 || !may_drop_creases(options) || result.stood_in || interrupted(options) ||
       geom::topology(surface).nonmanifold_edges > 0 || has_wanted_angles(as_it_will_be(result)) ||
-      (is_useful(as_it_will_be(result)) && !crowded && !has_many_small_angles(as_it_will_be(result))))
+      (is_useful(as_it_will_be(result)) && !crowded && !with.had_many_small_angles))
     return std::move(result);
   const bool is_slow = is_slow_with_creases(surface, result, options);
   with.strong_settled |= is_slow;

@@ -49,8 +49,9 @@ struct RemeshOptions {
   SizingLimits limits;  ///< unless uniform
   /// If given: features are found, chosen (feature_choice.h, which overrules lengths), sampled and kept. If
   /// they are yielding and the remesh is of the input's type without creases, but not with them, then only
-  /// the strong ones are kept, or none; none as well if they alone have many angles below 30 degrees. Teeth
-  /// of ragged borders are cut off then (trimmed_remesh.h).
+  /// the strong ones are kept, or none; none as well if they alone have many angles below 30 degrees. Those
+  /// beside small angles are given up (harmful_creases.h). Teeth of ragged borders are cut off then
+  /// (trimmed_remesh.h).
   std::optional<FeatureOptions> features;
   bool strong_creases_only = false;    ///< from the beginning (SamplingPlan)
   std::vector<geom::Vec3> fixed;       ///< points of the surface, which become vertices exactly
@@ -108,6 +109,8 @@ struct RemeshResult {
   std::string given_up;                  ///< features that are not kept, and why, for users; empty: none
   bool features_missed = false;          ///< and they are of the shape: worth a warning
   std::size_t collapsed_curves = 0;      ///< too short for the spacing
+  std::shared_ptr<const Features> kept;  ///< features of the input that were to be; null: made elsewhere
+  bool strong_only = false;              ///< and they are the strong ones alone
   FeatureBound feature_bound;            ///< how many samples keep all features
   Protection protection;                 ///< of those edges
   std::size_t broken_feature_edges = 0;  ///< those that are no edges of the mesh

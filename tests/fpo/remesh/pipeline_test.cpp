@@ -231,6 +231,22 @@ TEST_CASE("pipeline: where edges of curves are lost samples of close curves face
   CHECK(best.has_facing_samples);
 }
 
+TEST_CASE("pipeline: creases that nobody asked for are given up where angles beside them are small") {
+  const geom::TriMesh plate = geom::make_shape("hole-plate");  // holes near its border
+  RemeshOptions options = default_options(500, SizingKind::uniform);
+  options.optimize.max_iterations = 5;
+  options.features->yielding = false;
+  const RemeshResult all = remesh(plate, options);
+  options.features->yielding = true;
+  const RemeshResult result = remesh(plate, options);
+  CHECK(all.given_up.empty());
+  CHECK(all.measures.angles_below_30 > 20);
+  CHECK(result.given_up.find("for small angles beside them") != std::string::npos);
+  CHECK(2 * result.measures.angles_below_30 < all.measures.angles_below_30);
+  CHECK(3 * result.crease_curves > all.crease_curves);
+  CHECK(result.type.ok());
+}
+
 TEST_CASE("pipeline: no iterations are none, in further attempts too") {
   RemeshOptions options = default_options(200, SizingKind::uniform);
   options.optimize.max_iterations = 0;

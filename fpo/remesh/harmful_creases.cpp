@@ -1,0 +1,80 @@
+#include "fpo/remesh/harmful_creases.h"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fpo/features/weak_curves.h"
+#include "fpo/interruption.h"
+#include "fpo/remesh/attempts.h"
+#include "fpo/remesh/harmful_curves.h"
+#include "fpo/remesh/remesh_task.h"
+#include "geom/check.h"
+
+namespace fpo {
+namespace {
+
+constexpr int most_rounds = 3;
+constexpr double most_lacking = 0.5;  // of what was lacking before
+
+bool has_creases(const Features& features) {
+  return std::ranges::any_of(features.curves, [](const FeatureCurve& curve) { return curve.sheets == 2; });
+}
+
+bool may_have_harmful_creases(const RemeshResult& result) {
+  return result.kept && result.type.ok() && !result.by_collapses && result.crease_curves > 0 &&
+         result.least_length == 0;
+}
+
+/// With a choice of features, for users.
+std::string told(const FeatureChoice& choice, std::size_t more, std::size_t of) {
+  const std::string number = std::to_string(more);
+  if (!choice.given_up.empty()) return choice.given_up + "; " + number + " more for small angles beside them";
+  return "creases given up: " + number + " of " + std::to_string(of) +
+         " curves, for small angles beside them; --features 45 keeps them";
+}
+
+/// Are angles so much better? Creases are of worth, too.
+bool is_worth_it(const RemeshResult& fewer, const RemeshResult& result) {
+  return is_better(fewer, result) &&
+         lacking_in_angles(fewer.mesh) <= most_lacking * lacking_in_angles(result.mesh);
+}
+
+/// None if it is refused as well.
+std::optional<RemeshResult> unless_refused(const RemeshWithFeatures& remesh, const FeatureChoice& choice,
+                                           const RemeshOptions& how, const RemeshResult& rival) try {
+  return remesh(choice, how, rival);
+} catch (const geom::InputError&) {
+  return {};
+}
+
+}  // namespace
+
+RemeshResult without_harmful_creases(const geom::TriMesh& surface, const RemeshOptions& options,
+                                     RemeshResult result, const RemeshWithFeatures& remesh) {
+  const std::size_t num_curves = result.kept ? result.kept->curves.size() : 0;
+  const double spacing = even_spacing(surface, options);
+  RemeshOptions fewer = options;
+  std::size_t number = 0;
+  for (int round = 0; round < most_rounds && may_have_harmful_creases(result); ++round) {
+    if (interrupted(options.optimize.interrupted)) break;
+    const std::vector<std::size_t> harmful =
+        harmful_curves(surface, *result.kept, {result.mesh, result.feature_samples}, spacing);
+    if (harmful.empty()) break;
+    for (const auto& edge : edges_of_curves(*result.kept, harmful)) fewer.features->unmarked.push_back(edge);
+    fewer.strong_creases_only = result.strong_only;
+    const FeatureChoice choice = chosen_features(surface, fewer);
+    if (!has_creases(choice.features)) break;
+    std::optional<RemeshResult> other = unless_refused(remesh, choice, in_the_way_of(result, fewer), result);
+    if (!other || other->mesh.num_facets() == 0 || !is_worth_it(*other, result)) break;
+    result = std::move(*other);
+    number += harmful.size();
+    result.given_up = told(choice, number, num_curves);
+    result.features_missed = true;
+  }
+  return result;
+}
+
+}  // namespace fpo

@@ -1,0 +1,23 @@
+#pragma once
+// Creases that were kept are given up where angles beside them are small (harmful_curves.h).
+
+#include <functional>
+#include <optional>
+
+#include "fpo/features/feature_choice.h"
+#include "fpo/remesh/pipeline.h"
+
+namespace fpo {
+
+/// A remesh with those features, or none if it is interrupted; a rival that is far better may end it early.
+using RemeshWithFeatures = std::function<std::optional<RemeshResult>(
+    const FeatureChoice&, const RemeshOptions&, const RemeshResult& rival)>;
+
+/// The result, or one with fewer creases, which is better and lacks in angles at most half as much: of what
+/// is left more is given up as long as that helps, at most three times. Each time costs a remesh, in the way
+/// in which the result was made. Nothing is given up of a result of another type, by collapses, or with other
+/// lengths than were asked for; not the last crease, and none whose loss makes the others count as noise.
+RemeshResult without_harmful_creases(const geom::TriMesh& surface, const RemeshOptions& options,
+                                     RemeshResult result, const RemeshWithFeatures& remesh);
+
+}  // namespace fpo

@@ -1,0 +1,133 @@
+#include "fpo/remesh/harmful_creases.h"
+
+#include <memory>
+#include <vector>
+
+#include "doctest.h"
+#include "fpo/remesh/remesh_defaults.h"
+#include "geom/check.h"
+#include "tests/fixtures/block.h"
+#include "tests/fixtures/triangles.h"
+
+using namespace fpo;
+using geom::TriMesh;
+using geom::Vec3;
+
+namespace {
+
+constexpr std::size_t samples = 96;  // a spacing of 1
+
+/// 10 x 4 x .3.
+TriMesh plate() { return fixtures::block(10, 4, 0.3); }
+
+RemeshOptions options() {
+  RemeshOptions result;
+  result.num_samples = samples;
+  result.features = automatic_features();
+  result.features->yielding = true;
+  return result;
+}
+
+/// So many angles of 17 degrees across one side of the plate.
+TriMesh bad(std::size_t number) {
+  return fixtures::apart(
+      std::vector<fixtures::Triangle>(number, {Vec3(2, 0, 0), Vec3(3, 0, 0), Vec3(2, 0, 0.3)}));
+}
+
+/// With all creases.
+RemeshResult with_small_angles(const TriMesh& surface) {
+  RemeshResult result;
+  result.mesh = bad(40);
+  result.feature_samples = result.mesh.num_vertices();
+  result.kept = std::make_shared<const Features>(find_features(surface, automatic_features()));
+  result.crease_curves = result.kept->curves.size();
+  result.measures.theta_min = 17;
+  return result;
+}
+
+/// What is made with other features: the smallest angle is larger, and small ones are fewer.
+struct Change {
+  double gain;
+  std::size_t divisor;
+};
+
+/// The numbers of curves that are asked for, and what comes of it.
+struct Asked {
+  std::vector<std::size_t> curves;
+  RemeshResult result;
+};
+
+Asked with_change(const Change& change) {
+  const TriMesh surface = plate();
+  Asked asked;
+  asked.result = without_harmful_creases(
+      surface, options(), with_small_angles(surface),
+      [&](const FeatureChoice& choice, const RemeshOptions&, const RemeshResult& rival) {
+        asked.curves.push_back(choice.features.curves.size());
+        RemeshResult result = rival;
+        result.mesh = bad(rival.mesh.num_facets() / change.divisor);
+        result.kept = std::make_shared<const Features>(choice.features);
+        result.measures.theta_min += change.gain;
+        return result;
+      });
+  return asked;
+}
+
+}  // namespace
+
+TEST_CASE("harmful creases: given up while that helps, and told") {
+  REQUIRE(with_small_angles(plate()).kept->curves.size() == 12);
+  const Asked better = with_change({3, 2});
+  REQUIRE(!better.curves.empty());
+  CHECK(better.curves.size() <= 3);
+  CHECK(better.curves.front() < 12);
+  CHECK(better.result.measures.theta_min > 17);
+  CHECK(better.result.features_missed);
+  CHECK(better.result.given_up.find("of 12 curves, for small angles beside them") != std::string::npos);
+}
+
+TEST_CASE(
+    "harmful creases: kept if without them the smallest angle is no larger, or small ones are as many") {
+  for (const Change& change : {Change{-1, 2}, Change{3, 1}}) {
+    const Asked asked = with_change(change);
+    CHECK(asked.curves.size() == 1);
+    CHECK(asked.result.kept->curves.size() == 12);
+    CHECK(asked.result.given_up.empty());
+    CHECK(!asked.result.features_missed);
+  }
+}
+
+TEST_CASE("harmful creases: what is refused or interrupted leaves the result as it is") {
+  const TriMesh surface = plate();
+  const RemeshResult begun = with_small_angles(surface);
+  for (const bool refused : {false, true}) {
+    int asked = 0;
+    const RemeshResult result = without_harmful_creases(
+        surface, options(), begun,
+        [&](const FeatureChoice&, const RemeshOptions&, const RemeshResult&) -> std::optional<RemeshResult> {
+          ++asked;
+          if (refused) throw geom::InputError("too few samples");
+          return {};
+        });
+    CHECK(asked == 1);
+    CHECK(result.kept == begun.kept);
+  }
+}
+
+TEST_CASE(
+    "harmful creases: nothing is tried for a result of another type, by collapses or with softer lengths") {
+  const TriMesh surface = plate();
+  for (int what = 0; what < 4; ++what) {
+    RemeshResult begun = with_small_angles(surface);
+    if (what == 0) begun.type.bare_samples = 1;
+    if (what == 1) begun.by_collapses = true;
+    if (what == 2) begun.least_length = 0.3;
+    if (what == 3) begun.kept = nullptr;
+    without_harmful_creases(
+        surface, options(), begun,
+        [&](const FeatureChoice&, const RemeshOptions&, const RemeshResult&) -> std::optional<RemeshResult> {
+          FAIL("asked for");
+          return {};
+        });
+  }
+}
