@@ -234,7 +234,7 @@ TEST_CASE("pipeline: where edges of curves are lost samples of close curves face
 TEST_CASE("pipeline: creases that nobody asked for are given up where angles beside them are small") {
   const geom::TriMesh plate = geom::make_shape("hole-plate");  // holes near its border
   RemeshOptions options = default_options(500, SizingKind::uniform);
-  options.optimize.max_iterations = 5;
+  options.optimize.max_iterations = 10;
   options.features->yielding = false;
   const RemeshResult all = remesh(plate, options);
   options.features->yielding = true;
