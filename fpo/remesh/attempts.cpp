@@ -104,6 +104,10 @@ bool is_in_pieces(const RemeshResult& r) {
           2 * r.measures.angles_below_30 > r.mesh.num_facets());
 }
 
+bool is_instead_of(const RemeshResult& first, const RemeshResult& without) {
+  return is_in_pieces(first) ? is_useful(without) : has_wanted_angles(without);
+}
+
 bool has_many_small_angles(const RemeshResult& r) {
   return r.crease_edges > 0 &&
          r.measures.angles_below_30 * triangles_for_one_small_angle > r.mesh.num_facets();

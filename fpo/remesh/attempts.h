@@ -51,6 +51,11 @@ bool has_few_small_angles(const RemeshResult& result);
 /// for two triangles.
 bool is_in_pieces(const RemeshResult& result);
 
+/// Is the first remesh with creases, of another type and with many small angles, given up for one without, so
+/// that other ways with them are not tried? This is to have the wanted angles; if that one is in pieces it is
+/// only to be useful.
+bool is_instead_of(const RemeshResult& first, const RemeshResult& without);
+
 /// With creases, and an angle below 30 degrees for ten triangles: there are lines between which no good ones
 /// have room.
 bool has_many_small_angles(const RemeshResult& result);

@@ -16,8 +16,8 @@
 namespace fpo {
 namespace {
 
-constexpr int most_rounds = 3;
-constexpr double most_lacking = 0.5;  // of what was lacking before
+constexpr int most_times = 3;
+constexpr double most_lacking = 0.7;  // of what was lacking before
 
 bool has_creases(const Features& features) {
   return std::ranges::any_of(features.curves, [](const FeatureCurve& curve) { return curve.sheets == 2; });
@@ -38,41 +38,58 @@ std::string told(const FeatureChoice& choice, std::size_t more, std::size_t of) 
 
 /// Are angles so much better? Creases are of worth, too.
 bool is_worth_it(const RemeshResult& fewer, const RemeshResult& result) {
-  return is_better(fewer, result) &&
+  return fewer.mesh.num_facets() > 0 && is_better(fewer, result) &&
          lacking_in_angles(fewer.mesh) <= most_lacking * lacking_in_angles(result.mesh);
 }
 
 /// None if it is refused as well.
 std::optional<RemeshResult> unless_refused(const RemeshWithFeatures& remesh, const FeatureChoice& choice,
-                                           const RemeshOptions& how, const RemeshResult& rival) try {
-  return remesh(choice, how, rival);
+                                           const RemeshOptions& how) try {
+  return remesh(choice, how);
 } catch (const geom::InputError&) {
   return {};
+}
+
+/// As that one was made, but where sheets were together they may be set apart: with fewer creases they may do
+/// harm that they did not do before.
+RemeshOptions in_this_way(const RemeshResult& result, const RemeshOptions& options) {
+  RemeshOptions how = in_the_way_of(result, options);
+  if (!result.has_levels) how.sheets = options.sheets;
+  return how;
 }
 
 }  // namespace
 
 RemeshResult without_harmful_creases(const geom::TriMesh& surface, const RemeshOptions& options,
                                      RemeshResult result, const RemeshWithFeatures& remesh) {
-  const std::size_t num_curves = result.kept ? result.kept->curves.size() : 0;
+  if (!may_have_harmful_creases(result)) return result;
+  const std::size_t num_curves = result.kept->curves.size();
   const double spacing = even_spacing(surface, options);
   RemeshOptions fewer = options;
+  fewer.strong_creases_only = result.strong_only;
+  const auto find_harmful = [&] {
+    return harmful_curves(surface, *result.kept, {result.mesh, result.feature_samples}, spacing);
+  };
+  std::vector<std::size_t> harmful = find_harmful();
   std::size_t number = 0;
-  for (int round = 0; round < most_rounds && may_have_harmful_creases(result); ++round) {
+  for (int attempt = 0; attempt < most_times && !harmful.empty(); ++attempt) {
     if (interrupted(options.optimize.interrupted)) break;
-    const std::vector<std::size_t> harmful =
-        harmful_curves(surface, *result.kept, {result.mesh, result.feature_samples}, spacing);
-    if (harmful.empty()) break;
-    for (const auto& edge : edges_of_curves(*result.kept, harmful)) fewer.features->unmarked.push_back(edge);
-    fewer.strong_creases_only = result.strong_only;
-    const FeatureChoice choice = chosen_features(surface, fewer);
-    if (!has_creases(choice.features)) break;
-    std::optional<RemeshResult> other = unless_refused(remesh, choice, in_the_way_of(result, fewer), result);
-    if (!other || other->mesh.num_facets() == 0 || !is_worth_it(*other, result)) break;
+    RemeshOptions how = fewer;
+    for (const auto& edge : edges_of_curves(*result.kept, harmful)) how.features->unmarked.push_back(edge);
+    const FeatureChoice choice = chosen_features(surface, how);
+    std::optional<RemeshResult> other;
+    if (has_creases(choice.features)) other = unless_refused(remesh, choice, in_this_way(result, how));
+    if (!other || !is_worth_it(*other, result)) {
+      harmful.resize(harmful.size() / 2);
+      continue;
+    }
     result = std::move(*other);
     number += harmful.size();
     result.given_up = told(choice, number, num_curves);
     result.features_missed = true;
+    if (!may_have_harmful_creases(result)) break;
+    fewer.features->unmarked = how.features->unmarked;
+    harmful = find_harmful();
   }
   return result;
 }

@@ -9,14 +9,15 @@
 
 namespace fpo {
 
-/// A remesh with those features, or none if it is interrupted; a rival that is far better may end it early.
-using RemeshWithFeatures = std::function<std::optional<RemeshResult>(
-    const FeatureChoice&, const RemeshOptions&, const RemeshResult& rival)>;
+/// A remesh with those features, or none if it is interrupted.
+using RemeshWithFeatures =
+    std::function<std::optional<RemeshResult>(const FeatureChoice&, const RemeshOptions&)>;
 
-/// The result, or one with fewer creases, which is better and lacks in angles at most half as much: of what
-/// is left more is given up as long as that helps, at most three times. Each time costs a remesh, in the way
-/// in which the result was made. Nothing is given up of a result of another type, by collapses, or with other
-/// lengths than were asked for; not the last crease, and none whose loss makes the others count as noise.
+/// The result, or one with fewer creases, which is better and lacks in angles at most .7 as much: of what is
+/// left more is given up as long as that helps, half of it where all of it does not. That takes at most three
+/// remeshes, in the way in which the result was made. Nothing is given up of a result of another type, by
+/// collapses, or with other lengths than were asked for; not the last crease, and none whose loss makes the
+/// others count as noise.
 RemeshResult without_harmful_creases(const geom::TriMesh& surface, const RemeshOptions& options,
                                      RemeshResult result, const RemeshWithFeatures& remesh);
 

@@ -20,8 +20,8 @@ using geom::VertexId;
 
 namespace {
 
-constexpr double small_angle = 30;      // degrees
-constexpr double spacings_worth = 8;    // of a crease folded by 90 degrees: one angle of nothing
+constexpr double fair_angle = 28;       // degrees: a crease is worth more than the two that it lacks
+constexpr double spacings_worth = 10;   // of a crease folded by 90 degrees: one angle of nothing
 constexpr double least_left = 0.5;      // of all that there is to be seen
 constexpr double on_curve = 1e-6;       // of the spacing
 constexpr std::size_t on_features = 2;  // vertices of a triangle that curves are to blame for
@@ -77,9 +77,9 @@ Curves curves_to_blame(CurvesOfVertices& curves, const std::array<VertexId, 3>& 
   return all;
 }
 
-double lacking_in(double angle) { return std::max(1 - angle / small_angle, 0.0); }
+double lacking_in(double angle) { return std::max(1 - angle / fair_angle, 0.0); }
 
-/// A triangle with an angle below 30 degrees.
+/// A triangle with an angle that is less than fair.
 struct SmallAngle {
   double lacking;
   Curves curves;  ///< to blame for it
@@ -90,7 +90,7 @@ std::vector<SmallAngle> small_angles(CurvesOfVertices& curves, const TriMesh& me
   for (FacetId t(0); t.index() < mesh.num_facets(); t = FacetId(t.value + 1)) {
     const std::array<double, 3> angles = angles_of(mesh, t);
     const auto least = static_cast<std::size_t>(std::ranges::min_element(angles) - angles.begin());
-    if (!(angles[least] < small_angle)) continue;
+    if (!(angles[least] < fair_angle)) continue;
     const TriMesh::Facet& f = mesh.facet(t);
     Curves to_blame = curves_to_blame(curves, {f[least], f[(least + 1) % 3], f[(least + 2) % 3]});
     if (!to_blame.empty()) all.push_back({lacking_in(angles[least]), std::move(to_blame)});
@@ -140,7 +140,6 @@ std::vector<std::size_t> harmful_curves(const TriMesh& surface, const Features& 
     lost += seen.strengths[c];
     return false;
   });
-  std::ranges::sort(harmful);
   return harmful;
 }
 

@@ -16,16 +16,16 @@ struct RemeshWithCurves {
   std::size_t on_features = 0;
 };
 
-/// What angles below 30 degrees lack in all, the smallest of each triangle: 1 for no angle, nothing for 30
-/// degrees. O(F).
+/// What angles below 28 degrees lack in all, the smallest of each triangle: 1 for no angle, half for 14. Two
+/// degrees less than 30 are no reason to give up a crease. O(F).
 double lacking_in_angles(const geom::TriMesh& remesh);
 
-/// The creases that are not worth the angles below 30 degrees beside them. Of each triangle with such an
+/// The creases that are not worth the angles below 28 degrees beside them. Of each triangle with such an
 /// angle, unless that is one between curves of the input, the weakest crease (weak_curves.h) that it has a
 /// vertex on is to blame, if at least two vertices are on features. A crease goes if what its angles lack is
-/// worth as much as there is of it to be seen, at eight spacings each; those that are worth the least first,
-/// as long as half is left of all that there is to be seen. Ascending. O(small angles * edges of curves), and
-/// seen_curves() if there is any.
+/// worth as much as there is of it to be seen, at ten spacings each; those that are worth the least first,
+/// as long as half is left of all that there is to be seen. In that order. O(small angles * edges of curves),
+/// and seen_curves() if there is any.
 std::vector<std::size_t> harmful_curves(const geom::TriMesh& surface, const Features& features,
                                         const RemeshWithCurves& remesh, double spacing);
 

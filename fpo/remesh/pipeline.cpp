@@ -131,13 +131,26 @@ void go_to_the_end(Ways& ways) {
     ways.attempt(with_sheets(ways.options, Sheets::together), {.same = if_unmoved(*begun)});
 }
 
-/// The best way has only led to samples, at fault for sheets near each other: these are set apart.
-void set_apart(Ways& ways) {
+/// The first way, and what it led to at first if that was only samples, at fault for sheets near each other:
+/// these are set apart then.
+struct FirstWay {
+  RemeshResult result;
+  std::optional<RemeshResult> begun{};
+};
+
+FirstWay first_way(const geom::TriMesh& surface, const FeatureChoice& choice, const RemeshOptions& options) {
+  FirstWay first{remesh_with(surface, choice, options)};
+  if (!has_only_samples(first.result)) return first;
+  first.begun = std::move(first.result);
+  first.result = remesh_with(surface, choice, with_sheets(options, Sheets::apart), {&*first.begun, true});
+  return first;
+}
+
+/// Sheets were set apart: other ways where that has not led to what is wanted.
+void go_on_from_apart(Ways& ways, const RemeshResult& begun) {
   RemeshResult& best = ways.best;
   const RemeshOptions together = with_sheets(ways.options, Sheets::together);
-  const RemeshResult begun = std::move(best);
   const RemeshResult* const same = begun.cut_short ? nullptr : if_unmoved(begun);
-  best = ways.go(with_sheets(ways.options, Sheets::apart), {&begun, true});
   if (!best.has_levels) {
     std::optional<RemeshResult> other = ways.go_if_time(together, {.same = same});
     best = other ? std::move(*other) : ways.go(together, {&begun});
@@ -158,12 +171,13 @@ void set_apart(Ways& ways) {
 /// and the input has edges of more than two facets: most such are faulty all over, and each way is as slow.
 /// `first`: what the first way leads to, if that is known.
 RemeshResult remesh_with_sheets(const geom::TriMesh& surface, const FeatureChoice& choice,
-                                const RemeshOptions& options, std::optional<RemeshResult> first = {}) {
-  Ways ways{surface, choice, options, first ? std::move(*first) : remesh_with(surface, choice, options)};
+                                const RemeshOptions& options, std::optional<FirstWay> first = {}) {
+  if (!first) first = first_way(surface, choice, options);
+  Ways ways{surface, choice, options, std::move(first->result)};
   RemeshResult& best = ways.best;
   const RemeshOptions together = with_sheets(options, Sheets::together);
-  const bool parted = has_only_samples(best);
-  if (parted) set_apart(ways);
+  const bool parted = first->begun.has_value();
+  if (parted) go_on_from_apart(ways, *first->begun);
   if (options.sheets != Sheets::automatic || options.method != Method::fpo || is_fine(best) ||
       is_saved(best) || best.stood_in ||  // all of this was tried on what stood in
       should_drop_creases(surface, best, options) || (is_remnant(best.mesh) && !may_be_faced(best)))
@@ -216,7 +230,7 @@ bool take_if_better_with(const geom::TriMesh& surface, const FeatureChoice& choi
 
 /// The same, and once more without staggered samples where these may have spoilt it; the better one.
 RemeshResult remesh_sheets(const geom::TriMesh& surface, const FeatureChoice& choice,
-                           const RemeshOptions& options, std::optional<RemeshResult> first = {}) {
+                           const RemeshOptions& options, std::optional<FirstWay> first = {}) {
   RemeshResult best = remesh_with_sheets(surface, choice, options, std::move(first));
   if (!is_undone_by_staggering(best) || options.sheets != Sheets::automatic || best.stood_in ||
       should_drop_creases(surface, best, options) || interrupted(options))
@@ -328,12 +342,12 @@ bool settles_creases(const WithRoom& with_room, const geom::TriMesh& surface, co
   return should_drop_creases(surface, result, options) || (is_in_ruins(result) && !may_be_faced(result));
 }
 
-/// Without creases, if the first way with them leaves these in pieces and many angles small. Other ways with
+/// Without creases, if the first way with them leads to another type and many small angles. Other ways with
 /// them come after that, for each costs as much.
-std::optional<RemeshResult> instead_of_pieces(const geom::TriMesh& surface, const RemeshResult& first,
-                                              const RemeshOptions& options) {
-  if (!may_drop_creases(options) || options.sizing != SizingKind::uniform || !is_in_pieces(first) ||
-      is_useful(as_it_will_be(first)) || interrupted(options) ||
+std::optional<RemeshResult> seen_without_creases(const geom::TriMesh& surface, const RemeshResult& first,
+                                                 const RemeshOptions& options) {
+  if (!may_drop_creases(options) || options.sizing != SizingKind::uniform || first.type.ok() ||
+      !has_many_small_angles(first) || is_useful(as_it_will_be(first)) || interrupted(options) ||
       geom::topology(surface).nonmanifold_edges > 0)
     return {};
   return remesh_without_creases(surface, options);
@@ -344,10 +358,8 @@ RemeshResult with_good_creases(const geom::TriMesh& surface, RemeshResult result
                                const RemeshOptions& options) {
   if (!may_drop_creases(options)) return result;
   return without_harmful_creases(
-      surface, options, std::move(result),
-      [&](const FeatureChoice& choice, const RemeshOptions& how, const RemeshResult& rival) {
-        return unless_interrupted(options,
-                                  [&] { return remesh_with(surface, choice, how, {.rival = &rival}); });
+      surface, options, std::move(result), [&](const FeatureChoice& choice, const RemeshOptions& how) {
+        return unless_interrupted(options, [&] { return first_way(surface, choice, how).result; });
       });
 }
 
@@ -361,14 +373,15 @@ RemeshResult remesh_with_useful_creases(const geom::TriMesh& surface, const Reme
   RemeshOptions how = options;
   how.strong_creases_only |= roomy.has_value();
   const FeatureChoice& chosen = roomy ? *roomy : all;
-  RemeshResult first = remesh_with(surface, chosen, how);
-  std::optional<RemeshResult> without = instead_of_pieces(surface, first, options);
-  if (without && is_useful(as_it_will_be(*without)))
-    return with_creases_dropped(std::move(*without), harm_of_creases(as_it_will_be(first)));
-  first = remesh_sheets(surface, chosen, how, std::move(first));
+  FirstWay first = first_way(surface, chosen, how);
+  std::optional<RemeshResult> without = seen_without_creases(surface, first.result, options);
+  if (without && is_instead_of(first.result, as_it_will_be(*without)))
+    return with_creases_dropped(std::move(*without), harm_of_creases(as_it_will_be(first.result)));
+  RemeshResult chosen_ones = remesh_sheets(surface, chosen, how, std::move(first));
   std::optional<WithRoom> with_room;
   if (roomy)
-    with_room = {std::move(first), length_of(surface, chosen.features) / length_of(surface, all.features)};
+    with_room = {std::move(chosen_ones),
+                 length_of(surface, chosen.features) / length_of(surface, all.features)};
   if (with_room &&
       (has_wanted_angles(with_room->result) || with_room->result.made_coarser || interrupted(options)))
     return with_good_creases(surface, std::move(with_room->result), options);
@@ -379,7 +392,7 @@ RemeshResult remesh_with_useful_creases(const geom::TriMesh& surface, const Reme
     result = std::move(with_room->result);
     if (!settled) take_if_better_with(surface, all, options, result);
   } else {
-    result = std::move(first);
+    result = std::move(chosen_ones);
   }
   with.had_many_small_angles = has_many_small_angles(as_it_will_be(result));
   if (!is_slow_with_creases(surface, result, options))

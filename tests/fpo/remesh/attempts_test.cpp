@@ -141,6 +141,22 @@ TEST_CASE(
   }));
 }
 
+TEST_CASE("attempts: without creases 10 degrees do instead of pieces, 30 instead of others") {
+  RemeshResult pieces = measured(false, 5, 51);
+  pieces.mesh = geom::make_shape("sphere", 6);
+  pieces.crease_edges = 100;
+  pieces.measures.angles_below_30 = pieces.mesh.num_facets() / 10 + 1;
+  RemeshResult whole = pieces;
+  whole.broken_feature_edges = 50;
+  for (const double theta : {9.0, 11.0, 29.0, 31.0}) {
+    CAPTURE(theta);
+    CHECK(is_instead_of(pieces, measured(true, theta, 0)) == (theta > 10));
+    CHECK(is_instead_of(whole, measured(true, theta, 0)) == (theta > 30));
+    CHECK(!is_instead_of(pieces, measured(false, theta, 0)));
+    CHECK(!is_instead_of(whole, measured(false, theta, 0)));
+  }
+}
+
 TEST_CASE("attempts: small angles are few up to one for a hundred triangles, with the type and all edges") {
   RemeshResult result = measured(true, 20, 0);
   result.mesh = geom::make_shape("sphere", 10);

@@ -1,5 +1,7 @@
 #include "fpo/remesh/harmful_curves.h"
 
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "doctest.h"
@@ -48,9 +50,24 @@ TEST_CASE("harmful curves: one of two creases goes where triangles between are s
   const std::vector<std::size_t> curves = harmful(surface, {across_side(2, 0), across_side(4, 0)});
   REQUIRE(curves.size() == 1);
   CHECK(is_along(surface, curves[0], {5, 0, 0}) != is_along(surface, curves[0], {5, 0, 0.3}));
-  const std::vector<std::size_t> both =
-      harmful(surface, {across_side(2, 0), across_side(4, 0), across_side(2, 4), across_side(4, 4)});
+  std::vector<Triangle> on_both;
+  for (const double x : {2, 4})
+    for (const double y : {0, 4}) on_both.push_back(across_side(x, y));
+  const std::vector<std::size_t> both = harmful(surface, on_both);
   CHECK(both.size() == 2);
+}
+
+TEST_CASE("harmful curves: an angle that is hardly below 30 degrees is worth nothing") {
+  const auto lacking = [](double degrees) {
+    const double height = std::tan(degrees * std::numbers::pi / 180);
+    return lacking_in_angles(fixtures::apart({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, height, 0)}}));
+  };
+  CHECK(lacking(28.1) == 0);
+  CHECK(lacking(21) == doctest::Approx(0.25));
+  CHECK(lacking(14) == doctest::Approx(0.5));
+  CHECK(lacking(0) == 1);
+  const Triangle hardly{Vec3(2, 0, 0), Vec3(2.55, 0, 0), Vec3(2, 0, 0.3)};
+  CHECK(harmful(plate(), std::vector<Triangle>(20, hardly)).empty());
 }
 
 TEST_CASE("harmful curves: angles of 30 degrees, beside one sample of a curve, or off the features do none") {
