@@ -33,7 +33,7 @@ std::string told(const FeatureChoice& choice, std::size_t more, std::size_t of) 
   const std::string number = std::to_string(more);
   if (!choice.given_up.empty()) return choice.given_up + "; " + number + " more for small angles beside them";
   return "creases given up: " + number + " of " + std::to_string(of) +
-         " curves, for small angles beside them; --features 45 keeps them";
+         " curves, for small angles beside them; --features 30 keeps them";
 }
 
 /// Are angles so much better? Creases are of worth, too.

@@ -334,6 +334,7 @@ TEST_CASE("attempts: a mesh by collapses that leaves parts out is worse than one
 TEST_CASE("attempts: a comb is of its type where staggered samples spoil it") {
   RemeshOptions options = default_options(1100, SizingKind::uniform);
   options.improve_fidelity = false;
+  options.features->yielding = false;
   const RemeshResult result = remesh(geom::make_shape("comb"), options);
   CHECK(result.type.ok());
   CHECK(result.staggered_curves == 0);
