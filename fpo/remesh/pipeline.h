@@ -109,7 +109,7 @@ struct RemeshResult {
   std::string given_up;                  ///< features that are not kept, and why, for users; empty: none
   bool features_missed = false;          ///< and they are of the shape: worth a warning
   std::size_t collapsed_curves = 0;      ///< too short for the spacing
-  std::shared_ptr<const Features> kept;  ///< features of the input that were to be; null: made elsewhere
+  std::shared_ptr<const Features> kept;  ///< features of this surface that were to be; null: of another
   bool strong_only = false;              ///< and they are the strong ones alone
   FeatureBound feature_bound;            ///< how many samples keep all features
   Protection protection;                 ///< of those edges
