@@ -139,10 +139,6 @@ class Collapse {
   std::vector<VertexId> lost_;
 };
 
-bool has_creases(const Features& features) {
-  return std::ranges::any_of(features.curves, [](const FeatureCurve& c) { return c.sheets == 2; });
-}
-
 /// Are most edges that are no creases within plane faces?
 bool is_polyhedron(const TriMesh& mesh, const Features& features) {
   constexpr double cos_flat = 0.9998;  // a degree
@@ -253,6 +249,10 @@ std::optional<StrongCurves> strong_curves(const TriMesh& mesh, const FeatureOpti
 }
 
 }  // namespace
+
+bool has_creases(const Features& features) {
+  return std::ranges::any_of(features.curves, [](const FeatureCurve& c) { return c.sheets == 2; });
+}
 
 Features with_short_curves_collapsed(const TriMesh& mesh, Features features, double reach) {
   Collapse(mesh, features, reach).run();

@@ -41,6 +41,9 @@ struct FeatureChoice {
 /// then corners, if borders need more samples than there are. Borders stay. Else nothing is dropped.
 FeatureChoice choose_features(const geom::TriMesh& mesh, FeatureOptions options, const SamplingPlan& plan);
 
+/// Is any curve a crease?
+bool has_creases(const Features& features);
+
 /// All those that could be kept with enough samples: with turns seen between mesh edges, none given up, none
 /// collapsed. What fades out is judged at this spacing. None if the creases are dropped however many samples
 /// there are, as noise.

@@ -1,6 +1,5 @@
 #include "fpo/remesh/harmful_creases.h"
 
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -18,10 +17,6 @@ namespace {
 
 constexpr int most_times = 3;
 constexpr double most_lacking = 0.7;  // of what was lacking before
-
-bool has_creases(const Features& features) {
-  return std::ranges::any_of(features.curves, [](const FeatureCurve& curve) { return curve.sheets == 2; });
-}
 
 bool may_have_harmful_creases(const RemeshResult& result) {
   return result.kept && result.type.ok() && !result.by_collapses && result.crease_curves > 0 &&

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <optional>
 
@@ -98,11 +97,10 @@ std::vector<SmallAngle> small_angles(CurvesOfVertices& curves, const TriMesh& me
   return all;
 }
 
-/// What is lacking beside each curve that is the weakest to blame.
+/// What is lacking beside each curve that is the weakest to blame. What is no crease is so only where no
+/// crease is, and is never given up: its strength is infinite.
 std::map<std::size_t, double> lacking(const std::vector<SmallAngle>& angles, const SeenCurves& seen) {
-  const auto may_go = [&](std::size_t c) {
-    return std::isfinite(seen.strengths[c]) && seen.lengths[c] >= shortest_curve * seen.spacing;
-  };
+  const auto may_go = [&](std::size_t c) { return seen.lengths[c] >= shortest_curve * seen.spacing; };
   std::map<std::size_t, double> sums;
   for (const SmallAngle& angle : angles) {
     std::optional<std::size_t> weakest;

@@ -1,6 +1,5 @@
 #include "fpo/remesh/stand_in_remesh.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "fpo/interruption.h"
@@ -18,10 +17,6 @@ namespace {
 bool may_stand_in(const RemeshOptions& options) {
   return options.method == Method::fpo && options.optimize.max_iterations > 0 &&
          !(options.features && !options.features->marked.empty());
-}
-
-bool has_creases(const Features& features) {
-  return std::ranges::any_of(features.curves, [](const FeatureCurve& curve) { return curve.sheets == 2; });
 }
 
 /// Its samples brought to the surface. None if it is refused.

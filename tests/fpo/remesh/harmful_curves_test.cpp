@@ -1,5 +1,6 @@
 #include "fpo/remesh/harmful_curves.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -29,9 +30,9 @@ Triangle beside_edge(double x, double y, double z) {
 }
 
 std::vector<std::size_t> harmful(const TriMesh& surface, const std::vector<Triangle>& triangles,
-                                 std::size_t on_features = 1000) {
+                                 std::size_t on_features = 1000, double spacing = 1) {
   const Features features = find_features(surface, automatic_features());
-  return harmful_curves(surface, features, {fixtures::apart(triangles), on_features}, 1);
+  return harmful_curves(surface, features, {fixtures::apart(triangles), on_features}, spacing);
 }
 
 bool is_along(const TriMesh& surface, std::size_t curve, const Vec3& x) {
@@ -84,17 +85,24 @@ TEST_CASE("harmful curves: angles of 30 degrees, beside one sample of a curve, o
 TEST_CASE("harmful curves: corners of the input stay, and creases are not given up if that takes most") {
   const TriMesh wedge = geom::make_shape("wedge");
   const Features features = find_features(wedge, automatic_features());
-  std::vector<Triangle> corners;  // at each corner, of samples on two curves that meet there
-  for (const FeatureCurve& a : features.curves)
-    for (const FeatureCurve& b : features.curves) {
-      if (&a == &b || a.vertices.front() != b.vertices.front()) continue;
-      const Vec3 tip = wedge.position(a.vertices.front()), p = wedge.position(a.vertices.back()),
-                 q = wedge.position(b.vertices.back());
-      corners.push_back({tip, tip + (p - tip).normalized() / 10, tip + (q - tip).normalized() / 10});
-    }
-  REQUIRE(!corners.empty());
-  for (int i = 0; i < 4; ++i) corners.insert(corners.end(), corners.begin(), corners.end());
-  CHECK(harmful(wedge, corners).empty());
+  std::vector<Triangle> corners;  // of samples on two curves that meet there
+  const auto other_end = [](const FeatureCurve& curve, geom::VertexId end) {
+    return end == curve.vertices.front() ? curve.vertices.back() : curve.vertices.front();
+  };
+  for (const geom::VertexId tip : features.corners)
+    for (const FeatureCurve& a : features.curves)
+      for (const FeatureCurve& b : features.curves) {
+        const bool meet = &a < &b && std::ranges::find(a.vertices, tip) != a.vertices.end() &&
+                          std::ranges::find(b.vertices, tip) != b.vertices.end();
+        if (!meet) continue;
+        const Vec3 x = wedge.position(tip), p = wedge.position(other_end(a, tip)),
+                   q = wedge.position(other_end(b, tip));
+        corners.push_back({x, x + (p - x).normalized() / 10, x + (q - x).normalized() / 10});
+      }
+  REQUIRE(lacking_in_angles(fixtures::apart(corners)) > 0.9);  // two of 15 degrees
+  std::vector<Triangle> many;
+  for (int i = 0; i < 20; ++i) many.insert(many.end(), corners.begin(), corners.end());
+  CHECK(harmful(wedge, many, 3 * many.size(), 0.1).empty());
 
   const TriMesh surface = plate();
   const std::vector<Triangle> one(20, beside_edge(2, 0, 0));
