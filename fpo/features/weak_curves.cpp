@@ -41,15 +41,24 @@ std::vector<double> lengths_of(const TriMesh& mesh, const Features& features) {
   return lengths;
 }
 
-/// Its mean, by length.
-double fold_of(const TriMesh& mesh, const FeatureCurve& curve, double length) {
-  double sum = 0;
+/// Folds times lengths.
+std::vector<double> folds_of_edges(const TriMesh& mesh, const FeatureCurve& curve) {
+  std::vector<double> folds;
   for (std::size_t i = 0; i < curve.facets.size(); ++i) {
     const VertexId a = curve.vertices[i], b = curve.vertices[(i + 1) % curve.vertices.size()];
-    sum += std::min(fold_at(mesh, curve.facets[i], a, b), full_fold) *
-           (mesh.position(b) - mesh.position(a)).norm();
+    folds.push_back(std::min(fold_at(mesh, curve.facets[i], a, b), full_fold) *
+                    (mesh.position(b) - mesh.position(a)).norm());
   }
-  return length > 0 ? sum / length : 0;
+  return folds;
+}
+
+double sum_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+/// Its mean, by length.
+double fold_of(const TriMesh& mesh, const FeatureCurve& curve, double length) {
+  return length > 0 ? sum_of(folds_of_edges(mesh, curve)) / length : 0;
 }
 
 }  // namespace
@@ -65,6 +74,13 @@ SeenCurves seen_curves(const TriMesh& mesh, const Features& features, double spa
                                                    fold_of(mesh, features.curves[c], lengths[c]) / full_fold
                                              : std::numeric_limits<double>::infinity();
   return result;
+}
+
+std::vector<double> seen_of_edges(const TriMesh& mesh, const FeatureCurve& curve) {
+  std::vector<double> edges = folds_of_edges(mesh, curve);
+  const double sum = sum_of(edges);
+  for (double& edge : edges) edge = sum > 0 ? edge / sum : 1 / static_cast<double>(edges.size());
+  return edges;
 }
 
 double total_strength(const SeenCurves& curves) {

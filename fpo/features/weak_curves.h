@@ -22,6 +22,9 @@ struct SeenCurves {
 
 SeenCurves seen_curves(const geom::TriMesh& mesh, const Features& features, double spacing);
 
+/// How much of what there is to be seen of a curve is at each of its edges, by length and fold; 1 in all.
+std::vector<double> seen_of_edges(const geom::TriMesh& mesh, const FeatureCurve& curve);
+
 /// Of all creases.
 double total_strength(const SeenCurves& curves);
 

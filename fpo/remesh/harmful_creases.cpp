@@ -1,5 +1,6 @@
 #include "fpo/remesh/harmful_creases.h"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -8,7 +9,7 @@
 #include "fpo/features/weak_curves.h"
 #include "fpo/interruption.h"
 #include "fpo/remesh/attempts.h"
-#include "fpo/remesh/harmful_curves.h"
+#include "fpo/remesh/harmful_parts.h"
 #include "fpo/remesh/remesh_task.h"
 #include "geom/check.h"
 
@@ -16,25 +17,49 @@ namespace fpo {
 namespace {
 
 constexpr int most_times = 3;
-constexpr double most_lacking = 0.7;  // of what was lacking before
+constexpr double most_lacking = 0.75;  // of what was lacking before
 
 bool may_have_harmful_creases(const RemeshResult& result) {
   return result.kept && result.type.ok() && !result.by_collapses && result.crease_curves > 0 &&
          result.least_length == 0;
 }
 
+/// How many curves are given up, for users.
+struct Number {
+  std::size_t curves = 0, in_part = 0;
+  void add(const std::vector<CreasePart>& parts) {
+    curves += parts.size();
+    in_part += static_cast<std::size_t>(std::ranges::count(parts, false, &CreasePart::is_whole));
+  }
+};
+
 /// With a choice of features, for users.
-std::string told(const FeatureChoice& choice, std::size_t more, std::size_t of) {
-  const std::string number = std::to_string(more);
-  if (!choice.given_up.empty()) return choice.given_up + "; " + number + " more for small angles beside them";
-  return "creases given up: " + number + " of " + std::to_string(of) +
-         " curves, for small angles beside them; --features 30 keeps them";
+std::string told(const FeatureChoice& choice, const Number& number, std::size_t of) {
+  const std::string in_part = number.in_part == 0 ? ""
+                              : number.in_part == number.curves
+                                  ? ", in part"
+                                  : ", " + std::to_string(number.in_part) + " of them in part";
+  const std::string curves = std::to_string(number.curves), why = in_part + ", for small angles beside them";
+  if (!choice.given_up.empty()) return choice.given_up + "; " + curves + " more" + why;
+  return "creases given up: " + curves + " of " + std::to_string(of) + " curves" + why +
+         "; --features 30 keeps them";
 }
 
 /// Are angles so much better? Creases are of worth, too.
 bool is_worth_it(const RemeshResult& fewer, const RemeshResult& result) {
   return fewer.mesh.num_facets() > 0 && is_better(fewer, result) &&
          lacking_in_angles(fewer.mesh) <= most_lacking * lacking_in_angles(result.mesh);
+}
+
+/// Could it be, if all goes well?
+bool may_be_worth_it(const std::vector<CreasePart>& parts, const RemeshResult& result) {
+  double lacking = 0;
+  for (const CreasePart& part : parts) lacking += part.lacking;
+  return lacking >= (1 - most_lacking) * lacking_in_angles(result.mesh);
+}
+
+void append(const std::vector<FeatureEdge>& edges, std::vector<FeatureEdge>& to) {
+  to.insert(to.end(), edges.begin(), edges.end());
 }
 
 /// None if it is refused as well.
@@ -62,29 +87,33 @@ RemeshResult without_harmful_creases(const geom::TriMesh& surface, const RemeshO
   const double spacing = even_spacing(surface, options);
   RemeshOptions fewer = options;
   fewer.strong_creases_only = result.strong_only;
+  std::vector<FeatureEdge> spared;
   const auto find_harmful = [&] {
-    return harmful_curves(surface, *result.kept, {result.mesh, result.feature_samples}, spacing);
+    return harmful_parts(surface, *result.kept, {result.mesh, result.feature_samples}, {spacing, spared});
   };
-  std::vector<std::size_t> harmful = find_harmful();
-  std::size_t number = 0;
+  std::vector<CreasePart> harmful = find_harmful();
+  Number number;
   for (int attempt = 0; attempt < most_times && !harmful.empty(); ++attempt) {
-    if (interrupted(options.optimize.interrupted)) break;
+    if (interrupted(options.optimize.interrupted) || !may_be_worth_it(harmful, result)) break;
     RemeshOptions how = fewer;
-    for (const auto& edge : edges_of_curves(*result.kept, harmful)) how.features->unmarked.push_back(edge);
+    for (const CreasePart& part : harmful) append(part.edges, how.features->unmarked);
     const FeatureChoice choice = chosen_features(surface, how);
     std::optional<RemeshResult> other;
     if (has_creases(choice.features)) other = unless_refused(remesh, choice, in_this_way(result, how));
-    if (!other || !is_worth_it(*other, result)) {
+    if (other && is_worth_it(*other, result)) {
+      result = std::move(*other);
+      number.add(harmful);
+      result.given_up = told(choice, number, num_curves);
+      result.features_missed = true;
+      if (!may_have_harmful_creases(result)) break;
+      fewer.features->unmarked = how.features->unmarked;
+      harmful = find_harmful();
+    } else if (harmful.size() > 1) {
       harmful.resize(harmful.size() / 2);
-      continue;
+    } else {
+      append(harmful.front().edges, spared);
+      harmful = find_harmful();
     }
-    result = std::move(*other);
-    number += harmful.size();
-    result.given_up = told(choice, number, num_curves);
-    result.features_missed = true;
-    if (!may_have_harmful_creases(result)) break;
-    fewer.features->unmarked = how.features->unmarked;
-    harmful = find_harmful();
   }
   return result;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Creases that were kept are given up where angles beside them are small (harmful_curves.h).
+// Creases that were kept are given up where angles beside them are small (harmful_parts.h).
 
 #include <functional>
 #include <optional>
@@ -13,11 +13,11 @@ namespace fpo {
 using RemeshWithFeatures =
     std::function<std::optional<RemeshResult>(const FeatureChoice&, const RemeshOptions&)>;
 
-/// The result, or one with fewer creases, which is better and lacks in angles at most .7 as much: of what is
-/// left more is given up as long as that helps, half of it where all of it does not. That takes at most three
-/// remeshes, in the way in which the result was made. Nothing is given up of a result of another type, by
-/// collapses, or with other lengths than were asked for; not the last crease, and none whose loss makes the
-/// others count as noise.
+/// The result, or one with less of the creases, which is better and lacks in angles at most three quarters as
+/// much: of what is left more is given up as long as that helps, half of it where all of it does not, another
+/// where one does not. That takes at most three remeshes, in the way in which the result was made. Nothing is
+/// given up of a result of another type, by collapses, or with other lengths than were asked for; not the
+/// last crease, and none whose loss makes the others count as noise.
 RemeshResult without_harmful_creases(const geom::TriMesh& surface, const RemeshOptions& options,
                                      RemeshResult result, const RemeshWithFeatures& remesh);
 

@@ -1,5 +1,7 @@
 #include "fpo/remesh/harmful_creases.h"
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -53,9 +55,10 @@ struct Change {
   std::size_t divisor;
 };
 
-/// The numbers of curves that are asked for, and what comes of it.
+/// The numbers of curves that are asked for, the edges given up for that, and what comes of it.
 struct Asked {
   std::vector<std::size_t> curves;
+  std::vector<std::vector<std::array<geom::VertexId, 2>>> unmarked;
   RemeshResult result;
 };
 
@@ -64,8 +67,9 @@ Asked with_change(const Change& change) {
   Asked asked;
   RemeshResult last = with_small_angles(surface);
   asked.result = without_harmful_creases(surface, options(), with_small_angles(surface),
-                                         [&](const FeatureChoice& choice, const RemeshOptions&) {
+                                         [&](const FeatureChoice& choice, const RemeshOptions& how) {
                                            asked.curves.push_back(choice.features.curves.size());
+                                           asked.unmarked.push_back(how.features->unmarked);
                                            RemeshResult result = last;
                                            result.mesh = bad(last.mesh.num_facets() / 2 / change.divisor);
                                            result.kept = std::make_shared<const Features>(choice.features);
@@ -93,8 +97,11 @@ TEST_CASE(
     "harmful creases: kept if without them the smallest angle is no larger, or small ones are as many") {
   for (const Change& change : {Change{-1, 2}, Change{3, 1}}) {
     const Asked asked = with_change(change);
-    REQUIRE(asked.curves.size() == 2);  // without both, then without one
+    REQUIRE(asked.curves.size() == 3);  // without both, then without one, then without others
     CHECK(asked.curves[0] < asked.curves[1]);
+    CHECK(asked.curves[2] < 12);
+    for (const auto& edge : asked.unmarked[1])
+      CHECK(std::ranges::find(asked.unmarked[2], edge) == asked.unmarked[2].end());
     CHECK(asked.result.kept->curves.size() == 12);
     CHECK(asked.result.given_up.empty());
     CHECK(!asked.result.features_missed);
@@ -113,7 +120,7 @@ TEST_CASE("harmful creases: what is refused or interrupted leaves the result as 
           if (refused) throw geom::InputError("too few samples");
           return {};
         });
-    CHECK(asked == 2);
+    CHECK(asked == 3);
     CHECK(result.kept == begun.kept);
   }
 }
