@@ -17,7 +17,7 @@ namespace fpo {
 namespace {
 
 constexpr int most_times = 3;
-constexpr double most_lacking = 0.75;  // of what was lacking before
+constexpr double most_lacking = 0.9;  // of what was lacking before
 
 bool may_have_harmful_creases(const RemeshResult& result) {
   return result.kept && result.type.ok() && !result.by_collapses && result.crease_curves > 0 &&

@@ -13,7 +13,7 @@ namespace fpo {
 using RemeshWithFeatures =
     std::function<std::optional<RemeshResult>(const FeatureChoice&, const RemeshOptions&)>;
 
-/// The result, or one with less of the creases, which is better and lacks in angles at most three quarters as
+/// The result, or one with less of the creases, which is better and lacks in angles at most nine tenths as
 /// much: of what is left more is given up as long as that helps, half of it where all of it does not, another
 /// where one does not. That takes at most three remeshes, in the way in which the result was made. Nothing is
 /// given up of a result of another type, by collapses, or with other lengths than were asked for; not the
