@@ -212,6 +212,23 @@ bool is_stepped(const TriMesh& mesh, const Features& features) {
   return others.number > many_others * sharp.number && sharp.mean() < longer * others.mean();
 }
 
+/// Curves along edges that somebody asked for are not given up.
+class AskedFor {
+ public:
+  explicit AskedFor(const FeatureOptions& options) {
+    for (const auto& [a, b] : options.marked) edges_.insert(std::minmax(a, b));
+  }
+  bool has(const FeatureCurve& curve) const {
+    for (std::size_t i = 0; i < curve.facets.size() && !edges_.empty(); ++i)
+      if (edges_.contains(std::minmax(curve.vertices[i], curve.vertices[(i + 1) % curve.vertices.size()])))
+        return true;
+    return false;
+  }
+
+ private:
+  std::set<std::pair<VertexId, VertexId>> edges_;
+};
+
 struct StrongCurves {
   FeatureOptions options;  ///< that find them
   Features features;
@@ -231,7 +248,15 @@ std::optional<StrongCurves> strong_curves(const TriMesh& mesh, const FeatureOpti
     return share_of_samples * least_number_of_samples(mesh, left, plan.fixed) <= plan.num_samples;
   };
   StrongCurves result{options, all};
-  SeenCurves seen = seen_curves(mesh, all, plan.spacing);
+  const AskedFor asked_for(options);
+  const auto seen_now = [&] {
+    SeenCurves seen = seen_curves(mesh, result.features, plan.spacing);
+    for (std::size_t c = 0; c < seen.strengths.size(); ++c)
+      if (asked_for.has(result.features.curves[c]))
+        seen.strengths[c] = std::numeric_limits<double>::infinity();
+    return seen;
+  };
+  SeenCurves seen = seen_now();
   const double enough = least_left * total_strength(seen);
   while (true) {
     WeakCurves wanted{.only_crowded = true};
@@ -243,7 +268,7 @@ std::optional<StrongCurves> strong_curves(const TriMesh& mesh, const FeatureOpti
     for (const auto& edge : edges_of_curves(result.features, weak)) result.options.unmarked.push_back(edge);
     result.features = find_features(mesh, result.options);
     result.given_up += weak.size();
-    seen = seen_curves(mesh, result.features, plan.spacing);
+    seen = seen_now();
     if (total_strength(seen) < enough) return {};
   }
 }

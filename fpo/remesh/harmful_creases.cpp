@@ -87,7 +87,7 @@ RemeshResult without_harmful_creases(const geom::TriMesh& surface, const RemeshO
   const double spacing = even_spacing(surface, options);
   RemeshOptions fewer = options;
   fewer.strong_creases_only = result.strong_only;
-  std::vector<FeatureEdge> spared;
+  std::vector<FeatureEdge> spared = options.features->marked;  // somebody asked for these
   const auto find_harmful = [&] {
     return harmful_parts(surface, *result.kept, {result.mesh, result.feature_samples}, {spacing, spared});
   };

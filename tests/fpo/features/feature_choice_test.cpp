@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "doctest.h"
+#include "fpo/features/weak_curves.h"
 #include "fpo/surface/sizing.h"
 #include "geom/rng.h"
 #include "geom/shapes/mesh_parts.h"
@@ -190,6 +195,29 @@ TEST_CASE("feature choice: what nobody asked for is never refused, and what is g
   CHECK(three.features.curves.size() == 1);
   CHECK(!three.given_up.empty());
   CHECK(three.are_missed);
+}
+
+TEST_CASE("feature choice: lines that somebody asked for are not among those given up") {
+  const TriMesh gear = geom::make_shape("gear");
+  SamplingPlan plan = plan_of(gear, 300);
+  plan.strong_only = true;
+  FeatureOptions options = automatic_features();
+  const auto edges_of = [](const Features& features) {
+    std::set<std::pair<VertexId, VertexId>> edges;
+    std::vector<std::size_t> all(features.curves.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    for (const auto& [a, b] : edges_of_curves(features, all)) edges.insert(std::minmax(a, b));
+    return edges;
+  };
+  const auto all = edges_of(find_features(gear, options));
+  const auto kept = edges_of(choose_features(gear, options, plan).features);
+  for (const auto& edge : all)
+    if (!kept.contains(edge) && options.marked.empty()) options.marked.push_back({edge.first, edge.second});
+  REQUIRE(!options.marked.empty());
+  const FeatureChoice now = choose_features(gear, options, plan);
+  CHECK(!now.given_up.empty());
+  const auto [a, b] = options.marked.front();
+  CHECK(edges_of(now.features).contains(std::minmax(a, b)));
 }
 
 TEST_CASE("feature choice: slivers make no creases and break none") {

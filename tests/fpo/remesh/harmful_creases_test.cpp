@@ -141,3 +141,16 @@ TEST_CASE(
                             });
   }
 }
+
+TEST_CASE("harmful creases: lines that somebody asked for stay") {
+  const TriMesh surface = plate();
+  const RemeshResult begun = with_small_angles(surface);
+  RemeshOptions asked = options();
+  for (const FeatureCurve& curve : begun.kept->curves)
+    asked.features->marked.push_back({curve.vertices.front(), curve.vertices.back()});
+  without_harmful_creases(surface, asked, begun,
+                          [&](const FeatureChoice&, const RemeshOptions&) -> std::optional<RemeshResult> {
+                            FAIL("given up");
+                            return {};
+                          });
+}
