@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fpo/features/curve_slides.h"
+#include "fpo/features/split_features.h"
 #include "fpo/interruption.h"
 #include "fpo/remesh/attempts.h"
 #include "fpo/remesh/distribution.h"
@@ -246,7 +247,7 @@ RemeshResult attempted_remesh(const geom::TriMesh& surface, const FeatureChoice&
   RemeshResult result;
   if (narrow) {
     task.narrow = &*narrow;
-    task.features = chosen_features(narrow->split.mesh, options).features;
+    task.features = split_features(choice.features, surface, narrow->split);
     result = remesh_task(task, options, coarser);
     return_to(narrow->split, result);
   } else {

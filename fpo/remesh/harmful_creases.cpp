@@ -17,11 +17,18 @@ namespace fpo {
 namespace {
 
 constexpr int most_times = 3;
+constexpr std::size_t few_faults = 12;
 constexpr double most_lacking = 0.9;  // of what was lacking before
 
+/// Of another type in a few places.
+bool has_few_faults(const RemeshResult& result) {
+  return result.mesh.num_facets() > 0 && !result.advice.places.empty() &&
+         std::max(result.advice.places.size(), result.thin_parts.faults_after) <= few_faults;
+}
+
 bool may_have_harmful_creases(const RemeshResult& result) {
-  return result.kept && result.type.ok() && !result.by_collapses && result.crease_curves > 0 &&
-         result.least_length == 0;
+  return result.kept && (result.type.ok() || has_few_faults(result)) && !result.by_collapses &&
+         result.crease_curves > 0 && result.least_length == 0;
 }
 
 /// How many curves are given up, for users.
@@ -48,7 +55,8 @@ std::string told(const FeatureChoice& choice, const Number& number, std::size_t 
 /// Are angles so much better? Creases are of worth, too.
 bool is_worth_it(const RemeshResult& fewer, const RemeshResult& result) {
   return fewer.mesh.num_facets() > 0 && is_better(fewer, result) &&
-         lacking_in_angles(fewer.mesh) <= most_lacking * lacking_in_angles(result.mesh);
+         (!result.type.ok() ||
+          lacking_in_angles(fewer.mesh) <= most_lacking * lacking_in_angles(result.mesh));
 }
 
 /// Could it be, if all goes well?
@@ -88,11 +96,13 @@ RemeshResult without_harmful_creases(const geom::TriMesh& surface, const RemeshO
   RemeshOptions fewer = options;
   fewer.strong_creases_only = result.strong_only;
   std::vector<FeatureEdge> spared = options.features->marked;  // somebody asked for these
-  const auto find_harmful = [&] {
-    return harmful_parts(surface, *result.kept, {result.mesh, result.feature_samples}, {spacing, spared});
+  const auto harmful_in = [&](const RemeshResult& of) {
+    const RemeshWithCurves remeshed{of.mesh, of.feature_samples, of.advice.places};
+    return harmful_parts(surface, *of.kept, remeshed, {spacing, spared});
   };
-  std::vector<CreasePart> harmful = find_harmful();
+  std::vector<CreasePart> harmful = harmful_in(result);
   Number number;
+  bool has_added = false;  // what others do harm without these
   for (int attempt = 0; attempt < most_times && !harmful.empty(); ++attempt) {
     if (interrupted(options.optimize.interrupted) || !may_be_worth_it(harmful, result)) break;
     RemeshOptions how = fewer;
@@ -107,12 +117,19 @@ RemeshResult without_harmful_creases(const geom::TriMesh& surface, const RemeshO
       result.features_missed = true;
       if (!may_have_harmful_creases(result)) break;
       fewer.features->unmarked = how.features->unmarked;
-      harmful = find_harmful();
+      harmful = harmful_in(result);
+      continue;
+    }
+    const bool may_add = !has_added && other && !other->type.ok() && may_have_harmful_creases(*other);
+    if (const std::vector<CreasePart> more = may_add ? harmful_in(*other) : std::vector<CreasePart>();
+        !more.empty()) {
+      harmful.insert(harmful.end(), more.begin(), more.end());
+      has_added = true;
     } else if (harmful.size() > 1) {
       harmful.resize(harmful.size() / 2);
     } else {
       append(harmful.front().edges, spared);
-      harmful = find_harmful();
+      harmful = harmful_in(result);
     }
   }
   return result;

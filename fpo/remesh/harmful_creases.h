@@ -14,10 +14,11 @@ using RemeshWithFeatures =
     std::function<std::optional<RemeshResult>(const FeatureChoice&, const RemeshOptions&)>;
 
 /// The result, or one with less of the creases, which is better and lacks in angles at most nine tenths as
-/// much: of what is left more is given up as long as that helps, half of it where all of it does not, another
-/// where one does not. That takes at most three remeshes, in the way in which the result was made. Nothing is
-/// given up of a result of another type, by collapses, or with other lengths than were asked for; not the
-/// last crease, and none whose loss makes the others count as noise.
+/// much, or has the type that the result has not: of what is left more is given up as long as that helps, at
+/// most a dozen faults being worth that; where it does not, and the others do harm then, some of these as
+/// well, or half of it, or another where one does not. That takes at most three remeshes, in the way in which
+/// the result was made. Nothing is given up of a result by collapses, or with other lengths than were asked
+/// for; not the last crease, none whose loss makes the others count as noise, and none that is marked.
 RemeshResult without_harmful_creases(const geom::TriMesh& surface, const RemeshOptions& options,
                                      RemeshResult result, const RemeshWithFeatures& remesh);
 

@@ -103,6 +103,18 @@ Curves curves_to_blame(CurvesOfVertices& curves, const std::array<VertexId, 3>& 
   return joined(joined(*at[0], *at[1]), *at[2]);
 }
 
+/// As angles of nothing between the curves that are near.
+std::vector<SmallAngle> faults(const TriMesh& surface, const Features& features,
+                               const RemeshWithCurves& remesh, double spacing) {
+  std::vector<SmallAngle> all;
+  for (const Vec3& x : remesh.faults) {
+    SmallAngle& fault = all.emplace_back(SmallAngle{1, {x, x, x}, {}});
+    for (std::size_t c = 0; c < features.curves.size(); ++c)
+      if (is_on(x, surface, features.curves[c], near_another * spacing)) fault.curves.push_back(c);
+  }
+  return all;
+}
+
 /// The worst first.
 std::vector<SmallAngle> small_angles(CurvesOfVertices& curves, const TriMesh& mesh) {
   std::vector<SmallAngle> all;
@@ -294,7 +306,9 @@ double lacking_in_angles(const TriMesh& remesh) {
 std::vector<CreasePart> harmful_parts(const TriMesh& surface, const Features& features,
                                       const RemeshWithCurves& remesh, const HarmOptions& options) {
   CurvesOfVertices curves(surface, features, remesh, on_curve * options.spacing);
-  const std::vector<SmallAngle> angles = small_angles(curves, remesh.mesh);
+  std::vector<SmallAngle> angles = faults(surface, features, remesh, options.spacing);
+  const std::vector<SmallAngle> small = small_angles(curves, remesh.mesh);
+  angles.insert(angles.end(), small.begin(), small.end());
   if (angles.empty()) return {};
   const SeenCurves seen = seen_curves(surface, features, options.spacing);
   Blame blame(surface, features, seen, options.spared);

@@ -12,10 +12,12 @@
 
 namespace fpo {
 
-/// A remesh whose first vertices are the samples on features of a surface.
+/// A remesh whose first vertices are the samples on features of a surface, and the places where it is not of
+/// the surface's type.
 struct RemeshWithCurves {
   const geom::TriMesh& mesh;
   std::size_t on_features = 0;
+  std::span<const geom::Vec3> faults = {};
 };
 
 using FeatureEdge = std::array<geom::VertexId, 2>;  ///< of the surface
@@ -37,7 +39,8 @@ struct HarmOptions {
 /// O(F).
 double lacking_in_angles(const geom::TriMesh& remesh);
 
-/// The parts of creases that are not worth the angles below 30 degrees beside them. To blame for a triangle
+/// The parts of creases that are not worth the angles below 30 degrees beside them, and the faults, each as
+/// bad as an angle of nothing between the creases within .7 spacings of it. To blame for a triangle
 /// with such an angle, if at least two of its vertices are on features, is one of the creases that these are
 /// on, or of the two that the angle is between: the part of it that is near to the others, within .7
 /// spacings, or all of it if there is no other, or hardly anything would be left; of all these that of which

@@ -377,6 +377,10 @@ RemeshResult remesh_with_useful_creases(const geom::TriMesh& surface, const Reme
   std::optional<RemeshResult> without = seen_without_creases(surface, first.result, options);
   if (without && is_instead_of(first.result, as_it_will_be(*without)))
     return with_creases_dropped(std::move(*without), harm_of_creases(as_it_will_be(first.result)));
+  if (!first.result.type.ok() && !is_slow_with_creases(surface, first.result, options)) {
+    RemeshResult good = with_good_creases(surface, first.result, how);
+    if (has_wanted_angles(good)) return good;
+  }
   RemeshResult chosen_ones = remesh_sheets(surface, chosen, how, std::move(first));
   std::optional<WithRoom> with_room;
   if (roomy)

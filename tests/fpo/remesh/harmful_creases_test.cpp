@@ -154,3 +154,32 @@ TEST_CASE("harmful creases: lines that somebody asked for stay") {
                             return {};
                           });
 }
+
+TEST_CASE(
+    "harmful creases: of another type in a few places, and what others do harm without the first ones") {
+  const TriMesh surface = plate();
+  RemeshResult begun = with_small_angles(surface);
+  begun.type.bare_samples = 1;
+  begun.advice.places = {Vec3(5, 0, 0.15)};
+  std::vector<std::size_t> unmarked;
+  const auto remesh = [&](const FeatureChoice& choice, const RemeshOptions& how) {
+    unmarked.push_back(how.features->unmarked.size());
+    RemeshResult result = begun;
+    result.kept = std::make_shared<const Features>(choice.features);
+    result.mesh = bad(1);
+    if (unmarked.size() > 1)
+      result.type = {};
+    else
+      result.advice.places = {Vec3(5, 4, 0.15), Vec3(2, 4, 0.15)};  // no better
+    return result;
+  };
+  const RemeshResult result = without_harmful_creases(surface, options(), begun, remesh);
+  CHECK(result.type.ok());
+  REQUIRE(unmarked.size() >= 2);
+  CHECK(unmarked[1] > unmarked[0]);
+
+  begun.advice.places.resize(20, Vec3(5, 0, 0.15));
+  unmarked.clear();
+  without_harmful_creases(surface, options(), begun, remesh);
+  CHECK(unmarked.empty());
+}

@@ -21,7 +21,7 @@ namespace {
 
 /// A plate of 10 x 4 spacings, .3 thick: of each edge 10 long half is to be seen, for the opposite one is at
 /// half of the width that is narrow.
-TriMesh plate() { return fixtures::block(10, 4, 0.3); }
+TriMesh slab() { return fixtures::block(10, 4, 0.3); }
 
 /// Across its side at y, .3 high and 1 long: an angle of 17 degrees, between two edges.
 Triangle across_side(double x, double y) { return {Vec3(x, y, 0), Vec3(x + 1, y, 0), Vec3(x, y, 0.3)}; }
@@ -31,19 +31,19 @@ Triangle beside_edge(double x, double y, double z) {
   return {Vec3(x, y, z), Vec3(x + 0.1, y, z), Vec3(x, 2, z)};
 }
 
-struct Asked {
+struct Question {
   std::size_t on_features = 1000;
   HarmOptions options{.spacing = 1};
 };
 
 std::vector<CreasePart> harmful_of(const TriMesh& surface, const std::vector<Triangle>& triangles,
-                                   const Asked& asked = {}) {
+                                   const Question& asked = {}) {
   const Features features = find_features(surface, automatic_features());
   return harmful_parts(surface, features, {fixtures::apart(triangles), asked.on_features}, asked.options);
 }
 
 std::vector<std::size_t> harmful(const TriMesh& surface, const std::vector<Triangle>& triangles,
-                                 const Asked& asked = {}) {
+                                 const Question& asked = {}) {
   std::vector<std::size_t> curves;
   for (const CreasePart& part : harmful_of(surface, triangles, asked)) curves.push_back(part.curve);
   return curves;
@@ -101,7 +101,7 @@ struct Blade {
 }  // namespace
 
 TEST_CASE("harmful parts: one of two creases goes where triangles between are small enough or many") {
-  const TriMesh surface = plate();
+  const TriMesh surface = slab();
   CHECK(harmful(surface, {}).empty());
   CHECK(harmful(surface, {across_side(2, 0)}).empty());  // one such angle is not worth a long edge
   const std::vector<std::size_t> curves = harmful(surface, {across_side(2, 0), across_side(4, 0)});
@@ -124,12 +124,12 @@ TEST_CASE("harmful parts: an angle that is hardly below 30 degrees is worth litt
   CHECK(lacking(15) == doctest::Approx(0.5));
   CHECK(lacking(0) == 1);
   const Triangle hardly{Vec3(2, 0, 0), Vec3(2.53, 0, 0), Vec3(2, 0, 0.3)};  // 29.5
-  CHECK(harmful(plate(), std::vector<Triangle>(20, hardly)).empty());
-  CHECK(!harmful(plate(), std::vector<Triangle>(40, hardly)).empty());
+  CHECK(harmful(slab(), std::vector<Triangle>(20, hardly)).empty());
+  CHECK(!harmful(slab(), std::vector<Triangle>(40, hardly)).empty());
 }
 
 TEST_CASE("harmful parts: angles of 30 degrees, beside one sample of a curve, or off the features do none") {
-  const TriMesh surface = plate();
+  const TriMesh surface = slab();
   const std::vector<Triangle> bad(20, across_side(2, 0));
   CHECK(harmful(surface, bad).size() == 1);
   CHECK(harmful(surface, bad, {.on_features = 0}).empty());
@@ -140,7 +140,7 @@ TEST_CASE("harmful parts: angles of 30 degrees, beside one sample of a curve, or
 }
 
 TEST_CASE("harmful parts: creases are not given up if that takes most of what there is") {
-  const TriMesh surface = plate();
+  const TriMesh surface = slab();
   const std::vector<Triangle> one(20, beside_edge(2, 0, 0));
   REQUIRE(harmful(surface, one).size() == 1);
   CHECK(is_along(surface, harmful(surface, one)[0], {5, 0, 0}));
@@ -181,6 +181,20 @@ TEST_CASE("harmful parts: another one where one is spared, none where all are, n
   CHECK(harmful(blade.mesh, {blade.tip()}, {.options = options}).empty());
   const Blade whole(1);
   CHECK(harmful(whole.mesh, {whole.tip()}).empty());
+}
+
+TEST_CASE("harmful parts: a fault is as bad as an angle of nothing between the creases that are near") {
+  const TriMesh surface = slab();
+  const Features features = find_features(surface, automatic_features());
+  const TriMesh good = fixtures::apart({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, 0.8, 0)}});
+  const auto at = [&](const Vec3& fault) {
+    return harmful_parts(surface, features, {good, 3, {&fault, 1}}, {.spacing = 1});
+  };
+  const std::vector<CreasePart> parts = at(Vec3(5, 0, 0.15));
+  REQUIRE(parts.size() == 1);
+  CHECK(parts[0].lacking == 1);
+  CHECK(is_along(surface, parts[0].curve, {5, 0, 0}) != is_along(surface, parts[0].curve, {5, 0, 0.3}));
+  CHECK(at(Vec3(5, 2, 0)).empty());  // no crease is near
 }
 
 TEST_CASE("harmful parts: borders stay, whatever is beside them") {
