@@ -31,22 +31,24 @@ bool may_have_harmful_creases(const RemeshResult& result) {
          result.crease_curves > 0 && result.least_length == 0;
 }
 
-/// How many curves are given up, for users.
-struct Number {
+/// What is given up, for users.
+struct GivenUp {
   std::size_t curves = 0, in_part = 0;
+  bool for_faults = false;
   void add(const std::vector<CreasePart>& parts) {
     curves += parts.size();
     in_part += static_cast<std::size_t>(std::ranges::count(parts, false, &CreasePart::is_whole));
   }
 };
 
-/// With a choice of features, for users.
-std::string told(const FeatureChoice& choice, const Number& number, std::size_t of) {
-  const std::string in_part = number.in_part == 0 ? ""
-                              : number.in_part == number.curves
-                                  ? ", in part"
-                                  : ", " + std::to_string(number.in_part) + " of them in part";
-  const std::string curves = std::to_string(number.curves), why = in_part + ", for small angles beside them";
+/// With a choice of features; of so many curves.
+std::string told(const FeatureChoice& choice, const GivenUp& given_up, std::size_t of) {
+  std::string why;
+  if (given_up.in_part == given_up.curves) why = ", in part";
+  if (given_up.in_part > 0 && given_up.in_part < given_up.curves)
+    why = ", " + std::to_string(given_up.in_part) + " of them in part";
+  why += std::string(", for ") + (given_up.for_faults ? "faults and " : "") + "small angles beside them";
+  const std::string curves = std::to_string(given_up.curves);
   if (!choice.given_up.empty()) return choice.given_up + "; " + curves + " more" + why;
   return "creases given up: " + curves + " of " + std::to_string(of) + " curves" + why +
          "; --features 30 keeps them";
@@ -101,7 +103,7 @@ RemeshResult without_harmful_creases(const geom::TriMesh& surface, const RemeshO
     return harmful_parts(surface, *of.kept, remeshed, {spacing, spared});
   };
   std::vector<CreasePart> harmful = harmful_in(result);
-  Number number;
+  GivenUp given_up;
   bool has_added = false;  // what others do harm without these
   for (int attempt = 0; attempt < most_times && !harmful.empty(); ++attempt) {
     if (interrupted(options.optimize.interrupted) || !may_be_worth_it(harmful, result)) break;
@@ -111,9 +113,10 @@ RemeshResult without_harmful_creases(const geom::TriMesh& surface, const RemeshO
     std::optional<RemeshResult> other;
     if (has_creases(choice.features)) other = unless_refused(remesh, choice, in_this_way(result, how));
     if (other && is_worth_it(*other, result)) {
+      given_up.for_faults |= !result.type.ok();
       result = std::move(*other);
-      number.add(harmful);
-      result.given_up = told(choice, number, num_curves);
+      given_up.add(harmful);
+      result.given_up = told(choice, given_up, num_curves);
       result.features_missed = true;
       if (!may_have_harmful_creases(result)) break;
       fewer.features->unmarked = how.features->unmarked;

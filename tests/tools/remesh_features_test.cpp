@@ -82,7 +82,7 @@ TEST_CASE("fpo-remesh: small angles beside close curves are told with a number o
   const RemeshFeaturesPlace place;
   io::write_mesh(place.folder / "gear.obj", geom::make_shape("gear"));
   const std::string key = "\nsamples_for_features ", words = " on that does not matter\n";
-  const ProgramResult few = place.run({"gear.obj", "-n", "300"});
+  const ProgramResult few = place.run({"gear.obj", "-n", "400"});
   REQUIRE_MESSAGE(few.code == 0, few.err);
   REQUIRE(few.out.find(key) != std::string::npos);
   const std::size_t at = few.out.find(key) + key.size();

@@ -176,6 +176,7 @@ TEST_CASE(
   const RemeshResult result = without_harmful_creases(surface, options(), begun, remesh);
   CHECK(result.type.ok());
   REQUIRE(unmarked.size() >= 2);
+  CHECK(result.given_up.find("for faults and small angles beside them") != std::string::npos);
   CHECK(unmarked[1] > unmarked[0]);
 
   begun.advice.places.resize(20, Vec3(5, 0, 0.15));
