@@ -28,6 +28,7 @@ constexpr double smallest_beside_curves = 1.0 / 3;  // in spacings: wanted lengt
 constexpr double most_on_curves = 0.5;              // of the samples
 constexpr double nearly_all = 0.95;                 // of the creases' length
 constexpr std::array<double, 2> softer = {0.3, 1};  // least lengths in even spacings, where n is too small
+constexpr std::size_t triangles_for_one_flaw = 100;
 
 RemeshResult remesh_smoothed_or_not(const geom::TriMesh& surface, const RemeshOptions& options);
 
@@ -363,13 +364,14 @@ RemeshResult with_good_creases(const geom::TriMesh& surface, RemeshResult result
       });
 }
 
-/// The same, where the first way leads to another type, if that makes it all well: other ways with the same
-/// creases take longer, and by measurement most of them meet the same faults.
+/// The same, where the first way leads to another type, if hardly any flaw is left then: other ways with the
+/// same creases take longer, and by measurement most of them meet the same faults.
 std::optional<RemeshResult> with_good_creases_at_once(const geom::TriMesh& surface, const RemeshResult& first,
                                                       const RemeshOptions& options) {
   if (first.type.ok() || is_slow_with_creases(surface, first, options) || interrupted(options)) return {};
   RemeshResult good = with_good_creases(surface, first, options);
-  if (!has_wanted_angles(good)) return {};
+  const std::size_t flaws = good.measures.angles_below_30 + good.broken_feature_edges;
+  if (!is_useful(good) || triangles_for_one_flaw * flaws > good.mesh.num_facets()) return {};
   return good;
 }
 
