@@ -54,11 +54,11 @@ std::string told(const FeatureChoice& choice, const GivenUp& given_up, std::size
          "; --features 30 keeps them";
 }
 
-/// Are angles so much better? Creases are of worth, too.
+/// Are angles so much better, in the end? Creases are of worth, too.
 bool is_worth_it(const RemeshResult& fewer, const RemeshResult& result) {
-  return fewer.mesh.num_facets() > 0 && is_better(fewer, result) &&
-         (!result.type.ok() ||
-          lacking_in_angles(fewer.mesh) <= most_lacking * lacking_in_angles(result.mesh));
+  const RemeshResult &is = as_it_will_be(fewer), &was = as_it_will_be(result);
+  return is.mesh.num_facets() > 0 && is_better(is, was) &&
+         (!was.type.ok() || lacking_in_angles(is.mesh) <= most_lacking * lacking_in_angles(was.mesh));
 }
 
 /// Could it be, if all goes well?
