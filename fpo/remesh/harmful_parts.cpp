@@ -1,6 +1,7 @@
 #include "fpo/remesh/harmful_parts.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -39,7 +40,8 @@ double distance2_to_edge(const Vec3& x, const TriMesh& mesh, const FeatureCurve&
   return geom::closest_point(x, {a, b, b}).distance2;
 }
 
-bool is_on(const Vec3& x, const TriMesh& mesh, const FeatureCurve& curve, double reach) {
+/// Is x so near to the curve?
+bool is_within(const Vec3& x, const TriMesh& mesh, const FeatureCurve& curve, double reach) {
   for (std::size_t i = 0; i < curve.facets.size(); ++i)
     if (distance2_to_edge(x, mesh, curve, i) <= reach * reach) return true;
   return false;
@@ -56,7 +58,7 @@ class CurvesOfVertices {
     const auto [place, is_new] = known_.try_emplace(v);
     if (is_new && v.index() < remesh_.on_features)
       for (std::size_t c = 0; c < features_.curves.size(); ++c)
-        if (is_on(remesh_.mesh.position(v), surface_, features_.curves[c], reach_))
+        if (is_within(remesh_.mesh.position(v), surface_, features_.curves[c], reach_))
           place->second.push_back(c);
     return place->second;
   }
@@ -110,7 +112,7 @@ std::vector<SmallAngle> faults(const TriMesh& surface, const Features& features,
   for (const Vec3& x : remesh.faults) {
     SmallAngle& fault = all.emplace_back(SmallAngle{1, {x, x, x}, {}});
     for (std::size_t c = 0; c < features.curves.size(); ++c)
-      if (is_on(x, surface, features.curves[c], near_another * spacing)) fault.curves.push_back(c);
+      if (is_within(x, surface, features.curves[c], near_another * spacing)) fault.curves.push_back(c);
   }
   return all;
 }
@@ -225,7 +227,7 @@ bool Blame::is_spared(const Part& part) const {
 bool Blame::is_near_another(const Vec3& x, std::size_t c, const SmallAngle& angle) const {
   const double near = near_another * seen_.spacing;
   return std::ranges::any_of(angle.curves, [&](std::size_t other) {
-    return other != c && is_on(x, surface_, features_.curves[other], near);
+    return other != c && is_within(x, surface_, features_.curves[other], near);
   });
 }
 
@@ -267,6 +269,7 @@ double Blame::strength_added(const Part& part) {
   return strength(added);
 }
 
+/// Those absorbed overlap no other, so what it becomes overlaps none that is left.
 void Blame::absorb(Part part) {
   std::erase_if(parts_, [&](const Part& old) {
     if (!overlap(old, part)) return false;

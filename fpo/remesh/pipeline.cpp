@@ -365,7 +365,8 @@ RemeshResult with_good_creases(const geom::TriMesh& surface, RemeshResult result
 }
 
 /// The same, where the first way leads to another type, if hardly any flaw is left then: other ways with the
-/// same creases take longer, and by measurement most of them meet the same faults.
+/// same creases take longer (on two public parts, eight such ways of three to fifteen seconds, none of which
+/// had the type).
 std::optional<RemeshResult> with_good_creases_at_once(const geom::TriMesh& surface, const RemeshResult& first,
                                                       const RemeshOptions& options) {
   if (first.type.ok() || is_slow_with_creases(surface, first, options) || interrupted(options)) return {};
