@@ -15,6 +15,7 @@
 #include "fpo/remesh/proven_edges.h"
 #include "fpo/remesh/refusal.h"
 #include "fpo/remesh/remesh_task.h"
+#include "fpo/remesh/return_to.h"
 #include "fpo/remesh/stand_in.h"
 #include "fpo/remesh/stand_in_remesh.h"
 #include "fpo/remesh/surface_apart.h"
@@ -26,16 +27,6 @@ constexpr int glance = 20, least_share_of_all = 2;  // iterations; times, of all
 constexpr double some_near_itself = 0.005;          // of the surface
 
 bool was_interrupted(const RemeshOptions& options) { return fpo::interrupted(options.optimize.interrupted); }
-
-/// The samples become those of the old surface again.
-void return_to(const SplitSurface& apart, RemeshResult& result) {
-  for (SurfaceSample& x : result.samples) x.facet = apart.parents[x.facet];
-  for (CellPolygon& cell : result.cells) cell.facet = apart.parents[cell.facet];
-  if (!result.last_resort) return;
-  RemeshResult otherwise = *result.last_resort;
-  return_to(apart, otherwise);
-  result.last_resort = std::make_shared<const RemeshResult>(std::move(otherwise));
-}
 
 /// More samples where the surface is thin. Those of a coarser one are there already.
 std::unique_ptr<SurfaceDomain> with_room(std::unique_ptr<SurfaceDomain> domain, const SharedSizing& shared,

@@ -6,11 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "fpo/features/weak_curves.h"
+#include "fpo/features/split_features.h"
 #include "fpo/interruption.h"
 #include "fpo/remesh/attempts.h"
+#include "fpo/remesh/crease_cuts.h"
 #include "fpo/remesh/harmful_parts.h"
 #include "fpo/remesh/remesh_task.h"
+#include "fpo/remesh/return_to.h"
 #include "geom/check.h"
 
 namespace fpo {
@@ -73,9 +75,9 @@ void append(const std::vector<FeatureEdge>& edges, std::vector<FeatureEdge>& to)
 }
 
 /// None if it is refused as well.
-std::optional<RemeshResult> unless_refused(const RemeshWithFeatures& remesh, const FeatureChoice& choice,
-                                           const RemeshOptions& how) try {
-  return remesh(choice, how);
+template <class Remesh>
+std::optional<RemeshResult> unless_refused(const Remesh& remesh) try {
+  return remesh();
 } catch (const geom::InputError&) {
   return {};
 }
@@ -88,11 +90,19 @@ RemeshOptions in_this_way(const RemeshResult& result, const RemeshOptions& optio
   return how;
 }
 
-}  // namespace
+/// Wanted lengths at all vertices of the surface with edges cut.
+VertexField on_cut(const geom::TriMesh& surface, const SplitSurface& cut, VertexField rho) {
+  const Sizing sizing(surface, rho);
+  rho.resize(cut.mesh.num_vertices());
+  for (geom::FacetId t(0); t.index() < cut.mesh.num_facets(); t = geom::FacetId(t.value + 1))
+    for (const geom::VertexId v : cut.mesh.facet(t))
+      if (v.index() >= surface.num_vertices()) rho[v] = sizing.at({cut.mesh.position(v), cut.parents[t]});
+  return rho;
+}
 
-RemeshResult without_harmful_creases(const geom::TriMesh& surface, const RemeshOptions& options,
-                                     RemeshResult result, const RemeshWithFeatures& remesh) {
-  if (!may_have_harmful_creases(result)) return result;
+/// None if nothing is better.
+std::optional<RemeshResult> with_parts_given_up(const geom::TriMesh& surface, const RemeshOptions& options,
+                                                RemeshResult result, const RemeshWithFeatures& remesh) {
   const std::size_t num_curves = result.kept->curves.size();
   const double spacing = even_spacing(surface, options);
   RemeshOptions fewer = options;
@@ -111,7 +121,8 @@ RemeshResult without_harmful_creases(const geom::TriMesh& surface, const RemeshO
     for (const CreasePart& part : harmful) append(part.edges, how.features->unmarked);
     const FeatureChoice choice = chosen_features(surface, how);
     std::optional<RemeshResult> other;
-    if (has_creases(choice.features)) other = unless_refused(remesh, choice, in_this_way(result, how));
+    if (has_creases(choice.features))
+      other = unless_refused([&] { return remesh(surface, choice, in_this_way(result, how)); });
     if (other && is_worth_it(*other, result)) {
       given_up.for_faults |= !result.type.ok();
       result = std::move(*other);
@@ -135,7 +146,38 @@ RemeshResult without_harmful_creases(const geom::TriMesh& surface, const RemeshO
       harmful = harmful_in(result);
     }
   }
+  if (given_up.curves == 0) return {};
   return result;
+}
+
+/// The same with long edges cut.
+std::optional<RemeshResult> with_parts_given_up(const geom::TriMesh& surface, const SplitSurface& cut,
+                                                const RemeshOptions& options, RemeshResult result,
+                                                const RemeshWithFeatures& remesh) {
+  RemeshOptions there = options;
+  if (!there.rho.empty()) there.rho = on_cut(surface, cut, there.rho);
+  result.kept = std::make_shared<const Features>(split_features(*result.kept, surface, cut));
+  std::optional<RemeshResult> fewer = with_parts_given_up(cut.mesh, there, std::move(result), remesh);
+  if (!fewer) return {};
+  return_to(cut, *fewer);
+  fewer->sizing.resize(surface.num_vertices());
+  fewer->kept = nullptr;  // was of the other surface
+  return fewer;
+}
+
+}  // namespace
+
+RemeshResult without_harmful_creases(const geom::TriMesh& surface, const RemeshOptions& options,
+                                     RemeshResult result, const RemeshWithFeatures& remesh) {
+  if (!may_have_harmful_creases(result)) return result;
+  std::vector<EdgeCut> cuts;
+  if (options.features->marked.empty())
+    cuts = crease_cuts(surface, *result.kept, {result.mesh, result.feature_samples, result.advice.places},
+                       even_spacing(surface, options));
+  std::optional<RemeshResult> fewer =
+      cuts.empty() ? with_parts_given_up(surface, options, result, remesh)
+                   : with_parts_given_up(surface, with_cut_edges(surface, cuts), options, result, remesh);
+  return fewer ? std::move(*fewer) : result;
 }
 
 }  // namespace fpo

@@ -9,16 +9,18 @@
 
 namespace fpo {
 
-/// A remesh with those features, or none if it is interrupted.
-using RemeshWithFeatures =
-    std::function<std::optional<RemeshResult>(const FeatureChoice&, const RemeshOptions&)>;
+/// A remesh of a surface with those features, or none if it is interrupted.
+using RemeshWithFeatures = std::function<std::optional<RemeshResult>(
+    const geom::TriMesh&, const FeatureChoice&, const RemeshOptions&)>;
 
 /// The result, or one with less of the creases, which is better and lacks in angles at most nine tenths as
 /// much, or has the type that the result has not: of what is left more is given up as long as that helps, at
 /// most a dozen faults being worth that; where it does not, and the others do harm then, some of these as
 /// well, or half of it, or another where one does not. That takes at most three remeshes, in the way in which
 /// the result was made. Nothing is given up of a result by collapses, or with other lengths than were asked
-/// for; not the last crease, none whose loss makes the others count as noise, and none that is marked.
+/// for; not the last crease, none whose loss makes the others count as noise, and none that is marked. Where
+/// long edges are near to others in part, the surface is remeshed with these cut (crease_cuts.h), unless
+/// edges are marked.
 RemeshResult without_harmful_creases(const geom::TriMesh& surface, const RemeshOptions& options,
                                      RemeshResult result, const RemeshWithFeatures& remesh);
 

@@ -16,7 +16,7 @@
 namespace fpo {
 namespace {
 
-constexpr std::size_t least_moves = 2000;
+constexpr std::size_t least_moves_closer = 2000;
 constexpr std::size_t most_facets = 1'000'000;    // of the surface that these moves pass
 constexpr std::size_t moves_to_come_closer = 20;  // a sample, if it is asked for
 constexpr double most_far = 1.0 / 12;             // of the triangles, if it is not
@@ -41,7 +41,7 @@ bool comes_closer_by_itself(const SurfaceDomain& domain, const Improvement& how,
 /// How many there may be, few as the samples are. A move passes the facets of a cell, at least: there are
 /// fewer where these are thousands.
 std::size_t least_fidelity_moves(const SurfaceDomain& domain) {
-  return std::min(least_moves, most_facets / (domain.mesh().num_facets() / domain.num_samples() + 1));
+  return std::min(least_moves_closer, most_facets / (domain.mesh().num_facets() / domain.num_samples() + 1));
 }
 
 FidelityOptions fidelity_options(const SurfaceDomain& domain, const Improvement& how,

@@ -7,6 +7,7 @@
 
 #include "fpo/features/weak_curves.h"
 #include "fpo/interruption.h"
+#include "fpo/remesh/angles_at_curves.h"
 #include "fpo/remesh/attempt.h"
 #include "fpo/remesh/attempts.h"
 #include "fpo/remesh/feature_bound.h"
@@ -29,6 +30,7 @@ constexpr double most_on_curves = 0.5;              // of the samples
 constexpr double nearly_all = 0.95;                 // of the creases' length
 constexpr std::array<double, 2> softer = {0.3, 1};  // least lengths in even spacings, where n is too small
 constexpr std::size_t triangles_for_one_flaw = 100;
+constexpr double most_lacking_without = 1.0 / 3;  // in angles, of what is with creases
 
 RemeshResult remesh_smoothed_or_not(const geom::TriMesh& surface, const RemeshOptions& options);
 
@@ -270,8 +272,14 @@ RemeshResult with_creases_dropped(RemeshResult without, const std::string& harm)
   return without;
 }
 
+/// Where there are many still.
+bool spares_most_small_angles(const RemeshResult& without, const RemeshResult& with) {
+  return has_many_small_angles(with) &&
+         lacking_in_angles(without.mesh) <= most_lacking_without * lacking_in_angles(with.mesh);
+}
+
 /// Only the strongest creases, if that is of more use than all of them; if all are useless perhaps none. None
-/// as well if that alone has no small angles, where there are many.
+/// as well if that alone has no small angles, or few, where there are many.
 RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, WithCreases with,
                                        const RemeshOptions& options) {
   RemeshResult result = std::move(with.result);
@@ -292,7 +300,9 @@ RemeshResult remesh_with_fewer_creases(const geom::TriMesh& surface, WithCreases
   std::optional<RemeshResult> other = std::move(with.without);
   if (!other) other = remesh_without_creases(surface, options);
   if (other && is_worth_creases(as_it_will_be(*other), as_it_will_be(result)) &&
-      (is_useless_in_the_end() || has_wanted_angles(*other)) && take_if_better(std::move(other), result))
+      (is_useless_in_the_end() || has_wanted_angles(*other) ||
+       spares_most_small_angles(as_it_will_be(*other), as_it_will_be(result))) &&
+      take_if_better(std::move(other), result))
     return with_creases_dropped(std::move(result), harm);
   return result;
 }
@@ -359,8 +369,9 @@ RemeshResult with_good_creases(const geom::TriMesh& surface, RemeshResult result
                                const RemeshOptions& options) {
   if (!may_drop_creases(options)) return result;
   return without_harmful_creases(
-      surface, options, std::move(result), [&](const FeatureChoice& choice, const RemeshOptions& how) {
-        return unless_interrupted(options, [&] { return first_way(surface, choice, how).result; });
+      surface, options, std::move(result),
+      [&](const geom::TriMesh& of, const FeatureChoice& choice, const RemeshOptions& how) {
+        return unless_interrupted(options, [&] { return first_way(of, choice, how).result; });
       });
 }
 

@@ -8,6 +8,7 @@
 #include "doctest.h"
 #include "fpo/remesh/remesh_defaults.h"
 #include "geom/check.h"
+#include "tests/fixtures/blade.h"
 #include "tests/fixtures/block.h"
 #include "tests/fixtures/triangles.h"
 
@@ -66,17 +67,18 @@ Asked with_change(const Change& change) {
   const TriMesh surface = plate();
   Asked asked;
   RemeshResult last = with_small_angles(surface);
-  asked.result = without_harmful_creases(surface, options(), with_small_angles(surface),
-                                         [&](const FeatureChoice& choice, const RemeshOptions& how) {
-                                           asked.curves.push_back(choice.features.curves.size());
-                                           asked.unmarked.push_back(how.features->unmarked);
-                                           RemeshResult result = last;
-                                           result.mesh = bad(last.mesh.num_facets() / 2 / change.divisor);
-                                           result.kept = std::make_shared<const Features>(choice.features);
-                                           result.measures.theta_min += change.gain;
-                                           last = result;
-                                           return result;
-                                         });
+  asked.result =
+      without_harmful_creases(surface, options(), with_small_angles(surface),
+                              [&](const TriMesh&, const FeatureChoice& choice, const RemeshOptions& how) {
+                                asked.curves.push_back(choice.features.curves.size());
+                                asked.unmarked.push_back(how.features->unmarked);
+                                RemeshResult result = last;
+                                result.mesh = bad(last.mesh.num_facets() / 2 / change.divisor);
+                                result.kept = std::make_shared<const Features>(choice.features);
+                                result.measures.theta_min += change.gain;
+                                last = result;
+                                return result;
+                              });
   return asked;
 }
 
@@ -115,7 +117,7 @@ TEST_CASE("harmful creases: what is refused or interrupted leaves the result as 
     int asked = 0;
     const RemeshResult result = without_harmful_creases(
         surface, options(), begun,
-        [&](const FeatureChoice&, const RemeshOptions&) -> std::optional<RemeshResult> {
+        [&](const TriMesh&, const FeatureChoice&, const RemeshOptions&) -> std::optional<RemeshResult> {
           ++asked;
           if (refused) throw geom::InputError("too few samples");
           return {};
@@ -134,11 +136,12 @@ TEST_CASE(
     if (what == 1) begun.by_collapses = true;
     if (what == 2) begun.least_length = 0.3;
     if (what == 3) begun.kept = nullptr;
-    without_harmful_creases(surface, options(), begun,
-                            [&](const FeatureChoice&, const RemeshOptions&) -> std::optional<RemeshResult> {
-                              FAIL("asked for");
-                              return {};
-                            });
+    without_harmful_creases(
+        surface, options(), begun,
+        [&](const TriMesh&, const FeatureChoice&, const RemeshOptions&) -> std::optional<RemeshResult> {
+          FAIL("asked for");
+          return {};
+        });
   }
 }
 
@@ -148,11 +151,12 @@ TEST_CASE("harmful creases: lines that somebody asked for stay") {
   RemeshOptions asked = options();
   for (const FeatureCurve& curve : begun.kept->curves)
     asked.features->marked.push_back({curve.vertices.front(), curve.vertices.back()});
-  without_harmful_creases(surface, asked, begun,
-                          [&](const FeatureChoice&, const RemeshOptions&) -> std::optional<RemeshResult> {
-                            FAIL("given up");
-                            return {};
-                          });
+  without_harmful_creases(
+      surface, asked, begun,
+      [&](const TriMesh&, const FeatureChoice&, const RemeshOptions&) -> std::optional<RemeshResult> {
+        FAIL("given up");
+        return {};
+      });
 }
 
 TEST_CASE(
@@ -162,7 +166,7 @@ TEST_CASE(
   begun.type.bare_samples = 1;
   begun.advice.places = {Vec3(5, 0, 0.15)};
   std::vector<std::size_t> unmarked;
-  const auto remesh = [&](const FeatureChoice& choice, const RemeshOptions& how) {
+  const auto remesh = [&](const TriMesh&, const FeatureChoice& choice, const RemeshOptions& how) {
     unmarked.push_back(how.features->unmarked.size());
     RemeshResult result = begun;
     result.kept = std::make_shared<const Features>(choice.features);
@@ -183,4 +187,55 @@ TEST_CASE(
   unmarked.clear();
   without_harmful_creases(surface, options(), begun, remesh);
   CHECK(unmarked.empty());
+}
+
+TEST_CASE(
+    "harmful creases: long edges are cut where they are near in part, and the result is of the surface") {
+  const fixtures::Blade blade(1);
+  const TriMesh& surface = blade.mesh;
+  RemeshOptions options;
+  options.num_samples = static_cast<std::size_t>(surface.area() / 0.866);  // a spacing of 1
+  options.features = automatic_features();
+  options.features->yielding = true;
+  RemeshResult begun = with_small_angles(surface);
+  begun.mesh = fixtures::apart({fixtures::Blade::tip()});
+  begun.feature_samples = 3;
+  std::size_t asked = 0;
+  const auto remesh = [&](const TriMesh& cut, const FeatureChoice& choice, const RemeshOptions& how) {
+    ++asked;
+    CHECK(cut.num_vertices() == surface.num_vertices() + 2);
+    CHECK(cut.area() == doctest::Approx(surface.area()));
+    CHECK(how.rho.size() == (how.rho.empty() ? 0 : cut.num_vertices()));
+    for (std::size_t i = 0; i < how.rho.size(); ++i)
+      CHECK(how.rho[geom::VertexId(i)] ==
+            doctest::Approx(1 + cut.position(geom::VertexId(i)).norm()).epsilon(1e-9));
+    RemeshResult result = begun;
+    result.mesh = fixtures::apart({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0.5, 0.8, 0)}});
+    result.measures.theta_min = 45;
+    result.kept = std::make_shared<const Features>(choice.features);
+    result.sizing.resize(cut.num_vertices(), 1);
+    for (std::size_t t = 0; t < cut.num_facets(); ++t)
+      result.samples.push_back({cut.corner(geom::FacetId(t), 0), geom::FacetId(t)});
+    return result;
+  };
+  for (const bool given : {false, true}) {
+    if (given)
+      for (const Vec3& x : surface.vertices()) options.rho.push_back(1 + x.norm());
+    const RemeshResult result = without_harmful_creases(surface, options, begun, remesh);
+    CHECK(result.given_up.find("1 of ") != std::string::npos);
+    CHECK(result.given_up.find("in part") != std::string::npos);
+    CHECK(result.sizing.size() == surface.num_vertices());
+    REQUIRE(!result.samples.empty());
+    for (const SurfaceSample& x : result.samples) REQUIRE(x.facet.index() < surface.num_facets());
+  }
+  REQUIRE(asked == 2);
+  options.rho.clear();
+  const FeatureCurve& any = begun.kept->curves.front();
+  options.features->marked.push_back({any.vertices.front(), any.vertices.back()});
+  without_harmful_creases(surface, options, begun,
+                          [&](const TriMesh& as_it_is, const FeatureChoice&,
+                              const RemeshOptions&) -> std::optional<RemeshResult> {
+                            CHECK(as_it_is.num_vertices() == surface.num_vertices());
+                            return {};
+                          });
 }

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "doctest.h"
-#include "geom/shapes/mesh_parts.h"
-#include "geom/shapes/shapes.h"
+#include "tests/fixtures/blade.h"
 #include "tests/fixtures/block.h"
 #include "tests/fixtures/triangles.h"
 
 using namespace fpo;
+using fixtures::Blade;
 using fixtures::Triangle;
 using geom::TriMesh;
 using geom::Vec3;
@@ -23,8 +23,8 @@ namespace {
 /// half of the width that is narrow.
 TriMesh slab() { return fixtures::block(10, 4, 0.3); }
 
-/// Across its side at y, .3 high and 1 long: an angle of 17 degrees, between two edges.
-Triangle across_side(double x, double y) { return {Vec3(x, y, 0), Vec3(x + 1, y, 0), Vec3(x, y, 0.3)}; }
+/// Across its side at y, .3 high and .8 long: an angle of 21 degrees, between two edges.
+Triangle across_side(double x, double y) { return {Vec3(x, y, 0), Vec3(x + 0.8, y, 0), Vec3(x, y, 0.3)}; }
 
 /// Beside its edge at y, z: less than 3 degrees, where no other edge is near.
 Triangle beside_edge(double x, double y, double z) {
@@ -55,48 +55,6 @@ bool is_along(const TriMesh& surface, std::size_t curve, const Vec3& x) {
   const Vec3 from = surface.position(c.vertices.front()), to = surface.position(c.vertices.back());
   return (x - from).cross(to - from).norm() < 1e-9 * (to - from).norm();
 }
-
-/// A wedge of 15 degrees, 12 spacings long and 5 high, with divided sides.
-struct Blade {
-  explicit Blade(int parts = 24) : edge(length / parts) {
-    geom::MeshArrays arrays;
-    const auto row = [&](double z) {
-      std::vector<std::array<geom::VertexId, 2>> pairs;  // right and left, from the tip on
-      const geom::VertexId tip = arrays.add({0, 0, z});
-      pairs.push_back({tip, tip});
-      for (int i = 1; i <= parts; ++i)
-        pairs.push_back({arrays.add(i * edge * along_right() + z * Vec3::UnitZ()),
-                         arrays.add(i * edge * along_left() + z * Vec3::UnitZ())});
-      return pairs;
-    };
-    const auto low = row(0), high = row(5);
-    arrays.add_triangle(low[0][0], low[1][1], low[1][0]);
-    arrays.add_triangle(high[0][0], high[1][0], high[1][1]);
-    for (std::size_t i = 0; i + 1 < low.size(); ++i) {
-      const auto [right, left] = low[i];
-      const auto [next_right, next_left] = low[i + 1];
-      const auto [high_right, high_left] = high[i];
-      const auto [high_next_right, high_next_left] = high[i + 1];
-      if (i > 0) {
-        arrays.add_quad({right, left, next_left, next_right});
-        arrays.add_quad({high_right, high_next_right, high_next_left, high_left});
-      }
-      arrays.add_quad({right, next_right, high_next_right, high_right});
-      arrays.add_quad({next_left, left, high_left, high_next_left});
-    }
-    arrays.add_quad({low.back()[0], low.back()[1], high.back()[1], high.back()[0]});
-    mesh = arrays.take();
-  }
-  /// With a corner at the tip.
-  static Triangle tip() { return {Vec3(0, 0, 0), 0.5 * along_right(), 0.5 * along_left()}; }
-  static Vec3 along_right() { return {1, 0, 0}; }
-  static Vec3 along_left() { return {std::cos(angle), std::sin(angle), 0}; }
-
-  static constexpr double length = 12;
-  static constexpr double angle = std::numbers::pi / 12;
-  double edge;
-  TriMesh mesh;
-};
 
 }  // namespace
 
