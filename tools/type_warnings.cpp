@@ -46,13 +46,16 @@ std::size_t enough_samples(const fpo::RemeshResult& result) {
 
 namespace {
 
-std::string what_to_do(const fpo::RemeshResult& result, const fpo::RemeshOptions& options) {
+std::string what_to_do(const geom::Topology& in, const fpo::RemeshResult& result,
+                       const fpo::RemeshOptions& options) {
   const fpo::TypeAdvice& advice = result.advice;
   if (advice.places.empty()) return {};
   const geom::Vec3& first = advice.places.front();
-  std::string text = worded("%zu place%s at fault, the first at (%.6g, %.6g, %.6g); try -n %zu or --at-least",
-                            advice.places.size(), advice.places.size() == 1 ? "" : "s", first.x(), first.y(),
-                            first.z(), enough_samples(result));
+  const char* repair = in.nonmanifold_edges > 0 ? "--repair, which splits non-manifold edges, or " : "";
+  std::string text =
+      worded("%zu place%s at fault, the first at (%.6g, %.6g, %.6g); try %s-n %zu or --at-least",
+             advice.places.size(), advice.places.size() == 1 ? "" : "s", first.x(), first.y(), first.z(),
+             repair, enough_samples(result));
   if (options.sizing == fpo::SizingKind::uniform) text += ", or --sizing lfs";
   return text;
 }
@@ -105,7 +108,8 @@ std::string splitting_told(const geom::Topology& in, const geom::Topology& out,
   return changes + ", as " + counted(split.split_vertices, "vertex was split", "vertices were split");
 }
 
-void add_small_angles(const fpo::RemeshResult& result, std::vector<std::string>& lines) {
+void add_small_angles(const fpo::RemeshResult& result, const fpo::RemeshOptions& options,
+                      std::vector<std::string>& lines) {
   if (result.measures.angles_below_30 == 0) return;
   std::string line = worded("%zu angles are below 30 degrees, the smallest is %.1f",
                             result.measures.angles_below_30, result.measures.theta_min);
@@ -115,6 +119,8 @@ void add_small_angles(const fpo::RemeshResult& result, std::vector<std::string>&
   if (told_for_features(result) > result.samples.size())
     line += worded("; %s, from about -n %zu on that does not matter", feature_need(result.feature_bound.need),
                    enough_samples(result));
+  if (options.features && !options.features->marked.empty())
+    line += "; lines that were asked for are not given up for them";
   lines.push_back(line);
 }
 
@@ -146,7 +152,7 @@ std::vector<std::string> type_warnings(const geom::TriMesh& input, const fpo::Re
   if (wanted.euler != out.euler || split.parts.size() != out.components ||
       wanted.border_loops != out.boundary_loops || type.changed_parts > 0)
     lines.push_back(numbers_told(in, out, split));
-  const std::string advice = what_to_do(result, options);
+  const std::string advice = what_to_do(in, result, options);
   if (!advice.empty()) lines.push_back(advice);
   return lines;
 }
@@ -195,7 +201,7 @@ std::vector<std::string> shape_warnings(const geom::TriMesh& input, const fpo::R
   if (result.features_missed) lines.push_back(result.given_up);
   add_far_part(result, options, lines);
   add_short_edge(input, result, options, lines);
-  add_small_angles(result, lines);
+  add_small_angles(result, options, lines);
   if (result.broken_feature_edges > 0)
     lines.push_back(worded(
         "%zu of %zu feature edges are no edges of the remesh, the first at (%.6g, %.6g, %.6g): curves are "

@@ -19,7 +19,8 @@ namespace tools {
 std::size_t enough_samples(const fpo::RemeshResult& result);
 
 /// One line each, without end; none if the remesh is a 2-manifold of the input's type: what differs, in how
-/// many places, where the first one is, and what to do. If the input meets itself in vertices, its type is
+/// many places, where the first one is, and what to do: --repair if the input has edges of more than two
+/// facets, more samples. If the input meets itself in vertices, its type is
 /// that with these split (geom::SurfaceType); then a line tells the numbers that this has changed.
 std::vector<std::string> type_warnings(const geom::TriMesh& input, const fpo::RemeshResult& result,
                                        const fpo::RemeshOptions& options);

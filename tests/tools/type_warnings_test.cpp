@@ -2,6 +2,7 @@
 
 #include "doctest.h"
 #include "geom/shapes/shapes.h"
+#include "tests/fixtures/book.h"
 
 namespace {
 
@@ -57,6 +58,20 @@ TEST_CASE("type warnings: the edges that are missing count where it is not known
   CHECK(tools::enough_samples(result) == 0);
 }
 
+TEST_CASE("type warnings: an input with edges of more than two facets may be repaired") {
+  const auto advice = [](const geom::TriMesh& input) {
+    std::string told;
+    for (const std::string& line : tools::type_warnings(input, spoilt_remesh(), {}))
+      if (line.find("at fault") != std::string::npos) told = line;
+    return told;
+  };
+  CHECK(advice(fixtures::book(3)).find("try --repair, which splits non-manifold edges, or -n") !=
+        std::string::npos);
+  const std::string without = advice(geom::make_shape("cube"));
+  CHECK(without.find("try -n ") != std::string::npos);
+  CHECK(without.find("--repair") == std::string::npos);
+}
+
 TEST_CASE("type warnings: features of the shape that are given up, not noise upon it") {
   fpo::RemeshResult result;
   result.given_up = "creases given up: 3 of 12 curves";
@@ -75,6 +90,10 @@ TEST_CASE("type warnings: of small angles, how many the input has between crease
   result.sharp_corners = 14;
   const std::string more = "; 14 between creases of the input are, the smallest is 13.6";
   CHECK(tools::shape_warnings({}, result, {}) == std::vector{plain + more});
+  fpo::RemeshOptions with_lines;
+  with_lines.features.emplace().marked = {{geom::VertexId(0), geom::VertexId(1)}};
+  CHECK(tools::shape_warnings({}, result, with_lines) ==
+        std::vector{plain + more + "; lines that were asked for are not given up for them"});
 }
 
 TEST_CASE("type warnings: nobody is told a number that is of no use") {
