@@ -26,14 +26,14 @@ struct HarmOptions {
 };
 
 /// The parts of creases that are not worth the angles below 30 degrees beside them, and the faults, each as
-/// bad as an angle of nothing between the creases within .7 spacings of it. To blame for a triangle
-/// with such an angle, if at least two of its vertices are on features, is one of the creases that these are
-/// on, or of the two that the angle is between: the part of it that is near to the others, within .7
-/// spacings, or all of it if there is no other, or hardly anything would be left; of all these that of which
-/// there is the least to be seen (weak_curves.h). A part goes if what its angles lack is worth as much as
-/// there is of it to be seen, at thirteen spacings each; those that are worth the least first, as long as half is
-/// left of all that there is to be seen. In that order. O(small angles * edges of curves), and seen_curves()
-/// if there is any.
+/// bad as an angle of nothing between the creases within .7 spacings of it. To blame for a triangle with such
+/// an angle, if at least two of its vertices are on features, is one of the creases that these are on, or of
+/// the two that the angle is between: the part of it that is near to the others, within .7 spacings, or all
+/// of it if there is no other, or hardly anything would be left; of all these that of which there is the
+/// least to be seen (weak_curves.h). A part goes if what its angles lack is worth as much as there is of it
+/// to be seen, at thirteen spacings each (two edges that meet at 26 degrees are apart from 1.6 spacings on);
+/// those that are worth the least first, as long as half is left of all that there is to be seen. In that
+/// order. O(small angles * edges of curves), and seen_curves() if there is any.
 std::vector<CreasePart> harmful_parts(const geom::TriMesh& surface, const Features& features,
                                       const RemeshWithCurves& remesh, const HarmOptions& options);
 
