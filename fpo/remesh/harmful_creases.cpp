@@ -29,7 +29,7 @@ bool has_few_faults(const RemeshResult& result) {
 }
 
 bool may_have_harmful_creases(const RemeshResult& result) {
-  return result.kept && (result.type.ok() || has_few_faults(result)) && !result.by_collapses &&
+  return result.kept && !result.cut && (result.type.ok() || has_few_faults(result)) && !result.by_collapses &&
          result.crease_curves > 0 && result.least_length == 0;
 }
 
@@ -90,16 +90,6 @@ RemeshOptions in_this_way(const RemeshResult& result, const RemeshOptions& optio
   return how;
 }
 
-/// Wanted lengths at all vertices of the surface with edges cut.
-VertexField on_cut(const geom::TriMesh& surface, const SplitSurface& cut, VertexField rho) {
-  const Sizing sizing(surface, rho);
-  rho.resize(cut.mesh.num_vertices());
-  for (geom::FacetId t(0); t.index() < cut.mesh.num_facets(); t = geom::FacetId(t.value + 1))
-    for (const geom::VertexId v : cut.mesh.facet(t))
-      if (v.index() >= surface.num_vertices()) rho[v] = sizing.at({cut.mesh.position(v), cut.parents[t]});
-  return rho;
-}
-
 /// None if nothing is better.
 std::optional<RemeshResult> with_parts_given_up(const geom::TriMesh& surface, const RemeshOptions& options,
                                                 RemeshResult result, const RemeshWithFeatures& remesh) {
@@ -151,17 +141,15 @@ std::optional<RemeshResult> with_parts_given_up(const geom::TriMesh& surface, co
 }
 
 /// The same with long edges cut.
-std::optional<RemeshResult> with_parts_given_up(const geom::TriMesh& surface, const SplitSurface& cut,
+std::optional<RemeshResult> with_parts_given_up(const geom::TriMesh& surface,
+                                                std::shared_ptr<const SplitSurface> cut,
                                                 const RemeshOptions& options, RemeshResult result,
                                                 const RemeshWithFeatures& remesh) {
   RemeshOptions there = options;
-  if (!there.rho.empty()) there.rho = on_cut(surface, cut, there.rho);
-  result.kept = std::make_shared<const Features>(split_features(*result.kept, surface, cut));
-  std::optional<RemeshResult> fewer = with_parts_given_up(cut.mesh, there, std::move(result), remesh);
-  if (!fewer) return {};
-  return_to(cut, *fewer);
-  fewer->sizing.resize(surface.num_vertices());
-  fewer->kept = nullptr;  // was of the other surface
+  if (!there.rho.empty()) there.rho = on_cut_edges(surface, *cut, there.rho);
+  result.kept = std::make_shared<const Features>(split_features(*result.kept, surface, *cut));
+  std::optional<RemeshResult> fewer = with_parts_given_up(cut->mesh, there, std::move(result), remesh);
+  if (fewer) return_to(surface, std::move(cut), *fewer);
   return fewer;
 }
 
@@ -175,8 +163,10 @@ RemeshResult without_harmful_creases(const geom::TriMesh& surface, const RemeshO
     cuts = crease_cuts(surface, *result.kept, {result.mesh, result.feature_samples, result.advice.places},
                        even_spacing(surface, options));
   std::optional<RemeshResult> fewer =
-      cuts.empty() ? with_parts_given_up(surface, options, result, remesh)
-                   : with_parts_given_up(surface, with_cut_edges(surface, cuts), options, result, remesh);
+      cuts.empty()
+          ? with_parts_given_up(surface, options, result, remesh)
+          : with_parts_given_up(surface, std::make_shared<const SplitSurface>(with_cut_edges(surface, cuts)),
+                                options, result, remesh);
   return fewer ? std::move(*fewer) : result;
 }
 

@@ -25,6 +25,7 @@
 #include "fpo/remesh/thin_parts.h"
 #include "fpo/shortest_edge.h"
 #include "fpo/surface/sizing_kinds.h"
+#include "fpo/surface/split_facets.h"
 #include "fpo/surface/surface_domain.h"
 #include "fpo/tiles/tiled_optimize.h"
 
@@ -110,6 +111,8 @@ struct RemeshResult {
   bool features_missed = false;          ///< and they are of the shape: worth a warning
   std::size_t collapsed_curves = 0;      ///< too short for the spacing
   std::shared_ptr<const Features> kept;  ///< features of this surface that were to be; null: of another
+  /// The same with edges cut (crease_cuts.h), if the features are of that; null: they are of the surface.
+  std::shared_ptr<const SplitSurface> cut;
   bool strong_only = false;              ///< and they are the strong ones alone
   FeatureBound feature_bound;            ///< how many samples keep all features
   Protection protection;                 ///< of those edges

@@ -8,6 +8,7 @@
 #include "fpo/remesh/feature_bound.h"
 #include "fpo/remesh/last_resort.h"
 #include "fpo/remesh/noise.h"
+#include "fpo/remesh/other_samples.h"
 #include "fpo/remesh/remesh_task.h"
 #include "fpo/remesh/sheet_ways.h"
 #include "fpo/remesh/trimmed_remesh.h"
@@ -18,8 +19,8 @@
 namespace fpo {
 namespace {
 
-/// The same, or without any if with them it is refused.
-RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const RemeshOptions& options) try {
+/// Or without any if with them it is refused.
+RemeshResult remesh_unless_refused(const geom::TriMesh& surface, const RemeshOptions& options) try {
   return remesh_with_useful_creases(surface, options);
 } catch (const geom::InputError& refusal) {
   if (!may_drop_creases(options)) throw;
@@ -32,6 +33,15 @@ RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const Reme
                     "; --features 45 keeps them";
   result.features_missed = true;
   return result;
+}
+
+/// The same, with other samples if few flaws are left.
+RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const RemeshOptions& options) {
+  return with_other_samples(
+      surface, options, remesh_unless_refused(surface, options),
+      [&](const geom::TriMesh& of, const FeatureChoice& choice, const RemeshOptions& how) {
+        return unless_interrupted(options, [&] { return first_way(of, choice, how).result; });
+      });
 }
 
 /// If it was made on a coarser surface, and has small angles, once more on this one: the better one.

@@ -14,4 +14,10 @@ void return_to(const SplitSurface& split, RemeshResult& result) {
   result.last_resort = std::make_shared<const RemeshResult>(std::move(otherwise));
 }
 
+void return_to(const geom::TriMesh& surface, std::shared_ptr<const SplitSurface> cut, RemeshResult& result) {
+  return_to(*cut, result);
+  result.sizing.resize(surface.num_vertices());
+  result.cut = std::move(cut);
+}
+
 }  // namespace fpo

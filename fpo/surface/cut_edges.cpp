@@ -84,4 +84,13 @@ SplitSurface with_cut_edges(const TriMesh& mesh, std::span<const EdgeCut> cuts) 
   return CutEdges(mesh, cuts).take();
 }
 
+VertexField on_cut_edges(const TriMesh& mesh, const SplitSurface& cut, VertexField field) {
+  const Sizing linear(mesh, field);
+  field.resize(cut.mesh.num_vertices());
+  for (FacetId t(0); t.index() < cut.mesh.num_facets(); t = FacetId(t.value + 1))
+    for (const VertexId v : cut.mesh.facet(t))
+      if (v.index() >= mesh.num_vertices()) field[v] = linear.at({cut.mesh.position(v), cut.parents[t]});
+  return field;
+}
+
 }  // namespace fpo

@@ -18,4 +18,7 @@ struct EdgeCut {
 /// edge is passed over. The old vertices keep their ids; `h` is empty. O((F + cuts) log cuts).
 SplitSurface with_cut_edges(const geom::TriMesh& mesh, std::span<const EdgeCut> cuts);
 
+/// A field that is linear on the facets of the mesh, at the vertices of the cut one as well. O(V + F).
+VertexField on_cut_edges(const geom::TriMesh& mesh, const SplitSurface& cut, VertexField field);
+
 }  // namespace fpo

@@ -1,10 +1,13 @@
 #include "fpo/remesh/pipeline.h"
 
+#include <array>
 #include <atomic>
+#include <string>
 
 #include "doctest.h"
 #include "fpo/remesh/remesh_defaults.h"
 #include "geom/check.h"
+#include "geom/mesh/aabb_tree.h"
 #include "geom/shapes/mesh_parts.h"
 #include "geom/shapes/shapes.h"
 #include "tests/fixtures/effort.h"
@@ -245,6 +248,22 @@ TEST_CASE("pipeline: creases that nobody asked for are given up where angles bes
   CHECK(2 * result.measures.angles_below_30 < all.measures.angles_below_30);
   CHECK(3 * result.crease_curves > all.crease_curves);
   CHECK(result.type.ok());
+}
+
+TEST_CASE("pipeline: of long straight creases that meet at a small angle one ends earlier") {
+  const geom::TriMesh wedge = geom::make_shape("wedge");  // 15 degrees
+  RemeshOptions options = default_options(400, SizingKind::uniform);
+  const RemeshResult result = remesh(wedge, options);
+  CHECK(result.mesh.num_vertices() == 400);
+  CHECK(result.type.ok());
+  CHECK(result.measures.theta_min >= 30);
+  CHECK(result.given_up.find("2 of 9 curves, in part") != std::string::npos);
+  CHECK(result.sizing.size() == wedge.num_vertices());
+  for (const SurfaceSample& x : result.samples) {
+    REQUIRE(x.facet.index() < wedge.num_facets());
+    const std::array facet{wedge.corner(x.facet, 0), wedge.corner(x.facet, 1), wedge.corner(x.facet, 2)};
+    CHECK(geom::closest_point(x.position, facet).distance2 < 1e-20);
+  }
 }
 
 TEST_CASE("pipeline: no iterations are none, in further attempts too") {
