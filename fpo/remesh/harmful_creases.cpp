@@ -14,6 +14,7 @@
 #include "fpo/remesh/remesh_task.h"
 #include "fpo/remesh/return_to.h"
 #include "geom/check.h"
+#include "geom/repair/intersections.h"
 
 namespace fpo {
 namespace {
@@ -21,6 +22,7 @@ namespace {
 constexpr int most_times = 3;
 constexpr std::size_t few_faults = 12;
 constexpr double most_lacking = 0.9;  // of what was lacking before
+constexpr double least_worth = 0.5;   // of what angles had to be worth for what is given up
 
 /// Of another type in a few places.
 bool has_few_faults(const RemeshResult& result) {
@@ -56,11 +58,23 @@ std::string told(const FeatureChoice& choice, const GivenUp& given_up, std::size
          "; --features 30 keeps them";
 }
 
-/// Are angles so much better, in the end? Creases are of worth, too.
-bool is_worth_it(const RemeshResult& fewer, const RemeshResult& result) {
+/// In angles; facets that cross each other, or fold back upon others at a tip, count as an angle of nothing.
+double lacking(const RemeshResult& result) {
+  return lacking_in_angles(result.mesh) + static_cast<double>(geom::self_intersections(result.mesh).pairs);
+}
+
+/// Are angles so much better, in the end? Creases are of worth, too. A mesh that is no dual of its samples
+/// any more (last_resort.h) comes instead of one that is only if all is well then.
+bool is_worth_it(const RemeshResult& fewer, const RemeshResult& result,
+                 const std::vector<CreasePart>& given_up) {
   const RemeshResult &is = as_it_will_be(fewer), &was = as_it_will_be(result);
-  return is.mesh.num_facets() > 0 && is_better(is, was) &&
-         (!was.type.ok() || lacking_in_angles(is.mesh) <= most_lacking * lacking_in_angles(was.mesh));
+  if (is.mesh.num_facets() == 0 || !is_better(is, was)) return false;
+  if (result.type.ok() && !fewer.type.ok() && !has_wanted_angles(is)) return false;
+  if (!was.type.ok()) return true;
+  const double lacked = lacking(was), lacks = lacking(is);
+  double strength = 0;
+  for (const CreasePart& part : given_up) strength += part.strength;
+  return lacks <= most_lacking * lacked && worth_of_angles(lacked - lacks) >= least_worth * strength;
 }
 
 /// Could it be, if all goes well?
@@ -113,7 +127,7 @@ std::optional<RemeshResult> with_parts_given_up(const geom::TriMesh& surface, co
     std::optional<RemeshResult> other;
     if (has_creases(choice.features))
       other = unless_refused([&] { return remesh(surface, choice, in_this_way(result, how)); });
-    if (other && is_worth_it(*other, result)) {
+    if (other && is_worth_it(*other, result, harmful)) {
       given_up.for_faults |= !result.type.ok();
       result = std::move(*other);
       given_up.add(harmful);
@@ -124,6 +138,7 @@ std::optional<RemeshResult> with_parts_given_up(const geom::TriMesh& surface, co
       harmful = harmful_in(result);
       continue;
     }
+    attempt += result.type.ok() && other && !other->type.ok();  // such take longest
     const bool may_add = !has_added && other && !other->type.ok() && may_have_harmful_creases(*other);
     if (const std::vector<CreasePart> more = may_add ? harmful_in(*other) : std::vector<CreasePart>();
         !more.empty()) {

@@ -16,7 +16,7 @@ using geom::VertexId;
 
 namespace {
 
-constexpr double spacings_worth = 13;  // of a crease folded by 90 degrees: one angle of nothing
+constexpr double spacings_worth = 10;  // of a crease folded by 90 degrees: one angle of nothing
 constexpr double least_left = 0.5;     // of all that there is to be seen
 constexpr double least_kept = 2;       // in spacings: what fades out and is shorter is not kept
 
@@ -147,6 +147,8 @@ void Blame::put(const SmallAngle& angle) {
 
 }  // namespace
 
+double worth_of_angles(double lacking) { return spacings_worth * lacking; }
+
 std::vector<CreasePart> harmful_parts(const TriMesh& surface, const Features& features,
                                       const RemeshWithCurves& remesh, const HarmOptions& options) {
   const std::vector<SmallAngle> angles = angles_at_curves(surface, features, remesh, options.spacing);
@@ -157,7 +159,7 @@ std::vector<CreasePart> harmful_parts(const TriMesh& surface, const Features& fe
   std::vector<std::pair<double, const Part*>> harmful;  // with their strengths
   for (const Part& part : blame.parts()) {
     const double strength = blame.strength(part);
-    if (spacings_worth * part.lacking >= strength) harmful.emplace_back(strength, &part);
+    if (worth_of_angles(part.lacking) >= strength) harmful.emplace_back(strength, &part);
   }
   std::ranges::stable_sort(harmful, {}, [](const auto& part) { return part.first / part.second->lacking; });
   const double most = (1 - least_left) * total_strength(seen);
@@ -167,6 +169,7 @@ std::vector<CreasePart> harmful_parts(const TriMesh& surface, const Features& fe
     if (lost + strength > most) continue;
     lost += strength;
     result.push_back(blame.crease(*part));
+    result.back().strength = strength;
   }
   return result;
 }

@@ -18,7 +18,11 @@ struct CreasePart {
   std::vector<FeatureEdge> edges;
   bool is_whole = false;  ///< are these all that it has?
   double lacking = 0;     ///< in the angles that it is to blame for
+  double strength = 0;    ///< what there is of it to be seen (weak_curves.h)
 };
+
+/// In spacings of a crease folded by 90 degrees: what angles are worth that lack so much in all.
+double worth_of_angles(double lacking);
 
 struct HarmOptions {
   double spacing = 0;
@@ -31,7 +35,7 @@ struct HarmOptions {
 /// the two that the angle is between: the part of it that is near to the others, within .7 spacings, or all
 /// of it if there is no other, or hardly anything would be left; of all these that of which there is the
 /// least to be seen (weak_curves.h). A part goes if what its angles lack is worth as much as there is of it
-/// to be seen, at thirteen spacings each (two edges that meet at 26 degrees are apart from 1.6 spacings on);
+/// to be seen, at ten spacings each (of two long edges at 20 degrees, 2 spacings for 3.3);
 /// those that are worth the least first, as long as half is left of all that there is to be seen. In that
 /// order. O(small angles * edges of curves), and seen_curves() if there is any.
 std::vector<CreasePart> harmful_parts(const geom::TriMesh& surface, const Features& features,

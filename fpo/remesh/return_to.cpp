@@ -16,8 +16,15 @@ void return_to(const SplitSurface& split, RemeshResult& result) {
 
 void return_to(const geom::TriMesh& surface, std::shared_ptr<const SplitSurface> cut, RemeshResult& result) {
   return_to(*cut, result);
-  result.sizing.resize(surface.num_vertices());
-  result.cut = std::move(cut);
+  const auto with_sizes = [&](RemeshResult& made) {
+    made.sizing.resize(surface.num_vertices());
+    made.cut = cut;
+  };
+  with_sizes(result);
+  if (!result.last_resort) return;
+  RemeshResult otherwise = *result.last_resort;
+  with_sizes(otherwise);
+  result.last_resort = std::make_shared<const RemeshResult>(std::move(otherwise));
 }
 
 }  // namespace fpo

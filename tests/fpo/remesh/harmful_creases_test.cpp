@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -108,6 +109,79 @@ TEST_CASE(
     CHECK(asked.result.given_up.empty());
     CHECK(!asked.result.features_missed);
   }
+}
+
+namespace {
+
+/// Whether one try is taken that comes of fewer creases, the first one.
+bool is_taken(const std::function<RemeshResult(RemeshResult)>& made) {
+  const TriMesh surface = plate();
+  const RemeshResult begun = with_small_angles(surface);
+  int asked = 0;
+  const RemeshResult result = without_harmful_creases(
+      surface, options(), begun,
+      [&](const TriMesh&, const FeatureChoice& choice, const RemeshOptions&) -> std::optional<RemeshResult> {
+        if (++asked > 1) return {};
+        RemeshResult fewer = begun;
+        fewer.kept = std::make_shared<const Features>(choice.features);
+        fewer.mesh = bad(10);
+        fewer.measures.theta_min = 20;
+        return made(std::move(fewer));
+      });
+  return result.features_missed;
+}
+
+/// And so many pairs of facets that cross.
+TriMesh crossing(std::size_t number, std::size_t num_bad) {
+  std::vector<fixtures::Triangle> triangles;
+  for (std::size_t i = 0; i < number; ++i) {
+    const double x = 0.01 * static_cast<double>(i);  // in the unit box
+    triangles.push_back({Vec3(x, 0.5, 0), Vec3(x + 0.004, 0.5, 0), Vec3(x + 0.002, 0.503, 0)});
+    triangles.push_back(
+        {Vec3(x + 0.002, 0.501, -0.002), Vec3(x + 0.002, 0.501, 0.002), Vec3(x + 0.006, 0.501, 0)});
+  }
+  for (const fixtures::Triangle& t :
+       std::vector<fixtures::Triangle>(num_bad, {Vec3(0.2, 0, 0), Vec3(0.3, 0, 0), Vec3(0.2, 0, 0.03)}))
+    triangles.push_back(t);
+  return fixtures::apart(triangles);
+}
+
+}  // namespace
+
+TEST_CASE("harmful creases: what facets that cross take from angles") {
+  CHECK(is_taken([](RemeshResult fewer) { return fewer; }));
+  for (const std::size_t pairs : {0, 2, 40})
+    CHECK(is_taken([&](RemeshResult fewer) {
+            fewer.mesh = crossing(pairs, 10);
+            return fewer;
+          }) == (pairs < 10));
+}
+
+TEST_CASE("harmful creases: a mesh that is no dual is taken for one that is if all is well then") {
+  for (const bool good : {false, true})
+    CHECK(is_taken([&](RemeshResult fewer) {
+            RemeshResult joined = fewer;
+            joined.by_collapses = true;
+            joined.measures.theta_min = good ? 33 : 20;
+            fewer.type.bare_samples = 1;
+            fewer.last_resort = std::make_shared<const RemeshResult>(std::move(joined));
+            return fewer;
+          }) == good);
+}
+
+TEST_CASE("harmful creases: one that leads to another type counts for two") {
+  const TriMesh surface = plate();
+  const RemeshResult begun = with_small_angles(surface);
+  int asked = 0;
+  without_harmful_creases(surface, options(), begun,
+                          [&](const TriMesh&, const FeatureChoice& choice, const RemeshOptions&) {
+                            ++asked;
+                            RemeshResult result = begun;
+                            result.kept = std::make_shared<const Features>(choice.features);
+                            result.type.bare_samples = 1;
+                            return result;
+                          });
+  CHECK(asked == 2);
 }
 
 TEST_CASE("harmful creases: what is refused or interrupted leaves the result as it is") {
