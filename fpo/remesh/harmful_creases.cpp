@@ -19,10 +19,10 @@
 namespace fpo {
 namespace {
 
-constexpr int most_times = 3;
 constexpr std::size_t few_faults = 12;
 constexpr double most_lacking = 0.9;  // of what was lacking before
-constexpr double least_worth = 0.5;   // of what angles had to be worth for what is given up
+constexpr double most_lacking_otherwise = 1.0 / 3;
+constexpr double least_worth = 0.5;  // of what angles had to be worth for what is given up
 
 /// Of another type in a few places.
 bool has_few_faults(const RemeshResult& result) {
@@ -64,14 +64,15 @@ double lacking(const RemeshResult& result) {
 }
 
 /// Are angles so much better, in the end? Creases are of worth, too. A mesh that is no dual of its samples
-/// any more (last_resort.h) comes instead of one that is only if all is well then.
+/// any more (last_resort.h) comes instead of one that is only if it lacks a third as much.
 bool is_worth_it(const RemeshResult& fewer, const RemeshResult& result,
                  const std::vector<CreasePart>& given_up) {
   const RemeshResult &is = as_it_will_be(fewer), &was = as_it_will_be(result);
   if (is.mesh.num_facets() == 0 || !is_better(is, was)) return false;
-  if (result.type.ok() && !fewer.type.ok() && !has_wanted_angles(is)) return false;
   if (!was.type.ok()) return true;
   const double lacked = lacking(was), lacks = lacking(is);
+  const bool is_dual = fewer.type.ok() || !result.type.ok();
+  if (!is_dual && lacks > most_lacking_otherwise * lacked) return false;
   double strength = 0;
   for (const CreasePart& part : given_up) strength += part.strength;
   return lacks <= most_lacking * lacked && worth_of_angles(lacked - lacks) >= least_worth * strength;
@@ -104,10 +105,25 @@ RemeshOptions in_this_way(const RemeshResult& result, const RemeshOptions& optio
   return how;
 }
 
-/// None if nothing is better.
-std::optional<RemeshResult> with_parts_given_up(const geom::TriMesh& surface, const RemeshOptions& options,
-                                                RemeshResult result, const RemeshWithFeatures& remesh) {
-  const std::size_t num_curves = result.kept->curves.size();
+/// What has come of giving up creases so far.
+struct Fewer {
+  RemeshResult result;
+  std::size_t num_curves;               ///< before
+  std::vector<FeatureEdge> unmarked{};  ///< for it
+  GivenUp given_up{};
+};
+
+/// How often the surface is remeshed.
+struct Patience {
+  int most_times;
+  bool for_other_types;  ///< go on where one is lost: such remeshes take longest
+};
+constexpr Patience as_it_is{3, true}, on_cut{2, false};
+
+/// As long as that helps.
+void give_up_parts(const geom::TriMesh& surface, const RemeshOptions& options, const Patience& patience,
+                   const RemeshWithFeatures& remesh, Fewer& so_far) {
+  RemeshResult& result = so_far.result;
   const double spacing = even_spacing(surface, options);
   RemeshOptions fewer = options;
   fewer.strong_creases_only = result.strong_only;
@@ -117,28 +133,29 @@ std::optional<RemeshResult> with_parts_given_up(const geom::TriMesh& surface, co
     return harmful_parts(surface, *of.kept, remeshed, {spacing, spared});
   };
   std::vector<CreasePart> harmful = harmful_in(result);
-  GivenUp given_up;
   bool has_added = false;  // what others do harm without these
-  for (int attempt = 0; attempt < most_times && !harmful.empty(); ++attempt) {
+  for (int attempt = 0; attempt < patience.most_times && !harmful.empty(); ++attempt) {
     if (interrupted(options.optimize.interrupted) || !may_be_worth_it(harmful, result)) break;
+    std::vector<FeatureEdge> unmarked = so_far.unmarked;
+    for (const CreasePart& part : harmful) append(part.edges, unmarked);
     RemeshOptions how = fewer;
-    for (const CreasePart& part : harmful) append(part.edges, how.features->unmarked);
+    append(unmarked, how.features->unmarked);
     const FeatureChoice choice = chosen_features(surface, how);
     std::optional<RemeshResult> other;
     if (has_creases(choice.features))
       other = unless_refused([&] { return remesh(surface, choice, in_this_way(result, how)); });
     if (other && is_worth_it(*other, result, harmful)) {
-      given_up.for_faults |= !result.type.ok();
+      so_far.given_up.for_faults |= !result.type.ok();
+      so_far.given_up.add(harmful);
+      so_far.unmarked = std::move(unmarked);
       result = std::move(*other);
-      given_up.add(harmful);
-      result.given_up = told(choice, given_up, num_curves);
+      result.given_up = told(choice, so_far.given_up, so_far.num_curves);
       result.features_missed = true;
       if (!may_have_harmful_creases(result)) break;
-      fewer.features->unmarked = how.features->unmarked;
       harmful = harmful_in(result);
       continue;
     }
-    attempt += result.type.ok() && other && !other->type.ok();  // such take longest
+    if (!patience.for_other_types && other && !other->type.ok() && result.type.ok()) break;
     const bool may_add = !has_added && other && !other->type.ok() && may_have_harmful_creases(*other);
     if (const std::vector<CreasePart> more = may_add ? harmful_in(*other) : std::vector<CreasePart>();
         !more.empty()) {
@@ -151,21 +168,25 @@ std::optional<RemeshResult> with_parts_given_up(const geom::TriMesh& surface, co
       harmful = harmful_in(result);
     }
   }
-  if (given_up.curves == 0) return {};
-  return result;
 }
 
-/// The same with long edges cut.
-std::optional<RemeshResult> with_parts_given_up(const geom::TriMesh& surface,
-                                                std::shared_ptr<const SplitSurface> cut,
-                                                const RemeshOptions& options, RemeshResult result,
-                                                const RemeshWithFeatures& remesh) {
+/// The same with long edges cut, if there are any.
+void give_up_parts_of_long_edges(const geom::TriMesh& surface, const RemeshOptions& options,
+                                 const RemeshWithFeatures& remesh, Fewer& so_far) {
+  const RemeshResult& result = so_far.result;
+  const RemeshWithCurves remeshed{result.mesh, result.feature_samples, result.advice.places};
+  const std::vector<EdgeCut> cuts =
+      crease_cuts(surface, *result.kept, remeshed, even_spacing(surface, options));
+  if (cuts.empty()) return;
+  const auto cut = std::make_shared<const SplitSurface>(with_cut_edges(surface, cuts));
   RemeshOptions there = options;
   if (!there.rho.empty()) there.rho = on_cut_edges(surface, *cut, there.rho);
-  result.kept = std::make_shared<const Features>(split_features(*result.kept, surface, *cut));
-  std::optional<RemeshResult> fewer = with_parts_given_up(cut->mesh, there, std::move(result), remesh);
-  if (fewer) return_to(surface, std::move(cut), *fewer);
-  return fewer;
+  Fewer still_fewer = so_far;
+  still_fewer.result.kept = std::make_shared<const Features>(split_features(*result.kept, surface, *cut));
+  give_up_parts(cut->mesh, there, on_cut, remesh, still_fewer);
+  if (still_fewer.given_up.curves == so_far.given_up.curves) return;
+  so_far = std::move(still_fewer);
+  return_to(surface, cut, so_far.result);
 }
 
 }  // namespace
@@ -173,16 +194,13 @@ std::optional<RemeshResult> with_parts_given_up(const geom::TriMesh& surface,
 RemeshResult without_harmful_creases(const geom::TriMesh& surface, const RemeshOptions& options,
                                      RemeshResult result, const RemeshWithFeatures& remesh) {
   if (!may_have_harmful_creases(result)) return result;
-  std::vector<EdgeCut> cuts;
-  if (options.features->marked.empty())
-    cuts = crease_cuts(surface, *result.kept, {result.mesh, result.feature_samples, result.advice.places},
-                       even_spacing(surface, options));
-  std::optional<RemeshResult> fewer =
-      cuts.empty()
-          ? with_parts_given_up(surface, options, result, remesh)
-          : with_parts_given_up(surface, std::make_shared<const SplitSurface>(with_cut_edges(surface, cuts)),
-                                options, result, remesh);
-  return fewer ? std::move(*fewer) : result;
+  const std::size_t num_curves = result.kept->curves.size();
+  Fewer fewer{std::move(result), num_curves};
+  give_up_parts(surface, options, as_it_is, remesh, fewer);
+  if (options.features->marked.empty() && may_have_harmful_creases(fewer.result) &&
+      lacking_in_angles(fewer.result.mesh) > 0 && !interrupted(options.optimize.interrupted))
+    give_up_parts_of_long_edges(surface, options, remesh, fewer);
+  return std::move(fewer.result);
 }
 
 }  // namespace fpo

@@ -157,31 +157,16 @@ TEST_CASE("harmful creases: what facets that cross take from angles") {
           }) == (pairs < 10));
 }
 
-TEST_CASE("harmful creases: a mesh that is no dual is taken for one that is if all is well then") {
+TEST_CASE("harmful creases: a mesh that is no dual is taken for one that is if it lacks a third as much") {
   for (const bool good : {false, true})
     CHECK(is_taken([&](RemeshResult fewer) {
             RemeshResult joined = fewer;
             joined.by_collapses = true;
-            joined.measures.theta_min = good ? 33 : 20;
+            joined.mesh = bad(good ? 12 : 15);  // of 40
             fewer.type.bare_samples = 1;
             fewer.last_resort = std::make_shared<const RemeshResult>(std::move(joined));
             return fewer;
           }) == good);
-}
-
-TEST_CASE("harmful creases: one that leads to another type counts for two") {
-  const TriMesh surface = plate();
-  const RemeshResult begun = with_small_angles(surface);
-  int asked = 0;
-  without_harmful_creases(surface, options(), begun,
-                          [&](const TriMesh&, const FeatureChoice& choice, const RemeshOptions&) {
-                            ++asked;
-                            RemeshResult result = begun;
-                            result.kept = std::make_shared<const Features>(choice.features);
-                            result.type.bare_samples = 1;
-                            return result;
-                          });
-  CHECK(asked == 2);
 }
 
 TEST_CASE("harmful creases: what is refused or interrupted leaves the result as it is") {
