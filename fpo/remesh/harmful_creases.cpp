@@ -58,9 +58,13 @@ std::string told(const FeatureChoice& choice, const GivenUp& given_up, std::size
          "; --features 30 keeps them";
 }
 
-/// In angles; facets that cross each other, or fold back upon others at a tip, count as an angle of nothing.
-double lacking(const RemeshResult& result) {
-  return lacking_in_angles(result.mesh) + static_cast<double>(geom::self_intersections(result.mesh).pairs);
+/// What a remesh lacks that comes instead of another: in angles and, where that one does not cross itself, in
+/// facets that cross each other, or fold back upon others at a tip, an angle of nothing for two.
+double lacking_instead(const RemeshResult& is, const RemeshResult& was) {
+  const double in_angles = lacking_in_angles(is.mesh);
+  const std::size_t crossing = geom::self_intersections(is.mesh).pairs;
+  if (crossing == 0 || geom::self_intersections(was.mesh).pairs > 0) return in_angles;
+  return in_angles + static_cast<double>(crossing);
 }
 
 /// Are angles so much better, in the end? Creases are of worth, too. A mesh that is no dual of its samples
@@ -70,7 +74,7 @@ bool is_worth_it(const RemeshResult& fewer, const RemeshResult& result,
   const RemeshResult &is = as_it_will_be(fewer), &was = as_it_will_be(result);
   if (is.mesh.num_facets() == 0 || !is_better(is, was)) return false;
   if (!was.type.ok()) return true;
-  const double lacked = lacking(was), lacks = lacking(is);
+  const double lacked = lacking_in_angles(was.mesh), lacks = lacking_instead(is, was);
   const bool is_dual = fewer.type.ok() || !result.type.ok();
   if (!is_dual && lacks > most_lacking_otherwise * lacked) return false;
   double strength = 0;
