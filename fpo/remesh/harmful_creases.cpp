@@ -197,7 +197,7 @@ void give_up_parts_of_long_edges(const geom::TriMesh& surface, const RemeshOptio
 
 RemeshResult without_harmful_creases(const geom::TriMesh& surface, const RemeshOptions& options,
                                      RemeshResult result, const RemeshWithFeatures& remesh) {
-  if (!may_have_harmful_creases(result)) return result;
+  if (!may_have_harmful_creases(result) || (result.type.ok() && !options.optimize_angles)) return result;
   const std::size_t num_curves = result.kept->curves.size();
   Fewer fewer{std::move(result), num_curves};
   give_up_parts(surface, options, as_it_is, remesh, fewer);

@@ -20,9 +20,9 @@ using RemeshWithFeatures = std::function<std::optional<RemeshResult>(
 /// does not, and the others do harm then, some of these as well, or half of it, or another where one does
 /// not. That takes at most three remeshes, in the way in which the result was made. If small angles are
 /// left, and long edges are near to others in part, the same is done with these cut (crease_cuts.h), in two
-/// remeshes, or one if that leads to another type; not if edges are marked. Nothing is given up of a result
-/// by collapses, or with other lengths than were asked for; not the last crease, none whose loss makes the
-/// others count as noise, and none that is marked.
+/// remeshes, or one if that leads to another type; not if edges are marked. Nothing is given up for angles
+/// that are not to be optimized, nor of a result by collapses, or with other lengths than were asked for;
+/// not the last crease, none whose loss makes the others count as noise, and none that is marked.
 RemeshResult without_harmful_creases(const geom::TriMesh& surface, const RemeshOptions& options,
                                      RemeshResult result, const RemeshWithFeatures& remesh);
 

@@ -187,16 +187,19 @@ TEST_CASE("harmful creases: what is refused or interrupted leaves the result as 
 }
 
 TEST_CASE(
-    "harmful creases: nothing is tried for a result of another type, by collapses or with softer lengths") {
+    "harmful creases: nothing is tried for a result of another type, by collapses, with softer lengths, or "
+    "if angles are as they come") {
   const TriMesh surface = plate();
-  for (int what = 0; what < 4; ++what) {
+  for (int what = 0; what < 5; ++what) {
     RemeshResult begun = with_small_angles(surface);
+    RemeshOptions asked = options();
+    if (what == 4) asked.optimize_angles = false;
     if (what == 0) begun.type.bare_samples = 1;
     if (what == 1) begun.by_collapses = true;
     if (what == 2) begun.least_length = 0.3;
     if (what == 3) begun.kept = nullptr;
     without_harmful_creases(
-        surface, options(), begun,
+        surface, asked, begun,
         [&](const TriMesh&, const FeatureChoice&, const RemeshOptions&) -> std::optional<RemeshResult> {
           FAIL("asked for");
           return {};
