@@ -1,6 +1,6 @@
 #pragma once
 // One attempt at a remesh, with one choice of curves and one way with sheets: the paper, in a line; what is
-// not in it comes in between. Which attempts are made, and which one is kept: pipeline.cpp, attempts.h.
+// not in it comes in between. Which attempts are made, and which one is kept: sheet_ways.h, attempts.h.
 
 #include "fpo/features/feature_choice.h"
 #include "fpo/remesh/pipeline.h"
