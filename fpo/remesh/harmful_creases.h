@@ -1,17 +1,9 @@
 #pragma once
 // Creases that were kept are given up where angles beside them are small (harmful_parts.h).
 
-#include <functional>
-#include <optional>
-
-#include "fpo/features/feature_choice.h"
-#include "fpo/remesh/pipeline.h"
+#include "fpo/remesh/sheet_ways.h"
 
 namespace fpo {
-
-/// A remesh of a surface with those features, or none if it is interrupted.
-using RemeshWithFeatures = std::function<std::optional<RemeshResult>(
-    const geom::TriMesh&, const FeatureChoice&, const RemeshOptions&)>;
 
 /// The result, or one with less of the creases: of the type that the result has not, a few faults being
 /// worth that (a dozen at most), or better, lacking at most nine tenths as much in angles, and so much less

@@ -2,8 +2,7 @@
 // Where hardly anything is wrong with a remesh it is made again with other first samples: which of the few
 // places where samples are short of room turn out well is luck.
 
-#include "fpo/remesh/harmful_creases.h"
-#include "fpo/remesh/pipeline.h"
+#include "fpo/remesh/sheet_ways.h"
 
 namespace fpo {
 

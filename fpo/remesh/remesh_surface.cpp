@@ -37,11 +37,7 @@ RemeshResult remesh_unless_refused(const geom::TriMesh& surface, const RemeshOpt
 
 /// The same, with other samples if few flaws are left.
 RemeshResult remesh_with_creases_or_not(const geom::TriMesh& surface, const RemeshOptions& options) {
-  return with_other_samples(
-      surface, options, remesh_unless_refused(surface, options),
-      [&](const geom::TriMesh& of, const FeatureChoice& choice, const RemeshOptions& how) {
-        return unless_interrupted(options, [&] { return first_way(of, choice, how).result; });
-      });
+  return with_other_samples(surface, options, remesh_unless_refused(surface, options), first_way_if_time);
 }
 
 /// If it was made on a coarser surface, and has small angles, once more on this one: the better one.

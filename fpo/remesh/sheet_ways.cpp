@@ -107,6 +107,11 @@ FirstWay first_way(const geom::TriMesh& surface, const FeatureChoice& choice, co
   return first;
 }
 
+std::optional<RemeshResult> first_way_if_time(const geom::TriMesh& surface, const FeatureChoice& choice,
+                                              const RemeshOptions& options) {
+  return unless_interrupted(options, [&] { return first_way(surface, choice, options).result; });
+}
+
 namespace {
 
 /// Sheets were set apart: other ways where that has not led to what is wanted.

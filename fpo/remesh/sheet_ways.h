@@ -3,6 +3,7 @@
 // together or apart, samples of close curves facing each other or staggered or not. Each is an attempt
 // (attempt.h); which of two is better: attempts.h.
 
+#include <functional>
 #include <optional>
 
 #include "fpo/features/feature_choice.h"
@@ -32,6 +33,14 @@ struct FirstWay {
 };
 
 FirstWay first_way(const geom::TriMesh& surface, const FeatureChoice& choice, const RemeshOptions& options);
+
+/// A remesh of a surface with those features, or none if it is interrupted.
+using RemeshWithFeatures = std::function<std::optional<RemeshResult>(
+    const geom::TriMesh&, const FeatureChoice&, const RemeshOptions&)>;
+
+/// What the first way leads to: such a function.
+std::optional<RemeshResult> first_way_if_time(const geom::TriMesh& surface, const FeatureChoice& choice,
+                                              const RemeshOptions& options);
 
 /// The best of all ways. Sheets that are left to us are together unless they are near each other nearly
 /// everywhere, or that does harm and being apart helps. Samples of close curves face each other if edges of

@@ -141,11 +141,7 @@ std::optional<RemeshResult> seen_without_creases(const geom::TriMesh& surface, c
 RemeshResult with_good_creases(const geom::TriMesh& surface, RemeshResult result,
                                const RemeshOptions& options) {
   if (!may_drop_creases(options)) return result;
-  return without_harmful_creases(
-      surface, options, std::move(result),
-      [&](const geom::TriMesh& of, const FeatureChoice& choice, const RemeshOptions& how) {
-        return unless_interrupted(options, [&] { return first_way(of, choice, how).result; });
-      });
+  return without_harmful_creases(surface, options, std::move(result), first_way_if_time);
 }
 
 /// The same, where the first way leads to another type, if hardly any flaw is left then: other ways with the

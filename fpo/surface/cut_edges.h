@@ -15,7 +15,8 @@ struct EdgeCut {
 
 /// Each cut is a new vertex, rounded to the exact range (geom/mesh/scaling.h), and the facets at the edge are
 /// cut from there. Cuts of one edge in any order and direction; those at the same share are one. What is no
-/// edge is passed over. The old vertices keep their ids; `h` is empty. O((F + cuts) log cuts).
+/// edge is passed over. The old vertices keep their ids; `h` is empty. O((F + cuts) log cuts), and
+/// the cuts of an edge squared.
 SplitSurface with_cut_edges(const geom::TriMesh& mesh, std::span<const EdgeCut> cuts);
 
 /// A field that is linear on the facets of the mesh, at the vertices of the cut one as well. O(V + F).
