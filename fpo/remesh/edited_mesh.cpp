@@ -1,7 +1,7 @@
 #include "fpo/remesh/edited_mesh.h"
 
 #include <algorithm>
-#include <iterator>
+#include <utility>
 
 #include "geom/check.h"
 
@@ -22,6 +22,7 @@ Vec3 EditedMesh::normal(FacetId t) const {
 }
 
 bool EditedMesh::has_edge(VertexId a, VertexId b) const {
+  if (at_[b].size() < at_[a].size()) std::swap(a, b);  // in a fan of needles one has hundreds
   return std::ranges::any_of(at_[a],
                              [&](FacetId t) { return std::ranges::find(facets_[t], b) != facets_[t].end(); });
 }
@@ -104,32 +105,37 @@ std::vector<EditedMesh::VertexId> EditedMesh::neighbours(VertexId v) const {
   return found;
 }
 
-/// At one of its edges.
-bool EditedMesh::has_single_facet(VertexId v) const {
-  return std::ranges::any_of(neighbours(v), [&](VertexId w) {
-    return std::ranges::count_if(
-               at_[v], [&](FacetId t) { return std::ranges::find(facets_[t], w) != facets_[t].end(); }) == 1;
-  });
+bool EditedMesh::can_collapse(VertexId v, VertexId w) const {
+  std::vector<VertexId> thirds, around;  // the latter once for each facet
+  for (const FacetId t : at_[v]) {
+    const bool is_beside = std::ranges::find(facets_[t], w) != facets_[t].end();
+    if (is_beside) thirds.push_back(third(t, v, w));
+    for (const VertexId u : facets_[t])
+      if (u != v && u != w) around.push_back(u);
+  }
+  if (thirds.empty() || thirds.size() > 2) return false;
+  std::ranges::sort(thirds);
+  std::ranges::sort(around);
+  std::size_t common = 0;
+  for (auto u = around.begin(), end = u; u != around.end(); u = end) {
+    end = std::find_if(u, around.end(), [&](VertexId other) { return other != *u; });
+    if (thirds.size() == 2 && end - u == 1) return false;  // two borders would meet, or one leave its place
+    if (!has_edge(*u, w)) continue;
+    if (std::ranges::find(thirds, *u) == thirds.end()) return false;
+    ++common;
+  }
+  if (common < thirds.size()) return false;  // both of them are one
+  return !has_twin_facet(v, w, thirds) && (at_[w].size() > thirds.size() || at_[v].size() > thirds.size());
 }
 
-bool EditedMesh::can_collapse(VertexId v, VertexId w) const {
-  std::vector<VertexId> thirds, common;
-  for (const FacetId t : at_[v])
-    if (std::ranges::find(facets_[t], w) != facets_[t].end()) thirds.push_back(third(t, v, w));
-  if (thirds.empty() || thirds.size() > 2) return false;
-  if (thirds.size() == 2 && has_single_facet(v))
-    return false;  // two borders would meet, or one leave its place
-  std::ranges::sort(thirds);
-  std::ranges::set_intersection(neighbours(v), neighbours(w), std::back_inserter(common));
-  if (common != thirds) return false;
-  for (const FacetId t : at_[v]) {  // each becomes one of w, which has none like it, as a tetrahedron would
-    Facet f = facets_[t];
-    if (std::ranges::find(f, w) != f.end()) continue;
-    std::ranges::replace(f, v, w);
-    if (std::ranges::any_of(at_[w], [&](FacetId u) { return std::ranges::is_permutation(facets_[u], f); }))
-      return false;
-  }
-  return at_[w].size() > thirds.size() || at_[v].size() > thirds.size();
+/// Would a facet of v become one that w has, as of a tetrahedron? Its other corners are joined to both.
+bool EditedMesh::has_twin_facet(VertexId v, VertexId w, const std::vector<VertexId>& thirds) const {
+  if (thirds.size() < 2) return false;
+  const auto has_both = [&](FacetId t) {
+    return std::ranges::all_of(
+        thirds, [&](VertexId u) { return std::ranges::find(facets_[t], u) != facets_[t].end(); });
+  };
+  return std::ranges::any_of(at_[v], has_both) && std::ranges::any_of(at_[w], has_both);
 }
 
 void EditedMesh::collapse(VertexId v, VertexId w) {

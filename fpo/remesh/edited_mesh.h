@@ -71,7 +71,7 @@ class EditedMesh {
     VertexId v;
     geom::Vec3 at;
   };
-  bool has_single_facet(VertexId v) const;
+  bool has_twin_facet(VertexId v, VertexId w, const std::vector<VertexId>& thirds) const;
   void set(FacetId t, const Facet& facet);
   FacetId add(const Facet& facet);
 

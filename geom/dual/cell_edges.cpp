@@ -6,6 +6,27 @@
 
 namespace geom {
 
+std::vector<CellEdges::Open>& CellEdges::OpenEnds::at(std::int64_t point) {
+  return lists_[static_cast<std::uint64_t>(point) * 0x9e3779b97f4a7c15u >> 58];
+}
+
+void CellEdges::OpenEnds::clear() {
+  for (std::vector<Open>& list : lists_) list.clear();
+}
+
+CellEdges::Open* CellEdges::OpenEnds::find(std::int64_t point, SiteId a, SiteId b) {
+  std::vector<Open>& list = at(point);
+  const auto known =
+      std::ranges::find_if(list, [&](const Open& o) { return o.point == point && o.a == a && o.b == b; });
+  return known == list.end() ? nullptr : &*known;
+}
+
+void CellEdges::OpenEnds::erase(const Open* end) {
+  std::vector<Open>& list = at(end->point);
+  list[static_cast<std::size_t>(end - list.data())] = list.back();
+  list.pop_back();
+}
+
 void CellEdges::begin(SiteId p, std::span<const CircleId> own, std::span<const EmptyCircle> found) {
   p_ = p;
   found_ = found;
@@ -31,11 +52,11 @@ void CellEdges::add_piece(const CellPieces& pieces, const CellPieces::Piece& pie
     const End one = end_at(piece.facet, first, second, corners[previous_corner(k, n)].edge);
     const End two = end_at(piece.facet, first, second, corners[next_corner(k, n)].edge);
     const End start = follow(one, first, second);
-    if (start.kind == End::open && two.kind == End::open && start.place == two.place)  // a closed curve
-      std::erase_if(open_,
-                    [&](const Open& o) { return o.point == two.place && o.a == first && o.b == second; });
-    else
+    if (start.kind == End::open && two.kind == End::open && start.place == two.place) {  // a closed curve
+      if (const Open* end = open_.find(two.place, first, second)) open_.erase(end);
+    } else {
       join(start, follow(two, first, second), first, second);
+    }
   }
 }
 
@@ -65,23 +86,19 @@ CellEdges::End CellEdges::end_at(FacetId t, SiteId a, SiteId b, EdgeLabel label)
 /// Where the part of the edge that ends at the same point begins, if it is known already.
 CellEdges::End CellEdges::follow(const End& end, SiteId a, SiteId b) {
   if (end.kind != End::open) return end;
-  const auto known = std::ranges::find_if(
-      open_, [&](const Open& o) { return o.point == end.place && o.a == a && o.b == b; });
-  if (known == open_.end()) return end;
+  const Open* known = open_.find(end.place, a, b);
+  if (!known) return end;
   const End other = known->other;
-  *known = open_.back();
-  open_.pop_back();
+  open_.erase(known);
   return other;
 }
 
 void CellEdges::join(const End& one, const End& two, SiteId a, SiteId b) {
   const auto leave_open = [&](const End& end, const End& other) {
-    const auto known = std::ranges::find_if(
-        open_, [&](const Open& o) { return o.point == end.place && o.a == a && o.b == b; });
-    if (known != open_.end())
+    if (Open* known = open_.find(end.place, a, b))
       known->other = other;
     else
-      open_.push_back({end.place, a, b, other});
+      open_.add({end.place, a, b, other});
   };
   if (one.kind == End::open) leave_open(one, two);
   if (two.kind == End::open) leave_open(two, one);

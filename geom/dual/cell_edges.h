@@ -6,6 +6,7 @@
 //    own   u     v  found     be, or points (o) on edges of the facet, where it goes on across (chains.h);
 //                             or, in a cell that goes, its circles, where edges come in from outside.
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -51,6 +52,19 @@ class CellEdges {
     SiteId a, b;
     End other;
   };
+  /// Those that wait for the rest of their edge, found by the point: needles in a cell leave hundreds.
+  class OpenEnds {
+   public:
+    void clear();
+    /// Null if there is none.
+    Open* find(std::int64_t point, SiteId a, SiteId b);
+    void add(const Open& end) { at(end.point).push_back(end); }
+    void erase(const Open* end);
+
+   private:
+    std::vector<Open>& at(std::int64_t point);
+    std::array<std::vector<Open>, 64> lists_;
+  };
   struct OwnCircle {
     CircleId id;
     End inside;  ///< where the edge goes that comes in here
@@ -67,7 +81,7 @@ class CellEdges {
   std::span<const EmptyCircle> found_;
   std::vector<OwnCircle> star_;
   std::vector<std::pair<End, End>> links_;
-  std::vector<Open> open_;
+  OpenEnds open_;
 };
 
 }  // namespace geom
