@@ -35,11 +35,11 @@ constexpr double most_curves = 60;  // spacings of curves a sample: most strips 
 
 class FacingCurves {
  public:
-  FacingCurves(const TriMesh& mesh, const Features& features, double spacing)
+  FacingCurves(const TriMesh& mesh, const Features& features, double spacing, double longest)
       : features_(features),
-        reach_(narrow_width * spacing),
+        reach_(narrow_width * longest),
         tree_(mesh),
-        grid_((narrow_width + piece_length) * spacing) {
+        grid_(narrow_width * longest + piece_length * spacing) {
     geom::DisjointSets joined(mesh.num_vertices());
     for (const TriMesh::Facet& f : mesh.facets())
       for (const VertexId v : {f[1], f[2]}) joined.merge(f[0].index(), v.index());
@@ -50,11 +50,12 @@ class FacingCurves {
     for (std::size_t i = 0; i < pieces_.size(); ++i) grid_.add(pieces_[i].middle(), i);
   }
 
-  std::vector<NarrowPlace> narrow_places() const {
+  /// Of each place with all curves that it faces, or with the nearest one only.
+  std::vector<NarrowPlace> narrow_places(bool all) const {
     std::vector<NarrowPlace> places;
     for (const CurvePiece& p : pieces_) {
       bool nearest = true;
-      for (const auto& [w, other] : widths_at(p)) {
+      for (const auto& [w, other] : widths_at(p, all)) {
         places.push_back({p.middle(), w, p.curve, other, p.length(), nearest});
         nearest = false;
       }
@@ -65,7 +66,7 @@ class FacingCurves {
  private:
   /// From the middle of p to the nearest piece of each curve that faces it, with that curve. Ascending. Only
   /// the nearest curves are looked at: where hundreds cross, a place would be compared with all of them.
-  std::vector<std::pair<double, std::size_t>> widths_at(const CurvePiece& p) const {
+  std::vector<std::pair<double, std::size_t>> widths_at(const CurvePiece& p, bool all) const {
     const Vec3 x = p.middle();
     std::vector<std::pair<double, std::size_t>> near;
     grid_.around(x, [&](std::size_t i) {
@@ -84,6 +85,7 @@ class FacingCurves {
       const Vec3 y = geom::closest_point(x, {pieces_[i].from, pieces_[i].to, pieces_[i].to}).point;
       if (tree_.is_nearer((x + y) / 2, std::pow(off_surface * d, 2), p.facet))
         result.emplace_back(d, pieces_[i].curve);
+      if (!all && !result.empty()) break;
     }
     return result;
   }
@@ -145,10 +147,23 @@ double widest(const std::vector<NarrowPlace>& places) {
 
 }  // namespace
 
+namespace {
+
+bool may_have_places(const TriMesh& mesh, const Features& features, double spacing) {
+  return !features.curves.empty() && length_of_all(mesh, features) <= most_curves * mesh.area() / spacing;
+}
+
+}  // namespace
+
 std::vector<NarrowPlace> narrow_places(const TriMesh& mesh, const Features& features, double spacing) {
-  const bool are_too_long = length_of_all(mesh, features) > most_curves * mesh.area() / spacing;
-  if (features.curves.empty() || are_too_long) return {};
-  return FacingCurves(mesh, features, spacing).narrow_places();
+  if (!may_have_places(mesh, features, spacing)) return {};
+  return FacingCurves(mesh, features, spacing, spacing).narrow_places(true);
+}
+
+std::vector<NarrowPlace> nearest_places(const TriMesh& mesh, const Features& features, double spacing,
+                                        double longest) {
+  if (!may_have_places(mesh, features, spacing)) return {};
+  return FacingCurves(mesh, features, spacing, std::max(spacing, longest)).narrow_places(false);
 }
 
 /// Facets small beside the lengths at narrow places, these at least so long. Empty if they were too many.
@@ -191,10 +206,9 @@ void find_limits(NarrowSurface& narrow, double spacing) {
 }
 
 std::optional<NarrowSurface> narrow_surface(const TriMesh& mesh, const Features& features, double spacing,
-                                            double gradation) {
+                                            double gradation, double longest) {
   NarrowSurface result;
-  result.places = narrow_places(mesh, features, spacing);
-  std::erase_if(result.places, [](const NarrowPlace& place) { return !place.nearest; });
+  result.places = nearest_places(mesh, features, spacing, longest);
   if (result.places.empty()) return {};
   result.split = split_at(result.places, mesh, spacing, smallest * spacing);
   if (result.split.mesh.num_facets() == 0) return {};

@@ -12,7 +12,7 @@
 
 namespace fpo {
 
-/// In spacings: wider strips between curves have good triangles as they are.
+/// In lengths that are wanted: wider strips between curves have good triangles as they are.
 inline constexpr double narrow_width = 0.6;
 
 /// A place on a curve that faces another one across the surface.
@@ -29,8 +29,12 @@ struct NarrowPlace {
 /// them is near the surface, if they are on one body (another one's curves may cross where both touch), and
 /// if they are not beside each other on one curve or at a corner where both curves begin. Ascending along the
 /// curves. None if curves are longer than sixty spacings a sample: most strips are too narrow for any help.
-/// O(F + places), by a grid.
+/// O(F + places), by a grid, where facets do not lie through each other.
 std::vector<NarrowPlace> narrow_places(const geom::TriMesh& mesh, const Features& features, double spacing);
+/// Those with the nearest curve that they face, in less time; also if they are as near beside the longest
+/// length that is wanted on curves, if that is more than the spacing.
+std::vector<NarrowPlace> nearest_places(const geom::TriMesh& mesh, const Features& features, double spacing,
+                                        double longest = 0);
 
 /// A surface with narrow places, and the same one with facets that are small beside the lengths wanted there.
 struct NarrowSurface {
@@ -44,7 +48,7 @@ struct NarrowSurface {
 /// None if there is no narrow place, if facets are such needles that they cannot be split with some sixty
 /// facets a sample.
 std::optional<NarrowSurface> narrow_surface(const geom::TriMesh& mesh, const Features& features,
-                                            double spacing, double gradation);
+                                            double spacing, double gradation, double longest = 0);
 
 /// The same places on a surface that is split for lengths of at least that: for those that are possible.
 void split_less(NarrowSurface& narrow, const geom::TriMesh& mesh, double spacing, double least);

@@ -33,6 +33,7 @@ constexpr int flip_sweeps = 3;
 /// Of the facets around a place.
 struct AngleScore {
   double penalty = 0, least = 180;
+  std::size_t bad = 0;  ///< facets
 };
 
 /// A flip of the edge from v to w, or a move of v.
@@ -56,6 +57,7 @@ class AngleMender {
         places_(task),
         chains_(chain_edges(task.features)),
         good_(std::min(task.goal.smallest, task.angles.smallest) - mending::rounding),
+        wanted_{task.angles.smallest, task.angles.largest},
         attempts_left_(most_attempts(task, samples.size())),
         is_hopeless_(remesh.num_facets(), 0) {}
 
@@ -82,6 +84,13 @@ class AngleMender {
       }
     return mended;
   }
+  /// From now on angles count as far as they are beyond the goal only: others around may lose, but not so
+  /// much that more facets are bad.
+  void be_modest() {
+    is_modest_ = true;
+    wanted_ = {good_, 180 - 2 * good_};
+    is_hopeless_.assign(is_hopeless_.size(), 0);
+  }
   bool stopped() const { return attempts_left_ == 0 || interrupted(task_.angles.interrupted); }
   TriMesh mesh() const { return mesh_.mesh(); }
 
@@ -90,15 +99,16 @@ class AngleMender {
     AngleScore sum;
     for (const FacetId t : region) {
       const auto [least, most] = std::ranges::minmax(angles_of(mesh_, t));
-      const double beyond =
-          std::max(task_.angles.smallest - least, 0.0) + std::max(most - task_.angles.largest, 0.0);
+      const double beyond = std::max(wanted_.smallest - least, 0.0) + std::max(most - wanted_.largest, 0.0);
       sum.penalty += beyond * beyond;
       sum.least = std::min(sum.least, least);
+      sum.bad += least < good_;
     }
     return sum;
   }
   bool is_better(const AngleScore& a, const AngleScore& b) const {
-    return a.penalty < (1 - mending::least_gain) * b.penalty && a.least >= std::min(good_, b.least);
+    return a.penalty < (1 - mending::least_gain) * b.penalty && a.least >= std::min(good_, b.least) &&
+           (!is_modest_ || a.bad <= b.bad);
   }
 
   bool mend(FacetId t) {
@@ -222,6 +232,10 @@ class AngleMender {
   TrialPlaces places_;
   std::vector<std::pair<VertexId, VertexId>> chains_;
   double good_;
+  struct {
+    double smallest, largest;
+  } wanted_;  ///< angles
+  bool is_modest_ = false;
   std::size_t attempts_left_;
   geom::Table<FacetId, char> is_hopeless_;  // nothing helped, and nothing has changed around since
 };
@@ -233,11 +247,18 @@ LastAngles mend_last_angles(const LastAnglesTask& task, TriMesh& remesh,
   LastAngles result;
   AngleMender mender(task, remesh, samples);
   result.bad_before = result.bad_after = mender.bad().size();
-  for (int round = 0; round < mending::rounds && result.bad_after > 0 && !mender.stopped(); ++round) {
-    const std::size_t mended = mender.round();
-    result.mended += mended;
-    result.bad_after = mender.bad().size();
-    if (mended == 0) break;
+  const auto mend = [&] {
+    for (int round = 0; round < mending::rounds && result.bad_after > 0 && !mender.stopped(); ++round) {
+      const std::size_t mended = mender.round();
+      result.mended += mended;
+      result.bad_after = mender.bad().size();
+      if (mended == 0) break;
+    }
+  };
+  mend();
+  if (result.bad_after > 0 && !mender.stopped()) {
+    mender.be_modest();
+    mend();
   }
   if (result.mended > 0) remesh = mender.mesh();
   return result;

@@ -40,8 +40,9 @@ struct LastAngles {
 /// the goal, and no edge of a vertex that is moved shorter than it was or than the goal. Edges of curves are
 /// not flipped, nor edges that the surface is folded at; corners and points of the user stay. The mesh stays
 /// of its topological type; if nothing is that bad it stays as it is. The worst first, through all of them up
-/// to ten times, with at most 200 + n / 4 attempts, and 1000; each looks for some hundred places on the
-/// surface. Deterministic.
+/// to ten times; and if any are left the same once more, where an angle counts as far as it is below the goal
+/// only, not below what is wanted, and no more triangles around become bad. With at most 200 + n / 4
+/// attempts, and 1000, in all; each looks for some hundred places on the surface. Deterministic.
 LastAngles mend_last_angles(const LastAnglesTask& task, geom::TriMesh& remesh,
                             std::vector<SurfaceSample>& samples);
 

@@ -32,6 +32,12 @@ bool may_be_luck(const RemeshResult& result, const RemeshOptions& options) {
          flaws <= few_flaws && !has_wanted_angles(as_it_will_be(result));
 }
 
+/// The same smallest angle, to the last bit: it is one of the curves, and those do not depend on the seed.
+bool has_same_angle(const RemeshResult& a, const RemeshResult& b) {
+  return a.type.ok() && b.type.ok() && a.measures.theta_min == b.measures.theta_min &&
+         a.measures.angles_below_30 == b.measures.angles_below_30;
+}
+
 /// As the result was made. None if that is interrupted, or refused.
 std::optional<RemeshResult> remade(const geom::TriMesh& surface, const RemeshOptions& how,
                                    const RemeshResult& result, const RemeshWithFeatures& remesh) try {
@@ -54,6 +60,7 @@ RemeshResult with_other_samples(const geom::TriMesh& surface, const RemeshOption
   for (std::uint64_t k = 1; k <= tries && may_be_luck(result, options) && !interrupted(options); ++k) {
     how.seed = options.seed + k * far_seed;
     std::optional<RemeshResult> other = remade(surface, how, result, remesh);
+    if (other && has_same_angle(*other, result)) break;
     if (other && is_better(as_it_will_be(*other), as_it_will_be(result))) result = std::move(*other);
   }
   return result;

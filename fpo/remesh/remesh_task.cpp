@@ -43,15 +43,28 @@ SizingFor part_sizing(const geom::TriMesh& surface, const Features& features, co
   };
 }
 
+namespace {
+
+double longest_on_curves(const Features& features, const Sizing& sizing) {
+  double longest = 0;
+  for (const FeatureCurve& curve : features.curves)
+    for (const geom::VertexId v : curve.vertices) longest = std::max(longest, sizing.at(v));
+  return longest;
+}
+
+}  // namespace
+
 std::optional<NarrowSurface> helpful_narrow_surface(const geom::TriMesh& surface, const Features& features,
                                                     const SizingFor& plain, const RemeshOptions& options) {
   const bool has_marks = options.features && !options.features->marked.empty();  // on facets as they are
-  if (options.method != Method::fpo || has_marks) return {};
+  if (options.method != Method::fpo || has_marks || features.curves.empty()) return {};
   const double spacing = even_spacing(surface, options);
-  std::optional<NarrowSurface> narrow = narrow_surface(surface, features, spacing, curve_gradation(options));
-  if (!narrow) return {};
   const std::size_t n = options.num_samples;
-  const CurveFit fit = fit_sizing_to_curves(surface, plain(n), *narrow, n);
+  const Sizing base = plain(n);
+  std::optional<NarrowSurface> narrow =
+      narrow_surface(surface, features, spacing, curve_gradation(options), longest_on_curves(features, base));
+  if (!narrow) return {};
+  const CurveFit fit = fit_sizing_to_curves(surface, base, *narrow, n);
   if (!fit.helped) return {};
   split_less(*narrow, surface, spacing, fit.least);
   return narrow;

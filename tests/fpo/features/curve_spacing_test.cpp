@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "doctest.h"
 #include "geom/shapes/mesh_parts.h"
@@ -24,6 +25,16 @@ TEST_CASE("curve spacing: a thin side is a narrow place, a corner and a thin bod
     CHECK(place.width > 0.0499);
     CHECK((place.at.z() == 0 || place.at.z() == 0.05));
   }
+  // Not where shorter lengths are wanted, but where longer ones are.
+  CHECK(nearest_places(slab, find_features(slab), 0.08).empty());
+  CHECK(nearest_places(slab, find_features(slab), 0.08, 0.07).empty());
+  CHECK(nearest_places(slab, find_features(slab), 0.08, 0.2).size() > 100);
+  const auto number = [](const std::vector<NarrowPlace>& of) {
+    return std::ranges::count(of, true, &NarrowPlace::nearest);
+  };
+  const auto nearest = nearest_places(slab, find_features(slab), 0.2);
+  CHECK(number(nearest) == std::ssize(nearest));
+  CHECK(number(nearest) == number(places));
   // Two squares above each other: their borders are near, but no surface is between.
   const TriMesh square = geom::make_shape("square");
   const TriMesh above = geom::mapped(square, [](const Vec3& p) -> Vec3 { return p + Vec3(0, 0, 0.05); });

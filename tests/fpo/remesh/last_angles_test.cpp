@@ -20,9 +20,9 @@ using geom::VertexId;
 
 namespace {
 
-/// A surface remeshed by itself, some of its vertices moved towards a neighbour.
+/// A surface remeshed by itself, some of its vertices moved towards a neighbour: one of every so many facets.
 struct Spoilt {
-  explicit Spoilt(const char* name, int size, double share)
+  Spoilt(const char* name, int size, double share, int every = 29)
       : surface(geom::make_shape(name, size)), sizing(Sizing::uniform(1)), remesh(surface) {
     double edges = 0;
     for (const TriMesh::Facet& f : surface.facets())
@@ -30,7 +30,7 @@ struct Spoilt {
     sizing = Sizing::uniform(edges / static_cast<double>(surface.num_facets()));
     const geom::AabbTree tree(surface);
     geom::Table<VertexId, Vec3> at = surface.vertices();
-    for (FacetId t(0); t.index() < surface.num_facets(); t = FacetId(t.value + 29)) {
+    for (FacetId t(0); t.index() < surface.num_facets(); t = FacetId(t.value + every)) {
       const TriMesh::Facet& f = surface.facet(t);
       at[f[0]] = tree.closest(at[f[0]] + share * (at[f[1]] - at[f[0]])).point;
     }
@@ -81,6 +81,20 @@ TEST_CASE("last angles: become larger, on the surface, with as many samples and 
     CHECK(s.remesh.position(VertexId(i)) == s.samples[i].position);
     CHECK(tree.closest(s.samples[i].position).distance2 < 1e-20);
   }
+}
+
+TEST_CASE("last angles: others may lose what is above the goal, if no other way is left") {
+  Spoilt s("torus", 6, 0.35, 13);
+  const AngleOptions angles;
+  REQUIRE(angles.smallest == 33);
+  LastAnglesGoal goal{31};
+  goal.most_attempts = 2000;
+  const LastAngles result =
+      mend_last_angles({s.surface, s.sizing, s.features, nullptr, angles, goal}, s.remesh, s.samples);
+  CHECK(result.bad_before > 15);
+  CHECK(result.bad_after == 0);  // 5 if the same were asked of all
+  CHECK(smallest_angle(s.remesh) >= 31 - 1e-6);
+  CHECK(geom::topology(s.remesh).euler == 0);
 }
 
 TEST_CASE("last angles: samples of features without a curve to slide on stay, and so do their edges") {

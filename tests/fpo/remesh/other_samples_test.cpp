@@ -70,6 +70,9 @@ TEST_CASE("other samples: the best of four, no more where one has the wanted ang
   Tries vain{{6}};
   CHECK(best_of(vain, with_flaws(5)).measures.angles_below_30 == 5);
   CHECK(vain.made == 3);
+  Tries same{{5}};  // the angle of a curve, that no other samples mend
+  CHECK(best_of(same, with_flaws(5)).measures.angles_below_30 == 5);
+  CHECK(same.made == 1);
 }
 
 TEST_CASE("other samples: of another type in a few places") {
