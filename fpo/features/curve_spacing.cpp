@@ -145,10 +145,6 @@ double widest(const std::vector<NarrowPlace>& places) {
   return most;
 }
 
-}  // namespace
-
-namespace {
-
 bool may_have_places(const TriMesh& mesh, const Features& features, double spacing) {
   return !features.curves.empty() && length_of_all(mesh, features) <= most_curves * mesh.area() / spacing;
 }

@@ -32,7 +32,8 @@ bool may_be_luck(const RemeshResult& result, const RemeshOptions& options) {
          flaws <= few_flaws && !has_wanted_angles(as_it_will_be(result));
 }
 
-/// The same smallest angle, to the last bit: it is one of the curves, and those do not depend on the seed.
+/// The same smallest angle, to the last bit, and as many: the seed does not matter to it, as where all three
+/// corners are on curves.
 bool has_same_angle(const RemeshResult& a, const RemeshResult& b) {
   return a.type.ok() && b.type.ok() && a.measures.theta_min == b.measures.theta_min &&
          a.measures.angles_below_30 == b.measures.angles_below_30;
