@@ -12,7 +12,8 @@ using geom::Vec3;
 
 namespace {
 
-constexpr std::array<double, 5> steps = {0.02, 0.05, 0.1, 0.2, 0.33};  // in wanted lengths
+constexpr std::array<double, 10> to_both_sides = {-0.02, 0.02, -0.05, 0.05,  -0.1,
+                                                  0.1,   -0.2, 0.2,   -0.33, 0.33};  // in wanted lengths
 constexpr double least_gap = 0.6, most_gap = 1.3;
 
 /// How far a gap is from what it may be.
@@ -46,6 +47,12 @@ std::vector<SurfaceSample> CurveSlides::places(const SurfaceDomain& domain, Site
 
 std::vector<SurfaceSample> CurveSlides::places(SiteId x, const SurfaceSample& now,
                                                const std::array<Vec3, 2>& beside) const {
+  return places(x, now, beside, to_both_sides);
+}
+
+std::vector<SurfaceSample> CurveSlides::places(SiteId x, const SurfaceSample& now,
+                                               const std::array<Vec3, 2>& beside,
+                                               std::span<const double> steps) const {
   const Track& track = tracks_[x];
   const CurveMetric& metric = metrics_[track.curve];
   const double h = sizing_.at(now), t = metric.nearest(now.position).t;
@@ -56,15 +63,14 @@ std::vector<SurfaceSample> CurveSlides::places(SiteId x, const SurfaceSample& no
   };
   const double worst_now = worst_gap(now.position);
   std::vector<SurfaceSample> result;
-  for (const double step : steps)
-    for (const double sign : {-1.0, 1.0}) {
-      double there = t + sign * step;
-      if (loops_[track.curve]) there -= metric.length() * std::floor(there / metric.length());
-      if (!(there > 0 && there < metric.length())) continue;
-      SurfaceSample place = metric.at(there);
-      place.position = geom::snapped(place.position);
-      if (worst_gap(place.position) <= worst_now) result.push_back(place);
-    }
+  for (const double step : steps) {
+    double there = t + step;
+    if (loops_[track.curve]) there -= metric.length() * std::floor(there / metric.length());
+    if (!(there > 0 && there < metric.length())) continue;
+    SurfaceSample place = metric.at(there);
+    place.position = geom::snapped(place.position);
+    if (worst_gap(place.position) <= worst_now) result.push_back(place);
+  }
   return result;
 }
 

@@ -3,6 +3,7 @@
 // curve only, not the triangles on both sides.
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "fpo/features/curve_domain.h"
@@ -25,6 +26,10 @@ class CurveSlides {
   /// The same for x being here, and its neighbours there.
   std::vector<SurfaceSample> places(SiteId x, const SurfaceSample& now,
                                     const std::array<geom::Vec3, 2>& beside) const;
+  /// Those of them that are these steps away along the curve, in wanted lengths.
+  std::vector<SurfaceSample> places(SiteId x, const SurfaceSample& now,
+                                    const std::array<geom::Vec3, 2>& beside,
+                                    std::span<const double> steps) const;
   /// Before it and after it on the curve. Requires can_slide(x).
   std::array<SiteId, 2> neighbours(SiteId x) const { return {tracks_[x].before, tracks_[x].after}; }
   /// Are the edges of the chains at x and at its neighbours edges of the RRT?

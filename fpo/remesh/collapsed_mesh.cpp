@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fpo/interruption.h"
+#include "fpo/measure/triangle_angles.h"
 #include "fpo/remesh/better_flips.h"
 #include "fpo/remesh/facet_region.h"
 #include "fpo/remesh/farthest_vertices.h"

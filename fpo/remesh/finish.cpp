@@ -13,7 +13,8 @@ namespace {
 /// On the mesh. What is done for 30 degrees does not ask for delta.
 void mend_angles(const LastAnglesTask& task, const FinishOptions& options, Dual& dual, Finish& result) {
   LastAnglesTask with_delta = task;
-  with_delta.goal = {task.angles.smallest, task.sizing.is_even() ? options.least_edge : task.goal.least_edge};
+  const double least_edge = task.sizing.is_even() ? options.least_edge : task.goal.least_edge;
+  with_delta.goal = {task.angles.smallest, least_edge, least_edge};
   if (options.all_wanted)
     result.mended_with_delta = mend_last_angles(with_delta, dual.mesh, dual.samples).mended;
   result.last_angles = mend_last_angles(task, dual.mesh, dual.samples);

@@ -16,6 +16,7 @@ namespace fpo {
 struct LastAnglesGoal {
   double smallest = 30;           ///< angle, in degrees, or that of the options if that is smaller
   double least_edge = 0.55;       ///< of a vertex that is moved, in wanted lengths, or as it was
+  double crowded_edge = 0.4;      ///< the same where nothing else helps, if that is less
   std::size_t most_attempts = 0;  ///< 0: a quarter of the samples and 200, but 1000 at most
 };
 
@@ -40,9 +41,12 @@ struct LastAngles {
 /// the goal, and no edge of a vertex that is moved shorter than it was or than the goal. Edges of curves are
 /// not flipped, nor edges that the surface is folded at; corners and points of the user stay. The mesh stays
 /// of its topological type; if nothing is that bad it stays as it is. The worst first, through all of them up
-/// to ten times; and if any are left the same once more, where an angle counts as far as it is below the goal
-/// only, not below what is wanted, and no more triangles around become bad. With at most 200 + n / 4
-/// attempts, and 1000, in all; each looks for some hundred places on the surface. Deterministic.
+/// to ten times. While any are left the same is done again, and more is allowed each time: angles count as
+/// far as they are below the goal only, not below what is wanted, but no more triangles may be bad; edges may
+/// be as short as crowded_edge; where at most 16 are bad each is annealed (annealed_angles.h), unless its
+/// angle is one between two curves; more may become bad on the way, if no more are in the end. With at most
+/// 200 + n / 4 attempts, and 1000, in all; each looks for some hundred places on the surface, annealing for
+/// twelve thousand. Deterministic.
 LastAngles mend_last_angles(const LastAnglesTask& task, geom::TriMesh& remesh,
                             std::vector<SurfaceSample>& samples);
 

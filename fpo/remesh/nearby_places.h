@@ -15,6 +15,7 @@ struct CirclesAbout {
   double unit;  ///< of the radii
   std::span<const double> radii;
   int directions;
+  double first = 0;  ///< direction
 };
 
 /// In the plane of its facet, then the nearest on the tree's surface, circle after circle; none if the facet
@@ -27,7 +28,7 @@ inline std::vector<SurfaceSample> nearby_places(const geom::TriMesh& surface, co
   const geom::Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
   for (const double radius : circles.radii)
     for (int k = 0; k < circles.directions; ++k) {
-      const double angle = 2 * std::numbers::pi * k / circles.directions;
+      const double angle = circles.first + 2 * std::numbers::pi * k / circles.directions;
       const geom::Vec3 away =
           x.position + radius * circles.unit * (std::cos(angle) * u + std::sin(angle) * v);
       const geom::AabbTree::Closest closest = tree.closest(away, x.facet);

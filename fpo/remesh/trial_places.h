@@ -1,6 +1,7 @@
 #pragma once
 // Where a vertex of a remesh may be tried: on the surface around it, on its curve if it is on one.
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "fpo/remesh/last_angles.h"
 #include "geom/mesh/aabb_tree.h"
 #include "geom/mesh/surface_type.h"
+#include "geom/rng.h"
 
 namespace fpo {
 
@@ -19,9 +21,16 @@ class TrialPlaces {
   /// `now`: the sample that v is. At most a third of the wanted length away, on the same sheet and part of
   /// the surface. None if v must stay, or is on the border and on no curve.
   std::vector<SurfaceSample> around(geom::VertexId v, const SurfaceSample& now, const EditedMesh& mesh);
+  /// One of such places, at random.
+  std::optional<SurfaceSample> random(geom::VertexId v, const SurfaceSample& now, const EditedMesh& mesh,
+                                      geom::Rng& rng);
 
  private:
-  std::vector<SurfaceSample> on_curve(geom::VertexId v, const SurfaceSample& now, const EditedMesh& mesh);
+  std::array<geom::Vec3, 2> beside_on_curve(geom::VertexId v, const EditedMesh& mesh) const;
+  bool can_slide(geom::VertexId v) const;
+  bool is_on_curve(geom::VertexId v) const { return v.index() < task_.features.samples.size(); }
+  std::vector<SurfaceSample> on_sheet(std::vector<SurfaceSample> places, const SurfaceSample& now);
+  std::vector<SurfaceSample> on_curve(std::vector<SurfaceSample> places, const SurfaceSample& now);
 
   bool is_same_part(geom::FacetId a, geom::FacetId b);
 

@@ -8,6 +8,7 @@
 #include "fpo/remesh/angles_at_curves.h"
 #include "fpo/remesh/attempts.h"
 #include "fpo/remesh/harmful_creases.h"
+#include "fpo/remesh/noise.h"
 #include "fpo/remesh/remesh_task.h"
 #include "fpo/remesh/sheet_ways.h"
 #include "fpo/remesh/unless_interrupted.h"

@@ -1,6 +1,8 @@
 #include "fpo/features/curve_slides.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "doctest.h"
 #include "fpo/surface/initial_samples.h"
@@ -68,6 +70,28 @@ TEST_CASE("curve slides: corners and inner samples stay, others slide along thei
     }
     CHECK(sliding > 20);
   }
+}
+
+TEST_CASE("curve slides: steps that are asked for are those that are made, or none") {
+  const Scene scene("cylinder");
+  std::size_t made = 0;
+  for (std::size_t i = scene.on_curves.num_given; i < scene.on_curves.samples.size(); ++i) {
+    const SiteId x(i);
+    if (!scene.slides.can_slide(x)) continue;
+    const auto [before, after] = scene.slides.neighbours(x);
+    const SurfaceSample& now = scene.domain.sample(x);
+    const std::array<Vec3, 2> beside{scene.domain.sample(before).position,
+                                     scene.domain.sample(after).position};
+    for (const double step : {-0.2, -0.004, 0.004, 0.2}) {
+      const std::vector<SurfaceSample> places = scene.slides.places(x, now, beside, {&step, 1});
+      REQUIRE(places.size() <= 1);
+      if (places.empty()) continue;
+      ++made;
+      const double way = (places[0].position - now.position).norm();  // the rims are fine polygons
+      CHECK(way == doctest::Approx(std::abs(step) * scene.sizing.at(now)).epsilon(0.01));
+    }
+  }
+  CHECK(made > 20);
 }
 
 TEST_CASE("curve slides: a sample put between two neighbours on a curve is seen") {

@@ -9,7 +9,7 @@
 #include "fpo/remesh/edited_mesh.h"
 #include "fpo/remesh/recovered_edges.h"
 #include "geom/mesh/aabb_tree.h"
-#include "geom/shapes/shapes.h"
+#include "tests/fixtures/spoilt_remesh.h"
 
 using namespace fpo;
 using geom::FacetId;
@@ -18,32 +18,9 @@ using geom::TriMesh;
 using geom::Vec3;
 using geom::VertexId;
 
+using fixtures::Spoilt;
+
 namespace {
-
-/// A surface remeshed by itself, some of its vertices moved towards a neighbour: one of every so many facets.
-struct Spoilt {
-  Spoilt(const char* name, int size, double share, int every = 29)
-      : surface(geom::make_shape(name, size)), sizing(Sizing::uniform(1)), remesh(surface) {
-    double edges = 0;
-    for (const TriMesh::Facet& f : surface.facets())
-      edges += (surface.position(f[0]) - surface.position(f[1])).norm();
-    sizing = Sizing::uniform(edges / static_cast<double>(surface.num_facets()));
-    const geom::AabbTree tree(surface);
-    geom::Table<VertexId, Vec3> at = surface.vertices();
-    for (FacetId t(0); t.index() < surface.num_facets(); t = FacetId(t.value + every)) {
-      const TriMesh::Facet& f = surface.facet(t);
-      at[f[0]] = tree.closest(at[f[0]] + share * (at[f[1]] - at[f[0]])).point;
-    }
-    for (const Vec3& x : at) samples.push_back({x, tree.closest(x).facet});
-    remesh = TriMesh(at, surface.facets());
-  }
-
-  TriMesh surface;
-  Sizing sizing;
-  FeatureSamples features;
-  TriMesh remesh;
-  std::vector<SurfaceSample> samples;
-};
 
 double smallest_angle(const TriMesh& mesh) {
   double least = 180;
@@ -97,6 +74,22 @@ TEST_CASE("last angles: others may lose what is above the goal, if no other way 
   CHECK(geom::topology(s.remesh).euler == 0);
 }
 
+TEST_CASE("last angles: what no single change mends is annealed, at the cost of edges that are allowed") {
+  for (const double crowded_edge : {0.55, 0.5}) {
+    CAPTURE(crowded_edge);
+    Spoilt s("torus", 6, 0.55, 17);
+    const AngleOptions angles;
+    const LastAnglesGoal goal{30, 0.55, crowded_edge, 2000};
+    const double shortest = std::min(shortest_edge(s.remesh), crowded_edge * s.sizing.at(s.samples[0]));
+    const LastAngles result =
+        mend_last_angles({s.surface, s.sizing, s.features, nullptr, angles, goal}, s.remesh, s.samples);
+    CHECK((result.bad_after > 0) == (crowded_edge == 0.55));
+    CHECK(shortest_edge(s.remesh) >= shortest);
+    CHECK(geom::topology(s.remesh).euler == 0);
+    CHECK(geom::topology(s.remesh).manifold());
+  }
+}
+
 TEST_CASE("last angles: samples of features without a curve to slide on stay, and so do their edges") {
   Spoilt s("sphere", 6, 0.55);
   for (std::size_t i = 0; i < s.samples.size(); ++i) s.features.samples.push_back(s.samples[i]);
@@ -129,7 +122,7 @@ TEST_CASE("last angles: a goal of longer edges and larger angles is kept to") {
   REQUIRE(before < 33);
   const TriMesh old = s.remesh;
   const AngleOptions angles;
-  const LastAnglesGoal goal{33, 0.75};
+  const LastAnglesGoal goal{33, 0.75, 0.75};
   const LastAngles result =
       mend_last_angles({s.surface, s.sizing, s.features, nullptr, angles, goal}, s.remesh, s.samples);
   CHECK(result.mended > 0);
