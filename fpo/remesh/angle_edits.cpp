@@ -72,6 +72,21 @@ bool AngleEdits::is_between_curves(FacetId t) const {
   return is_of_curve(f[i], f[(i + 1) % 3]) && is_of_curve(f[i], f[(i + 2) % 3]);
 }
 
+double AngleEdits::least_cosine(const FacetRegion& region) const {
+  double least = 1;
+  for (const FacetId t : region) {
+    const EditedMesh::Facet& f = mesh_.facet(t);
+    const Vec3 normal = mesh_.normal(t).normalized();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const VertexId a = f[i], b = f[(i + 1) % 3];
+      const FacetId beyond = mesh_.beside(b, a);
+      if (beyond.valid() && !is_of_curve(a, b))
+        least = std::min(least, normal.dot(mesh_.normal(beyond).normalized()));
+    }
+  }
+  return least;
+}
+
 bool AngleEdits::may_flip(VertexId a, VertexId b) const {
   if (is_of_curve(a, b) || !mesh_.can_flip(a, b)) return false;
   return mesh_.normal(mesh_.beside(a, b)).normalized().dot(mesh_.normal(mesh_.beside(b, a)).normalized()) >

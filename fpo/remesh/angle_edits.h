@@ -42,6 +42,8 @@ class AngleEdits {
   bool is_between_curves(geom::FacetId t) const;
   /// Is the penalty less, and the smallest angle no smaller, or good?
   bool is_better(const AngleScore& after, const AngleScore& before) const;
+  /// The least cosine between normals of facets of the region and their neighbours, edges of curves left out.
+  double least_cosine(const FacetRegion& region) const;
   /// All facets that a flip or move at v may change.
   FacetRegion region_at(geom::VertexId v) const {
     return region_of(mesh_, vertices_of(mesh_, region_of(mesh_, {v})));

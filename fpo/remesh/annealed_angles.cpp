@@ -13,7 +13,8 @@ namespace {
 namespace annealing {
 constexpr int num_moves = 4000;
 constexpr double hottest = 10, coldest = 0.03;  // T, in squared degrees
-constexpr double margin = 0.5;  // degrees: what is good by less counts, lest it ends just below
+constexpr double margin = 0.5;         // degrees: what is good by less counts, lest it ends just below
+constexpr double least_cosine = -0.5;  // between neighbours, or as it was: small turns can add up to a fold
 constexpr double rounding = 1e-9;
 }  // namespace annealing
 
@@ -28,6 +29,7 @@ class Annealing {
     vertices_ = grown(grown({corners.begin(), corners.end()}));
     region_ = region_of(mesh, grown(vertices_));
     before_ = edits.score(region_);
+    cosine_before_ = edits.least_cosine(region_);
     now_ = least_ = before_.penalty;
   }
 
@@ -74,6 +76,7 @@ class Annealing {
   }
 
   bool is_better(const AngleScore& after) const {
+    if (edits_.least_cosine(region_) < std::min(annealing::least_cosine, cosine_before_)) return false;
     const bool is_less_bad =
         after.bad < before_.bad && after.least >= std::min(edits_.rules.good, before_.least);
     return is_less_bad || edits_.is_better(after, before_);
@@ -98,6 +101,7 @@ class Annealing {
   std::vector<VertexId> vertices_;
   FacetRegion region_;
   AngleScore before_;
+  double cosine_before_;
   double now_, least_;  ///< penalties
   std::vector<Move> moves_;
   std::size_t best_ = 0;  ///< after so many of them

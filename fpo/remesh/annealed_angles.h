@@ -12,7 +12,8 @@ namespace fpo {
 
 /// Around a facet: some thousand moves, until nothing is bad there. True if the best that was seen is better
 /// than what was there (AngleEdits::is_better), or fewer are bad and the smallest angle is no smaller, or
-/// good: it is there now. Else all is as before. Deterministic.
+/// good, and nothing is folded by more than 120 degrees that was not: it is there now. Else all is as before.
+/// Deterministic.
 bool anneal_angles(AngleEdits& edits, geom::FacetId t, geom::Rng& rng);
 
 }  // namespace fpo

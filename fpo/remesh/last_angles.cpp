@@ -19,9 +19,9 @@ namespace {
 namespace mending {
 constexpr int most_rounds = 10;
 constexpr std::size_t least_attempts = 200, share_of_attempts = 4, most_attempts = 1000;
-constexpr int most_at_once = 8;    // changes for a triangle, before others have their turn
-constexpr std::size_t few = 16;    // bad triangles: more are not annealed,
-constexpr int times_annealed = 3;  // and each of them so often
+constexpr int most_at_once = 8;  // changes for a triangle, before others have their turn
+constexpr std::size_t few = 16;  // bad triangles: more are not annealed,
+constexpr int times_annealed = 8, most_times_annealed = 80;  // each of them at most, and in all
 }  // namespace mending
 
 /// A flip of the edge from v to w, or a move of v.
@@ -124,7 +124,7 @@ class AngleMender {
   bool anneal(FacetId t) {
     const EditedMesh& mesh = edits_.mesh();
     const EditedMesh::Facet corners = mesh.facet(t);
-    for (int i = 0; i < mending::times_annealed; ++i)
+    for (int i = 0; i < mending::times_annealed && times_left_ > 0; ++i, --times_left_)
       if (anneal_angles(edits_, t, rng_)) {
         FacetRegion around = region_of(mesh, {corners.begin(), corners.end()});
         for (int ring = 0; ring < 3; ++ring) around = region_of(mesh, vertices_of(mesh, around));
@@ -174,6 +174,7 @@ class AngleMender {
   std::vector<SurfaceSample>& samples_;
   AngleEdits edits_;
   bool is_annealed_ = false;
+  int times_left_ = mending::most_times_annealed;
   std::size_t attempts_left_;
   geom::Table<FacetId, char> is_hopeless_;  ///< nothing helped, and nothing has changed around since
   geom::Rng rng_;

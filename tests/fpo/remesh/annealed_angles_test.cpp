@@ -39,6 +39,9 @@ TEST_CASE("annealed angles: fewer are small, or all is as it was; samples and ve
       const TriMesh before = edits.mesh().mesh();
       const std::vector<SurfaceSample> samples = s.samples;
       const std::size_t bad = edits.bad().size();
+      FacetRegion all;
+      for (FacetId u(0); u.index() < edits.mesh().num_facets(); u = FacetId(u.value + 1)) all.push_back(u);
+      const double cosine = edits.least_cosine(all);
       if (!anneal_angles(edits, t, rng)) {
         ++as_before;
         CHECK(edits.mesh().mesh().facets() == before.facets());
@@ -48,6 +51,7 @@ TEST_CASE("annealed angles: fewer are small, or all is as it was; samples and ve
       }
       ++better;
       CHECK(edits.bad().size() <= bad);
+      CHECK(edits.least_cosine(all) >= std::min(cosine, -0.5));
       CHECK(geom::topology(edits.mesh().mesh()).euler == geom::topology(s.surface).euler);
       CHECK(geom::topology(edits.mesh().mesh()).manifold());
       const geom::AabbTree tree(s.surface);
