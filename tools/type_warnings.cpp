@@ -111,11 +111,11 @@ std::string splitting_told(const geom::Topology& in, const geom::Topology& out,
 void add_small_angles(const fpo::RemeshResult& result, const fpo::RemeshOptions& options,
                       std::vector<std::string>& lines) {
   if (result.measures.angles_below_30 == 0) return;
-  std::string line = worded("%zu angles are below 30 degrees, the smallest is %.1f",
-                            result.measures.angles_below_30, result.measures.theta_min);
+  std::string line = counted(result.measures.angles_below_30, "angle is", "angles are") +
+                     worded(" below 30 degrees, the smallest is %.1f", result.measures.theta_min);
   if (result.corner_angle < 30)
-    line += worded("; %zu between creases of the input are, the smallest is %.1f", result.sharp_corners,
-                   result.corner_angle);
+    line += worded("; %zu between creases of the input %s, the smallest is %.1f", result.sharp_corners,
+                   result.sharp_corners == 1 ? "is" : "are", result.corner_angle);
   if (told_for_features(result) > result.samples.size())
     line += worded("; %s, from about -n %zu on that does not matter", feature_need(result.feature_bound.need),
                    enough_samples(result));
@@ -140,9 +140,11 @@ std::vector<std::string> type_warnings(const geom::TriMesh& input, const fpo::Re
     return lines;
   }
   if (!type.is_manifold())
-    lines.push_back(worded("the remesh is not a manifold: %zu non-manifold edges, %zu non-manifold vertices",
-                           type.nonmanifold_edges, type.nonmanifold_vertices));
-  if (type.bare_samples > 0) lines.push_back(worded("%zu samples have no triangle", type.bare_samples));
+    lines.push_back("the remesh is not a manifold: " +
+                    counted(type.nonmanifold_edges, "non-manifold edge", "non-manifold edges") + ", " +
+                    counted(type.nonmanifold_vertices, "non-manifold vertex", "non-manifold vertices"));
+  if (type.bare_samples > 0)
+    lines.push_back(counted(type.bare_samples, "sample has", "samples have") + " no triangle");
   add_parts(type, lines);
   if (!type.same_pieces())
     lines.push_back(

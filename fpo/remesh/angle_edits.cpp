@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "fpo/measure/triangle_angles.h"
 #include "fpo/remesh/recovered_edges.h"
 
 namespace fpo {
@@ -20,6 +21,7 @@ constexpr double rounding = 1e-9;
 constexpr double least_gain = 1e-3;         // of the penalty around
 constexpr double flat = 0.8, turned = 0.7;  // cosines between normals: of a flip, of a facet before and after
 constexpr int flip_sweeps = 3;
+constexpr double noticed = 0.01;  // degrees
 }  // namespace edits
 
 }  // namespace
@@ -65,11 +67,18 @@ bool AngleEdits::is_of_curve(VertexId a, VertexId b) const {
   return std::ranges::binary_search(chains_, std::pair<VertexId, VertexId>(std::minmax(a, b)));
 }
 
-bool AngleEdits::is_between_curves(FacetId t) const {
-  const EditedMesh::Facet& f = mesh_.facet(t);
+/// Along straight curves it stays what it is.
+bool AngleEdits::is_stuck_between_curves(FacetId t) {
+  const EditedMesh::Facet f = mesh_.facet(t);
   const std::array<double, 3> angles = angles_of(mesh_, t);
   const auto i = static_cast<std::size_t>(std::ranges::min_element(angles) - angles.begin());
-  return is_of_curve(f[i], f[(i + 1) % 3]) && is_of_curve(f[i], f[(i + 2) % 3]);
+  if (!is_of_curve(f[i], f[(i + 1) % 3]) || !is_of_curve(f[i], f[(i + 2) % 3])) return false;
+  return std::ranges::none_of(f, [&](VertexId v) {
+    return std::ranges::any_of(places(v), [&](const SurfaceSample& place) {
+      const auto at = [&](VertexId w) { return w == v ? place.position : mesh_.position(w); };
+      return angles_of({at(f[0]), at(f[1]), at(f[2])})[i] > angles[i] + edits::noticed;
+    });
+  });
 }
 
 double AngleEdits::least_cosine(const FacetRegion& region) const {

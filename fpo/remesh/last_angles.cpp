@@ -20,7 +20,7 @@ namespace mending {
 constexpr int most_rounds = 10;
 constexpr std::size_t least_attempts = 200, share_of_attempts = 4, most_attempts = 1000;
 constexpr int most_at_once = 8;  // changes for a triangle, before others have their turn
-constexpr std::size_t few = 16;  // bad triangles: more are not annealed,
+constexpr std::size_t few = 16;  // bad triangles that are not stuck: more are not annealed,
 constexpr int times_annealed = 8, most_times_annealed = 80;  // each of them at most, and in all
 }  // namespace mending
 
@@ -57,8 +57,8 @@ class AngleMender {
     rules.least_edge = task_.goal.crowded_edge;
     mend();
     is_annealed_ = true;
-    if (num_bad_ <= mending::few) mend();
-    if (num_bad_ <= mending::few) mend_with_more();
+    if (are_few()) mend();
+    if (are_few()) mend_with_more();
   }
 
   std::size_t num_bad() const { return num_bad_; }
@@ -68,6 +68,13 @@ class AngleMender {
  private:
   bool stopped() const { return attempts_left_ == 0 || interrupted(task_.angles.interrupted); }
   bool is_bad(FacetId t) const { return least_angle(edits_.mesh(), t) < edits_.rules.good; }
+
+  /// Of those that may be annealed.
+  bool are_few() {
+    const auto is_stuck = [&](FacetId t) { return edits_.is_stuck_between_curves(t); };
+    const std::vector<FacetId> bad = edits_.bad();
+    return bad.size() - static_cast<std::size_t>(std::ranges::count_if(bad, is_stuck)) <= mending::few;
+  }
 
   void mend() {
     is_hopeless_.assign(is_hopeless_.size(), 0);
@@ -96,7 +103,7 @@ class AngleMender {
       for (int k = 0; k < mending::most_at_once && !is_hopeless_[t] && is_bad(t); ++k) {
         if (stopped()) return mended;
         --attempts_left_;
-        is_hopeless_[t] = !mend(t) && !(is_annealed_ && !edits_.is_between_curves(t) && anneal(t));
+        is_hopeless_[t] = !mend(t) && !(is_annealed_ && !edits_.is_stuck_between_curves(t) && anneal(t));
         mended += !is_hopeless_[t];
       }
     return mended;

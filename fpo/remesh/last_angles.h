@@ -43,10 +43,10 @@ struct LastAngles {
 /// of its topological type; if nothing is that bad it stays as it is. The worst first, through all of them up
 /// to ten times. While any are left the same is done again, and more is allowed each time: angles count as
 /// far as they are below the goal only, not below what is wanted, but no more triangles may be bad; edges may
-/// be as short as crowded_edge; where at most 16 are bad each is annealed (annealed_angles.h), unless its
-/// angle is one between two curves; more may become bad on the way, if no more are in the end. With at most
-/// 200 + n / 4 attempts, and 1000, in all; each looks for some hundred places on the surface, annealing,
-/// eighty times at most, for four thousand. Deterministic.
+/// be as short as crowded_edge; where at most 16 are bad, those left out whose angle is one between two
+/// curves that no slide makes larger, each is annealed (annealed_angles.h); more may become bad on the way,
+/// if no more are in the end. With at most 200 + n / 4 attempts, and 1000, in all; each looks for some hundred
+/// places on the surface, annealing, eighty times at most, for four thousand. Deterministic.
 LastAngles mend_last_angles(const LastAnglesTask& task, geom::TriMesh& remesh,
                             std::vector<SurfaceSample>& samples);
 

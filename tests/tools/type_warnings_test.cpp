@@ -94,6 +94,10 @@ TEST_CASE("type warnings: of small angles, how many the input has between crease
   with_lines.features.emplace().marked = {{geom::VertexId(0), geom::VertexId(1)}};
   CHECK(tools::shape_warnings({}, result, with_lines) ==
         std::vector{plain + more + "; lines that were asked for are not given up for them"});
+  result.measures.angles_below_30 = result.sharp_corners = 1;
+  const std::string one = "1 angle is below 30 degrees, the smallest is 13.6";
+  const std::string own = "; 1 between creases of the input is, the smallest is 13.6";
+  CHECK(tools::shape_warnings({}, result, {}) == std::vector{one + own});
 }
 
 TEST_CASE("type warnings: nobody is told a number that is of no use") {

@@ -3,6 +3,8 @@
 #include "fpo/remesh/angle_edits.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "doctest.h"
 #include "geom/mesh/surface_type.h"
@@ -74,7 +76,9 @@ TEST_CASE("angle edits: moves keep to the rules, change their region alone, and 
   CHECK(edits.mesh().mesh().vertices() == before.vertices());
 }
 
-TEST_CASE("angle edits: edges of curves are not flipped, and angles between two of them are known") {
+TEST_CASE(
+    "angle edits: edges of curves are not flipped, and angles between two of them are stuck if nothing "
+    "slides") {
   Spoilt s("sphere", 6, 0.1);
   const TriMesh::Facet f = s.remesh.facet(FacetId(0));
   const auto id = [](VertexId v) { return SiteId(v.value); };
@@ -89,7 +93,7 @@ TEST_CASE("angle edits: edges of curves are not flipped, and angles between two 
       });
       if (is_of_curve) CHECK(!edits.flip(a, b));
     }
-    return edits.is_between_curves(FacetId(0));
+    return edits.is_stuck_between_curves(FacetId(0));
   };
   CHECK(!is_between());
   const std::array<double, 3> angles = angles_of(EditedMesh(s.remesh), FacetId(0));
@@ -100,5 +104,65 @@ TEST_CASE("angle edits: edges of curves are not flipped, and angles between two 
   s.features.chains = {{id(apex), id(b)}};
   CHECK(!is_between());
   s.features.chains = {{id(b), id(apex)}, {id(apex), id(c)}};
+  CHECK(!is_between());  // its vertices may go anywhere
+  s.features.samples = s.samples;
   CHECK(is_between());
+}
+
+TEST_CASE("angle edits: an angle between curves is stuck if no slide makes it larger") {
+  constexpr int cells = 8;
+  const TriMesh plane = geom::make_shape("square", cells);
+  const geom::AabbTree tree(plane);
+  const auto vertex = [&](int x, int y) {
+    const Vec3 wanted(x / double{cells}, y / double{cells}, 0);
+    VertexId v(0);
+    while ((plane.position(v) - wanted).norm() > 1e-6) v = VertexId(v.value + 1);
+    return v;
+  };
+  for (const bool is_bent : {false, true}) {
+    CAPTURE(is_bent);
+    FeatureCurve flat, steep;  // from (2, 2), the second one bent at (4, 4)
+    for (int k = 2; k <= 7; ++k) flat.vertices.push_back(vertex(k, 2));
+    for (int k = 2; k <= 7; ++k) steep.vertices.push_back(is_bent && k > 4 ? vertex(4, k) : vertex(k, k));
+    Features features;
+    features.corners = {flat.vertices.front(), flat.vertices.back(), steep.vertices.back()};
+    for (FeatureCurve* curve : {&flat, &steep}) {
+      curve->sheets = 2;
+      for (std::size_t i = 0; i + 1 < curve->vertices.size(); ++i) {
+        const Vec3 middle = (plane.position(curve->vertices[i]) + plane.position(curve->vertices[i + 1])) / 2;
+        curve->facets.push_back(tree.closest(middle).facet);
+      }
+      features.curves.push_back(*curve);
+    }
+    const auto place = [&](VertexId v) {
+      return SurfaceSample{plane.position(v), tree.closest(plane.position(v)).facet};
+    };
+    const double h = std::sqrt(8.0) / cells;
+    const Vec3 beside = plane.position(flat.vertices[0]) + Vec3(h, 0, 0);
+    std::vector<SurfaceSample> samples = {place(flat.vertices[0]),
+                                          place(flat.vertices[5]),
+                                          place(steep.vertices[5]),
+                                          {beside, tree.closest(beside).facet},
+                                          place(steep.vertices[2])};
+    FeatureSamples on_curves;
+    on_curves.samples = samples;
+    on_curves.num_given = 3;
+    on_curves.chains = {{SiteId(0), SiteId(3), SiteId(1)}, {SiteId(0), SiteId(4), SiteId(2)}};
+    on_curves.sheets = {2, 2};
+    const Sizing sizing = Sizing::uniform(h);
+    const CurveSlides slides(plane, features, on_curves, sizing);
+    geom::Table<VertexId, Vec3> at;
+    for (const SurfaceSample& x : samples) at.push_back(x.position);
+    geom::Table<FacetId, TriMesh::Facet> facets;
+    for (const auto& [a, b, c] : {std::array{0, 3, 4}, std::array{3, 1, 2}, std::array{3, 2, 4}})
+      facets.push_back({VertexId(static_cast<std::size_t>(a)), VertexId(static_cast<std::size_t>(b)),
+                        VertexId(static_cast<std::size_t>(c))});
+    const TriMesh remesh(at, facets);
+    const AngleOptions angles;
+    const LastAnglesTask task{plane, sizing, on_curves, &slides, angles};
+    AngleEdits edits(task, remesh, samples);
+    CHECK(!edits.places(VertexId(4)).empty());
+    CHECK(edits.is_stuck_between_curves(FacetId(0)) == !is_bent);
+    CHECK(!edits.is_stuck_between_curves(FacetId(2)));
+  }
 }
