@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -35,6 +36,7 @@ constexpr double rounding = 1e-9;
 constexpr std::size_t most_trials = 24;  // of the places that promise most
 constexpr double least_promise = 0.95;   // of the distance
 constexpr double least_fall = 0.97;      // of the largest distance, to go on
+constexpr double most_share = 0.93;      // else less is asked for
 constexpr double passing = 0.05;         // of delta, until others have made room
 
 class Distances {
@@ -293,31 +295,42 @@ class CloserMender {
   Spreading spreading_;
 };
 
-/// Round after round, until that brings nothing more.
+/// The farthest first, until some in a row have stayed.
+void mend_far(CloserMender& mender, const std::function<bool()>& enough, ClosenessResult& result) {
+  std::size_t futile = 0;  // in a row
+  for (CircleId c; futile < most_futile && !enough() && (c = mender.far().take_worst()).valid();
+       ++result.tried) {
+    const bool mended = mender.mend(c);
+    result.mended += mended;
+    futile = mended ? 0 : futile + 1;
+  }
+}
+
+/// Round after round, until that brings nothing more. Where triangles that are so far are too many, or the
+/// farthest stay, a round asks for less.
 void mend_in_rounds(SurfaceDomain& domain, const AngleOptions& angles, const ClosenessOptions& options,
                     ClosenessResult& result) {
   AllDistances distances(domain, options.threads);
   result.largest_before = result.largest_after = distances.largest();
   std::size_t moves = 0;
-  for (int round = 0; round < options.rounds && result.largest_after > 0; ++round) {
-    const double bound = options.share_of_largest * result.largest_after;
+  double share = options.share_of_largest;
+  for (int round = 0; round < options.rounds && share < most_share && result.largest_after > 0; ++round) {
+    const double bound = share * result.largest_after;
     CloserMender mender(domain, distances, angles, bound, options);
     const auto enough = [&] {
       return moves + mender.moves() > options.most_moves || distances.looks() > options.most_looks ||
              interrupted(options.interrupted);
     };
-    if (mender.is_far_in_many_places()) return;
-    std::size_t futile = 0;  // in a row
-    for (CircleId c; futile < most_futile && !enough() && (c = mender.far().take_worst()).valid();
-         ++result.tried) {
-      const bool mended = mender.mend(c);
-      result.mended += mended;
-      futile = mended ? 0 : futile + 1;
+    bool is_nearer = false;
+    if (!mender.is_far_in_many_places()) {
+      mend_far(mender, enough, result);
+      moves += mender.moves();
+      const double left = mender.largest();
+      const double before = std::exchange(result.largest_after, left > 0 ? left : distances.largest());
+      is_nearer = result.largest_after < least_fall * before;
     }
-    moves += mender.moves();
-    const double left = mender.largest();
-    const double before = std::exchange(result.largest_after, left > 0 ? left : distances.largest());
-    if (enough() || !(result.largest_after < least_fall * before)) return;
+    if (enough()) return;
+    if (!is_nearer) share = (1 + share) / 2;
   }
 }
 

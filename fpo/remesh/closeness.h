@@ -13,7 +13,7 @@ namespace fpo {
 
 struct ClosenessOptions {
   double share_of_largest = 0.7;  ///< a round brings all distances below this share of the largest
-  int rounds = 4;
+  int rounds = 8;
   double enough_delta = 0.88;  ///< with uniform sizing delta is not made smaller than this
   /// A share of the triangles: if more than that are beyond the bound, the largest distance is one of many,
   /// and all stays as it is.
