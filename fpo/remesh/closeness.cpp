@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -96,10 +97,28 @@ class Distances {
   SurfaceAbove above_;
 };
 
-double beyond(Distances& distances, const EmptyCircle& circle, double bound) {
-  const double beyond = std::max(distances.farthest(circle, bound).distance / bound - 1, 0.0);
+double penalty_of(double distance, double bound) {
+  const double beyond = std::max(distance / bound - 1, 0.0);
   return beyond * beyond;
 }
+
+double beyond(Distances& distances, const EmptyCircle& circle, double bound) {
+  return penalty_of(distances.farthest(circle, bound).distance, bound);
+}
+
+/// The triangles that are farther than a bound.
+struct FarTriangles {
+  double bound = 0;
+  std::vector<std::pair<CircleId, double>> distances;  ///< by ids
+
+  double largest() const { return distances.empty() ? 0 : std::ranges::max(distances | std::views::values); }
+  /// Those of them. Requires a bound that is no smaller.
+  FarTriangles beyond(double larger_bound) const {
+    FarTriangles result{larger_bound, distances};
+    std::erase_if(result.distances, [&](const auto& far) { return !(far.second > larger_bound); });
+    return result;
+  }
+};
 
 /// Distances of all triangles, found by some threads: each has its own workspace.
 class AllDistances {
@@ -117,34 +136,38 @@ class AllDistances {
     return sum;
   }
 
-  /// The largest so far spares others most of the look: first that of some triangles, then of each range.
-  /// Ranges do not depend on the number of threads.
-  double largest() {
-    std::vector<const EmptyCircle*> triangles;
-    for_triangles(domain_.dual(), [&](const EmptyCircle& circle) { triangles.push_back(&circle); });
+  FarTriangles farther(double bound) { return farther(triangles_of(domain_.dual()), bound, 0); }
+
+  /// Those that are farther than a share of the largest distance. The largest so far spares others most of
+  /// the look: first that of some triangles, then of each range. Ranges do not depend on the number of
+  /// threads.
+  FarTriangles farthest(double share) {
+    const std::vector<CircleId> triangles = triangles_of(domain_.dual());
     double some = 0;
     for (std::size_t i = 0; i < triangles.size(); i += looked_at_first)
-      some = std::max(some, one().farthest(*triangles[i], some).distance);
-    std::vector<double> most((triangles.size() + grain - 1) / grain, some);
-    in_ranges(triangles.size(), [&](Distances& distances, std::size_t i) {
-      double& so_far = most[i / grain];
-      so_far = std::max(so_far, distances.farthest(*triangles[i], so_far).distance);
-    });
-    return triangles.empty() ? 0 : std::ranges::max(most);
-  }
-
-  FlawMeasures beyond(double bound) {
-    return [this, bound](std::span<const CircleId> triangles) {
-      std::vector<double> result(triangles.size());
-      in_ranges(triangles.size(), [&](Distances& distances, std::size_t i) {
-        result[i] = fpo::beyond(distances, domain_.dual().circle(triangles[i]), bound);
-      });
-      return result;
-    };
+      some = std::max(some, one().farthest(domain_.dual().circle(triangles[i]), some).distance);
+    const FarTriangles found = farther(triangles, share * some, share);
+    return found.beyond(share * found.largest());
   }
 
  private:
   static constexpr std::size_t grain = 1024, looked_at_first = 32;
+
+  /// Than a bound that grows, in each range, with the largest so far, to that share of it.
+  FarTriangles farther(const std::vector<CircleId>& triangles, double bound, double share) {
+    std::vector<double> distances(triangles.size(), 0), bounds((triangles.size() + grain - 1) / grain, bound);
+    in_ranges(triangles.size(), [&](Distances& of, std::size_t i) {
+      double& least = bounds[i / grain];
+      const double far = of.farthest(domain_.dual().circle(triangles[i]), least).distance;
+      if (far > least) distances[i] = far;
+      least = std::max(least, share * far);
+    });
+    FarTriangles result{bound, {}};
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+      if (distances[i] > 0) result.distances.emplace_back(triangles[i], distances[i]);
+    std::ranges::sort(result.distances);
+    return result;
+  }
 
   template <class Visit>
   void in_ranges(std::size_t count, const Visit& visit) {
@@ -185,19 +208,32 @@ std::vector<SurfaceSample> places_towards(const SurfaceDomain& domain, const geo
   return places;
 }
 
+std::vector<double> penalties_of(std::span<const CircleId> triangles, const FarTriangles& far) {
+  std::vector<double> result;
+  result.reserve(triangles.size());
+  for (const CircleId c : triangles) {
+    const auto found = std::ranges::lower_bound(far.distances, c, {}, &std::pair<CircleId, double>::first);
+    const bool is_far = found != far.distances.end() && found->first == c;
+    result.push_back(is_far ? penalty_of(found->second, far.bound) : 0);
+  }
+  return result;
+}
+
 /// One far triangle after the other.
 class CloserMender {
  public:
-  CloserMender(SurfaceDomain& domain, AllDistances& all, const AngleOptions& angles, double bound,
+  /// `far`: as things are.
+  CloserMender(SurfaceDomain& domain, AllDistances& all, const AngleOptions& angles, const FarTriangles& far,
                const ClosenessOptions& options)
       : domain_(domain),
         distances_(all.one()),
         options_(options),
-        bound_(bound),
+        bound_(far.bound),
         delta_(std::min(options.enough_delta, measure(domain).delta)),
         far_(
             domain, [this](const EmptyCircle& circle) { return beyond(distances_, circle, bound_); },
-            Flaws::Sight::star, all.beyond(bound)),
+            Flaws::Sight::star,
+            [&far](std::span<const CircleId> triangles) { return penalties_of(triangles, far); }),
         bad_(domain, bad_angles(domain, angles)),
         journal_(domain),
         resampling_(domain, {&far_, &bad_}, options.enough_delta - passing),
@@ -207,8 +243,13 @@ class CloserMender {
   }
 
   Flaws& far() { return far_; }
-  /// Of all triangles, if any is farther than the bound; else unknown: 0.
-  double largest() { return far_.number() > 0 ? bound_ * (1 + std::sqrt(far_.worst())) : 0; }
+  /// As things are now.
+  FarTriangles far_triangles() {
+    FarTriangles result{bound_, {}};
+    for (const CircleId c : far_.all())
+      result.distances.emplace_back(c, bound_ * (1 + std::sqrt(far_.penalty(c))));
+    return result;
+  }
   std::size_t moves() const { return resampling_.moves() + spreading_.moves(); }
   bool is_far_in_many_places() {
     const auto triangles = 2 * static_cast<double>(domain_.num_samples());  // of a closed surface, about
@@ -264,8 +305,7 @@ class CloserMender {
       for (const SurfaceSample& place : places_towards(domain_, distances_.tree(), home, far.at)) {
         const double after = distances_.distance_after(x, place, far.at.position);
         if (!(after < least_promise * far.distance)) continue;
-        const double beyond = std::max(after / bound_ - 1, 0.0);
-        estimates.push_back({beyond * beyond + spreading_.lack(x, place) - lack, {x, place}});
+        estimates.push_back({penalty_of(after, bound_) + spreading_.lack(x, place) - lack, {x, place}});
       }
     }
     std::ranges::stable_sort(estimates, {}, &Estimate::cost);
@@ -311,26 +351,25 @@ void mend_far(CloserMender& mender, const std::function<bool()>& enough, Closene
 void mend_in_rounds(SurfaceDomain& domain, const AngleOptions& angles, const ClosenessOptions& options,
                     ClosenessResult& result) {
   AllDistances distances(domain, options.threads);
-  result.largest_before = result.largest_after = distances.largest();
-  std::size_t moves = 0;
   double share = options.share_of_largest;
-  for (int round = 0; round < options.rounds && share < most_share && result.largest_after > 0; ++round) {
-    const double bound = share * result.largest_after;
-    CloserMender mender(domain, distances, angles, bound, options);
+  FarTriangles far = distances.farthest(share);
+  result.largest_before = result.largest_after = far.largest();
+  std::size_t moves = 0;
+  for (int round = 0; round < options.rounds && share < most_share && !far.distances.empty(); ++round) {
+    CloserMender mender(domain, distances, angles, far, options);
     const auto enough = [&] {
       return moves + mender.moves() > options.most_moves || distances.looks() > options.most_looks ||
              interrupted(options.interrupted);
     };
-    bool is_nearer = false;
-    if (!mender.is_far_in_many_places()) {
-      mend_far(mender, enough, result);
-      moves += mender.moves();
-      const double left = mender.largest();
-      const double before = std::exchange(result.largest_after, left > 0 ? left : distances.largest());
-      is_nearer = result.largest_after < least_fall * before;
-    }
+    if (!mender.is_far_in_many_places()) mend_far(mender, enough, result);
+    moves += mender.moves();
+    FarTriangles left = mender.far_triangles();
+    if (left.distances.empty()) left = distances.farthest(share);
+    const double before = std::exchange(result.largest_after, left.largest());
     if (enough()) return;
-    if (!is_nearer) share = (1 + share) / 2;
+    if (!(result.largest_after < least_fall * before)) share = (1 + share) / 2;
+    const double bound = share * result.largest_after;
+    far = bound < left.bound ? distances.farther(bound) : left.beyond(bound);
   }
 }
 

@@ -12,11 +12,13 @@
 namespace fpo {
 
 struct ClosenessOptions {
-  double share_of_largest = 0.7;  ///< a round brings all distances below this share of the largest
+  /// A round brings all distances below this share of the largest, at first; after one that fails the next
+  /// asks for half of that.
+  double share_of_largest = 0.7;
   int rounds = 8;
   double enough_delta = 0.88;  ///< with uniform sizing delta is not made smaller than this
   /// A share of the triangles: if more than that are beyond the bound, the largest distance is one of many,
-  /// and all stays as it is.
+  /// and less is asked for.
   double most_far = 1;
   std::size_t most_moves = std::numeric_limits<std::size_t>::max();  ///< give or take one triangle's
   std::size_t most_looks = most_moves;       ///< at edges of the surface (surface_above.h), likewise

@@ -84,6 +84,14 @@ double Flaws::worst() {
   return most;
 }
 
+std::vector<CircleId> Flaws::all() {
+  catch_up();
+  std::vector<CircleId> bad;
+  for (std::size_t i = 0; i < penalties_.num_ids(); ++i)
+    if (penalties_.of(CircleId(i)) > 0) bad.emplace_back(i);
+  return bad;
+}
+
 CircleId Flaws::take_worst() {
   catch_up();
   if (untried_.empty()) return CircleId();

@@ -43,6 +43,7 @@ class Flaws final : public Follower<geom::RestrictedDual::Change> {
   double penalty() { return catch_up(), penalties_.sum(); }  ///< the sum of all measures
   bool is_more_than(double limit);  ///< the penalty: measures no more of what is new than it takes to say so
   double worst();                   ///< the largest of all measures; 0 if there is none. O(triangles)
+  std::vector<CircleId> all();      ///< those that are bad. O(triangles)
   double penalty(CircleId c) const { return penalties_.of(c); }  ///< of one that take_worst() gave
 
   /// The worst that take_worst() has not given yet since try_all_again(); none if there is none.

@@ -175,6 +175,23 @@ TEST_CASE("closeness: a largest distance that is one of many is left alone, and 
   CHECK(come_closer(domain, {}, options).tried > 0);
 }
 
+TEST_CASE("closeness: where too many are far less is asked for") {
+  const TriMesh mesh = fixtures::blob(12);
+  const SurfaceDomain samples = optimized(mesh, 300, 20);
+  ClosenessOptions options;
+  options.enough_delta = 0.8;
+  options.most_far = 0.01;
+  ClosenessResult results[2];
+  for (const int rounds : {1, 8}) {
+    SurfaceDomain domain = samples.rebuilt();
+    options.rounds = rounds;
+    results[rounds > 1] = come_closer(domain, {}, options);
+  }
+  CHECK(results[0].tried == 0);
+  CHECK(results[1].mended > 0);
+  CHECK(results[1].largest_after < results[1].largest_before);
+}
+
 TEST_CASE("closeness: interrupted, or without moves to spare, little is done") {
   const TriMesh mesh = folded();
   SurfaceDomain domain = optimized(mesh, 100, 5);
