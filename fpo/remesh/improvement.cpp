@@ -89,7 +89,7 @@ void come_nearer(SurfaceDomain& domain, const Improvement& how, const RemeshOpti
   if (by_itself || options.closer == Closer::always)
     result.closeness =
         come_closer(domain, how.angles, closeness_options(domain, options, by_itself, before, result));
-  if (by_itself && result.closeness.tried == 0)
+  if (by_itself && result.closeness.mended == 0)
     result.fidelity = improve_fidelity(domain, how.angles, fidelity);
 }
 
