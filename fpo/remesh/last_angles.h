@@ -45,8 +45,8 @@ struct LastAngles {
 /// far as they are below the goal only, not below what is wanted, but no more triangles may be bad; edges may
 /// be as short as crowded_edge; where at most 16 are bad, those left out whose angle is one between two
 /// curves that no slide makes larger, each is annealed (annealed_angles.h); more may become bad on the way,
-/// if no more are in the end. With at most 200 + n / 4 attempts, and 1000, in all; each looks for some hundred
-/// places on the surface, annealing, eighty times at most, for four thousand. Deterministic.
+/// if no more are in the end. With at most 200 + n / 4 attempts, and 1000, in all; each looks for some
+/// hundred places on the surface, annealing, eighty times at most, for four thousand. Deterministic.
 LastAngles mend_last_angles(const LastAnglesTask& task, geom::TriMesh& remesh,
                             std::vector<SurfaceSample>& samples);
 
