@@ -21,7 +21,7 @@ constexpr int most_rounds = 10;
 constexpr std::size_t least_attempts = 200, share_of_attempts = 4, most_attempts = 1000;
 constexpr int most_at_once = 8;  // changes for a triangle, before others have their turn
 constexpr std::size_t few = 16;  // bad triangles that are not stuck: more are not annealed,
-constexpr int times_annealed = 8, most_times_annealed = 80;  // each of them at most, and in all
+constexpr std::size_t times_annealed = 8, share_of_times = 20, most_times = 80;  // each at most, and in all
 }  // namespace mending
 
 /// A flip of the edge from v to w, or a move of v.
@@ -36,12 +36,17 @@ std::size_t attempts(const LastAnglesTask& task, std::size_t n) {
   return std::min(mending::least_attempts + n / mending::share_of_attempts, mending::most_attempts);
 }
 
+std::size_t times_to_anneal(std::size_t n) {
+  return std::min(mending::times_annealed + n / mending::share_of_times, mending::most_times);
+}
+
 class AngleMender {
  public:
   AngleMender(const LastAnglesTask& task, const TriMesh& remesh, std::vector<SurfaceSample>& samples)
       : task_(task),
         samples_(samples),
         edits_(task, remesh, samples),
+        times_left_(times_to_anneal(samples.size())),
         attempts_left_(attempts(task, samples.size())),
         is_hopeless_(remesh.num_facets(), 0),
         rng_(samples.size()),
@@ -131,7 +136,7 @@ class AngleMender {
   bool anneal(FacetId t) {
     const EditedMesh& mesh = edits_.mesh();
     const EditedMesh::Facet corners = mesh.facet(t);
-    for (int i = 0; i < mending::times_annealed && times_left_ > 0; ++i, --times_left_)
+    for (std::size_t i = 0; i < mending::times_annealed && times_left_ > 0; ++i, --times_left_)
       if (anneal_angles(edits_, t, rng_)) {
         FacetRegion around = region_of(mesh, {corners.begin(), corners.end()});
         for (int ring = 0; ring < 3; ++ring) around = region_of(mesh, vertices_of(mesh, around));
@@ -181,7 +186,7 @@ class AngleMender {
   std::vector<SurfaceSample>& samples_;
   AngleEdits edits_;
   bool is_annealed_ = false;
-  int times_left_ = mending::most_times_annealed;
+  std::size_t times_left_;  ///< to anneal
   std::size_t attempts_left_;
   geom::Table<FacetId, char> is_hopeless_;  ///< nothing helped, and nothing has changed around since
   geom::Rng rng_;

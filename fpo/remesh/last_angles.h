@@ -46,7 +46,8 @@ struct LastAngles {
 /// be as short as crowded_edge; where at most 16 are bad, those left out whose angle is one between two
 /// curves that no slide makes larger, each is annealed (annealed_angles.h); more may become bad on the way,
 /// if no more are in the end. With at most 200 + n / 4 attempts, and 1000, in all; each looks for some
-/// hundred places on the surface, annealing, eighty times at most, for four thousand. Deterministic.
+/// hundred places on the surface, annealing, 8 + n / 20 times and eighty at most, for four thousand.
+/// Deterministic.
 LastAngles mend_last_angles(const LastAnglesTask& task, geom::TriMesh& remesh,
                             std::vector<SurfaceSample>& samples);
 
