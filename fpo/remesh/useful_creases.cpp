@@ -200,13 +200,13 @@ RemeshResult remesh_with_useful_creases(const geom::TriMesh& surface, const Reme
   if (result.crease_curves == 0 || !may_drop_creases(options) || result.stood_in || interrupted(options) ||
       geom::topology(surface).nonmanifold_edges > 0 || has_wanted_angles(as_it_will_be(result)) ||
       (is_useful(as_it_will_be(result)) && !crowded && !with.had_many_small_angles))
-    return std::move(result);
+    return std::move(with.result);
   const bool is_slow = is_slow_with_creases(surface, result, options);
   with.strong_settled |= is_slow;
   const bool has_few_on_curves = 2 * result.feature_samples < options.num_samples;
   const bool has_other_ways = may_be_smoothed(options) && is_folded(surface);
   if ((is_hopeless(result) || is_in_ruins(result)) && (has_few_on_curves || has_other_ways) && !is_slow)
-    return std::move(result);
+    return std::move(with.result);
   return remesh_with_fewer_creases(surface, std::move(with), options);
 }
 

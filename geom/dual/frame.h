@@ -68,7 +68,7 @@ class Frame {
     Place() = default;
     Place(const Vec3& y, double rise = 0) : y(y), rise(rise) {}
     Vec3 y;
-    double rise;
+    double rise = 0;
     double squaredNorm() const { return y.squaredNorm() + rise * rise; }
   };
   struct Seen {

@@ -123,7 +123,7 @@ TEST_CASE("PLY binary: a header with Windows line ends, a body that starts with 
 TEST_CASE("PLY: triangle strips, in text and both byte orders, beside faces and alone") {
   const std::vector<std::int32_t> strip{0, 1, 3, 2, -1, -1, 3, 2, -1, 2, 2, 0, 0, 3, 2, 1};
   const std::string triangles = "0 1 3, 3 1 2, 3 0 2, 3 2 1";  // every other one is turned over
-  const auto strips_header = [](std::string format) {
+  const auto strips_header = [](const std::string& format) {
     return "ply\nformat " + format +
            " 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
            "element tristrips 1\nproperty list int int vertex_indices\n";

@@ -3,6 +3,7 @@
 #include "fpo/remesh/stand_in_remesh.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "doctest.h"
@@ -91,10 +92,12 @@ TEST_CASE("coarser for all: not where creases are kept, samples are many, or not
   CHECK(fpo::may_be_coarser(plate, {}, options));
   CHECK(!fpo::may_be_coarser(plate, fpo::find_features(plate), options));
   CHECK(!fpo::may_be_coarser(plate, {}, options_for(plate.num_facets() / 45 + 1)));
-  for (const auto change : {+[](fpo::RemeshOptions& o) { o.fixed = {Vec3(0, 0, 0)}; },
-                            +[](fpo::RemeshOptions& o) { o.coarse_start = false; },
-                            +[](fpo::RemeshOptions& o) { o.method = fpo::Method::cvt; },
-                            +[](fpo::RemeshOptions& o) { o.mend = false; }}) {
+  const std::array<void (*)(fpo::RemeshOptions&), 4> changes = {
+      [](fpo::RemeshOptions& o) { o.fixed = {Vec3(0, 0, 0)}; },
+      [](fpo::RemeshOptions& o) { o.coarse_start = false; },
+      [](fpo::RemeshOptions& o) { o.method = fpo::Method::cvt; },
+      [](fpo::RemeshOptions& o) { o.mend = false; }};
+  for (const auto change : changes) {
     fpo::RemeshOptions other = options;
     change(other);
     CHECK(!fpo::may_be_coarser(plate, {}, other));
