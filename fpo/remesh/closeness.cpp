@@ -7,7 +7,6 @@
 #include <limits>
 #include <memory>
 #include <mutex>
-#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -111,7 +110,11 @@ struct FarTriangles {
   double bound = 0;
   std::vector<std::pair<CircleId, double>> distances;  ///< by ids
 
-  double largest() const { return distances.empty() ? 0 : std::ranges::max(distances | std::views::values); }
+  double largest() const {
+    double most = 0;
+    for (const auto& [triangle, far] : distances) most = std::max(most, far);
+    return most;
+  }
   /// Those of them. Requires a bound that is no smaller.
   FarTriangles beyond(double larger_bound) const {
     FarTriangles result{larger_bound, distances};
