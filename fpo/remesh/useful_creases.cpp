@@ -178,18 +178,15 @@ RemeshResult remesh_with_useful_creases(const geom::TriMesh& surface, const Reme
     return with_creases_dropped(std::move(*without), harm_of_creases(as_it_will_be(first.result)));
   if (auto good = with_good_creases_at_once(surface, first.result, how)) return std::move(*good);
   RemeshResult chosen_ones = remesh_sheets(surface, chosen, how, std::move(first));
-  std::optional<WithRoom> with_room;
-  if (roomy)
-    with_room = {std::move(chosen_ones),
-                 length_of(surface, chosen.features) / length_of(surface, all.features)};
-  if (with_room &&
-      (has_wanted_angles(with_room->result) || with_room->result.made_coarser || interrupted(options)))
-    return with_good_creases(surface, std::move(with_room->result), options);
-  WithCreases with{{}, with_room.has_value(), std::move(without)};
+  WithCreases with{{}, roomy.has_value(), std::move(without)};
   RemeshResult& result = with.result;
-  if (with_room) {
-    const bool settled = settles_creases(*with_room, surface, all.features, options);
-    result = std::move(with_room->result);
+  if (roomy) {
+    WithRoom with_room{std::move(chosen_ones),
+                       length_of(surface, chosen.features) / length_of(surface, all.features)};
+    if (has_wanted_angles(with_room.result) || with_room.result.made_coarser || interrupted(options))
+      return with_good_creases(surface, std::move(with_room.result), options);
+    const bool settled = settles_creases(with_room, surface, all.features, options);
+    result = std::move(with_room.result);
     if (!settled) take_if_better_with(surface, all, options, result);
   } else {
     result = std::move(chosen_ones);
