@@ -34,8 +34,7 @@ std::string feature_bound_line(const fpo::RemeshResult& result) {
   if (!result.has_levels)
     line += worded("; here %zu of %zu edges are proven", result.proven_edges, result.feature_edges);
   if (result.collapsed_curves > 0)
-    line += worded(", and %zu %s collapsed", result.collapsed_curves,
-                   result.collapsed_curves == 1 ? "curve is" : "curves are");
+    line += ", and " + counted(result.collapsed_curves, "curve is collapsed", "curves are collapsed");
   return line;
 }
 

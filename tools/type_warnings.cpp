@@ -72,10 +72,6 @@ void add_parts(const fpo::TypeCheck& type, std::vector<std::string>& lines) {
       "components of the input are several of the remesh each");
 }
 
-std::string counted(std::size_t count, const char* one, const char* more) {
-  return worded("%zu %s", count, count == 1 ? one : more);
-}
-
 /// What stands between the input and a manifold of its own type, in words; empty: nothing.
 std::string set_apart(const geom::Topology& in, const geom::SurfaceType& split) {
   if (in.nonmanifold_edges > 0)
@@ -114,8 +110,10 @@ void add_small_angles(const fpo::RemeshResult& result, const fpo::RemeshOptions&
   std::string line = counted(result.measures.angles_below_30, "angle is", "angles are") +
                      worded(" below 30 degrees, the smallest is %.1f", result.measures.theta_min);
   if (result.corner_angle < 30)
-    line += worded("; %zu between creases of the input %s, the smallest is %.1f", result.sharp_corners,
-                   result.sharp_corners == 1 ? "is" : "are", result.corner_angle);
+    line +=
+        "; " +
+        counted(result.sharp_corners, "between creases of the input is", "between creases of the input are") +
+        worded(", the smallest is %.1f", result.corner_angle);
   if (told_for_features(result) > result.samples.size())
     line += worded("; %s, from about -n %zu on that does not matter", feature_need(result.feature_bound.need),
                    enough_samples(result));

@@ -17,4 +17,8 @@ std::string worded(const char* format, ...) {
   return text;
 }
 
+std::string counted(std::size_t count, const char* one, const char* more) {
+  return worded("%zu %s", count, count == 1 ? one : more);
+}
+
 }  // namespace tools
