@@ -358,7 +358,7 @@ void mend_in_rounds(SurfaceDomain& domain, const AngleOptions& angles, const Clo
   FarTriangles far = distances.farthest(share);
   result.largest_before = result.largest_after = far.largest();
   std::size_t moves = 0;
-  for (int round = 0; round < options.rounds && share < most_share && !far.distances.empty(); ++round) {
+  for (int round = 1; share < most_share && !far.distances.empty(); ++round) {
     CloserMender mender(domain, distances, angles, far, options);
     const auto enough = [&] {
       return moves + mender.moves() > options.most_moves || distances.looks() > options.most_looks ||
@@ -369,7 +369,7 @@ void mend_in_rounds(SurfaceDomain& domain, const AngleOptions& angles, const Clo
     FarTriangles left = mender.far_triangles();
     if (left.distances.empty()) left = distances.farthest(share);
     const double before = std::exchange(result.largest_after, left.largest());
-    if (enough()) return;
+    if (enough() || round >= options.rounds) return;
     if (!(result.largest_after < least_fall * before)) share = (1 + share) / 2;
     const double bound = share * result.largest_after;
     far = bound < left.bound ? distances.farther(bound) : left.beyond(bound);

@@ -13,7 +13,7 @@ namespace fpo {
 
 struct ClosenessOptions {
   /// A round brings all distances below this share of the largest, at first; after one that fails the next
-  /// asks for half of that.
+  /// asks for half as much less (.85, .925). At least one round.
   double share_of_largest = 0.7;
   int rounds = 8;
   double enough_delta = 0.88;  ///< with uniform sizing delta is not made smaller than this

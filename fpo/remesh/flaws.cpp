@@ -77,13 +77,6 @@ bool Flaws::is_more_than(double limit) {
   return penalties_.sum() > limit;
 }
 
-double Flaws::worst() {
-  catch_up();
-  double most = 0;
-  for (std::size_t i = 0; i < penalties_.num_ids(); ++i) most = std::max(most, penalties_.of(CircleId(i)));
-  return most;
-}
-
 std::vector<CircleId> Flaws::all() {
   catch_up();
   std::vector<CircleId> bad;

@@ -42,7 +42,6 @@ class Flaws final : public Follower<geom::RestrictedDual::Change> {
   std::size_t number() { return catch_up(), penalties_.number(); }
   double penalty() { return catch_up(), penalties_.sum(); }  ///< the sum of all measures
   bool is_more_than(double limit);  ///< the penalty: measures no more of what is new than it takes to say so
-  double worst();                   ///< the largest of all measures; 0 if there is none. O(triangles)
   std::vector<CircleId> all();      ///< those that are bad. O(triangles)
   double penalty(CircleId c) const { return penalties_.of(c); }  ///< of one that take_worst() gave
 

@@ -71,7 +71,7 @@ TEST_CASE(
       if (asks_between) CHECK(flaws.is_more_than(0.999 * fresh.penalty()) == (fresh.penalty() > 0));
       CHECK(!flaws.is_more_than(1.001 * fresh.penalty() + 1e-9));
       REQUIRE(flaws.number() == fresh.number());
-      CHECK(flaws.worst() == fresh.worst());
+      CHECK(flaws.all() == fresh.all());
       CHECK(flaws.penalty() == doctest::Approx(fresh.penalty()).epsilon(1e-9));
       flaws.try_all_again();
       const CircleId worst = flaws.take_worst(), expected = fresh.take_worst();
