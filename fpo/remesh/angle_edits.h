@@ -38,7 +38,7 @@ class AngleEdits {
   /// The bad facets, the worst first.
   std::vector<geom::FacetId> bad() const;
   AngleScore score(const FacetRegion& region) const;
-  /// Is its smallest angle one between two edges of curves, and no larger at any of their places() to slide to?
+  /// Is its smallest angle one between two edges of curves, and no larger at any of the places() of these?
   bool is_stuck_between_curves(geom::FacetId t);
   /// Is the penalty less, and the smallest angle no smaller, or good?
   bool is_better(const AngleScore& after, const AngleScore& before) const;
