@@ -12,7 +12,7 @@ namespace fpo {
 SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, WeightedSamples samples,
                              const SurfaceOptions& options, MoveGuard* guard)
     : options_(options), state_(std::make_unique<SurfaceState>(mesh, std::move(samples), options, guard)) {
-  options_.known_cells = {};
+  options_.known = {};
 }
 
 SurfaceDomain::SurfaceDomain(const geom::TriMesh& mesh, const Sizing& sizing,

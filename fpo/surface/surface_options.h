@@ -28,8 +28,8 @@ struct SurfaceOptions {
   std::size_t num_fixed = 0;  ///< the samples with smaller ids stay where they are
   std::uint64_t seed = 1;  ///< of the order in which the oracle is filled (the result does not depend on it)
   int threads = 1;         ///< that build the first diagram; no matter to the result
-  Priority farthest = by_radius;                      ///< which empty circle is the farthest point
-  std::span<const geom::KnownCell> known_cells = {};  ///< of the samples in the first diagram, if not empty
+  Priority farthest = by_radius;  ///< which empty circle is the farthest point
+  geom::KnownDiagram known = {};  ///< of the first diagram
 };
 
 }  // namespace fpo

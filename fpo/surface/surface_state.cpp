@@ -38,7 +38,7 @@ SurfaceState::SurfaceState(const geom::TriMesh& mesh, WeightedSamples all, const
   }
   geom::Rng(options.seed).shuffle(std::span(order));
   samples.follow(dual.sites());
-  apply(dual.build(std::move(points), homes, order, options.threads, options.known_cells));
+  apply(dual.build(std::move(points), homes, order, options.threads, options.known));
 }
 
 geom::WeightedPoint3 SurfaceState::point_at(const SurfaceSample& place, SiteId x) const {

@@ -1,15 +1,46 @@
 #include "fpo/tiles/known_cells.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fpo {
 
-KnownCells::KnownCells(const geom::RestrictedDual& whole) {
+KnownCells::KnownCells(const geom::RestrictedDual& whole) : told_(1) {
   cells_.reserve(whole.num_sites());
   for (SiteId x(0); x.index() < whole.num_sites(); x = SiteId(x.value + 1)) {
     cells_.push_back({whole.known_cell(x), std::numeric_limits<double>::infinity()});
     raise_power(whole.reach_bound(x));
   }
+  std::vector<geom::EmptyCircle> circles;
+  for (const CircleId c : whole.circles())
+    if (is_any_regular(whole.circle(c))) circles.push_back(whole.circle(c));
+  set_circles(0, std::move(circles));
+  end_round();
+}
+
+bool KnownCells::is_any_regular(const geom::EmptyCircle& circle) const {
+  return std::ranges::any_of(circle.sites, [&](SiteId s) {
+    return s.valid() && cells_[s.index()].known.shape == geom::CellShape::regular;
+  });
+}
+
+void KnownCells::end_round() {
+  circles_.clear();
+  for (std::vector<geom::EmptyCircle>& told : told_) {
+    circles_.insert(circles_.end(), told.begin(), told.end());
+    std::vector<geom::EmptyCircle>().swap(told);
+  }
+  begin_.assign(cells_.size() + 1, 0);
+  const auto for_sites = [&](auto visit) {
+    for (std::size_t i = 0; i < circles_.size(); ++i)
+      for (const SiteId s : circles_[i].sites)
+        if (s.valid()) visit(s.index(), static_cast<std::uint32_t>(i));
+  };
+  for_sites([&](std::size_t s, std::uint32_t) { ++begin_[s + 1]; });
+  for (std::size_t s = 0; s < cells_.size(); ++s) begin_[s + 1] += begin_[s];
+  of_site_.resize(begin_.back());
+  std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
+  for_sites([&](std::size_t s, std::uint32_t i) { of_site_[next[s]++] = i; });
 }
 
 void KnownCells::set(SiteId x, const geom::RestrictedDual& dual, SiteId here, const TileGuard& guard) {

@@ -17,9 +17,17 @@
 //
 // So a cell is told by one of these to another if its ball is in both. A sheet is a matter of the surface
 // alone: all know it that have the ball for which it was made.
+//
+// The circles of a cell are its corners, so they are told with it: a diagram is then put together from what
+// is known, and only the surface near other cells is divided (geom/dual/known_circles.h), by the bound P. It
+// holds in a tile with M >= P (tile_domain.h): that has the owners of D on all of its facets. Of more than
+// most_with_circles samples circles would be much of the memory of a run.
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "fpo/domain.h"
@@ -31,30 +39,54 @@ namespace fpo {
 
 class KnownCells {
  public:
-  /// Nothing is known yet.
-  explicit KnownCells(std::size_t num_samples) : cells_(num_samples) {}
+  static constexpr std::size_t most_with_circles = 1U << 18U;  ///< some 170 bytes each
+
+  /// Nothing is known yet. `num_tiles`: who will tell.
+  KnownCells(std::size_t num_samples, std::size_t num_tiles) : cells_(num_samples), told_(num_tiles) {}
   /// What the diagram of the whole surface knows, at any time.
   explicit KnownCells(const geom::RestrictedDual& whole);
 
   /// After a round: of a sample of the guard's tile, by the tile's diagram. Each sample once, any thread.
   void set(SiteId x, const geom::RestrictedDual& dual, SiteId here, const TileGuard& guard);
+  /// The same of a tile: circles that touch regular cells of its samples, each such circle at least once, in
+  /// the ids of the whole.
+  void set_circles(std::size_t tile, std::vector<geom::EmptyCircle> circles) {
+    if (cells_.size() <= most_with_circles) told_[tile] = std::move(circles);
+  }
   /// The same: a bound of the power in a tile. One thread at a time.
   void raise_power(double power) { power_ = std::max(power_, power); }
+  /// All have told.
+  void end_round();
 
   /// The round is over: what the guard's tile may use in the next one. Cells of samples in other tiles are
   /// not looked at: those are not moved.
   geom::KnownCell of(SiteId x, const geom::WeightedPoint3& site, const TileGuard& guard) const;
   /// What the whole surface may use: of all samples.
   std::vector<geom::KnownCell> of_all(const WeightedSamples& samples) const;
+  /// Gives back their memory: from now on only circles are known.
+  void forget_cells() { std::vector<Cell>().swap(cells_); }
+  /// A bound of the power anywhere.
+  double power() const { return power_; }
+  /// The circles that were told, those of all regular cells among them; the places there of those that touch
+  /// one.
+  std::span<const geom::EmptyCircle> circles() const { return circles_; }
+  std::span<const std::uint32_t> circles_of(SiteId x) const {
+    if (circles_.empty()) return {};
+    return std::span(of_site_).subspan(begin_[x.index()], begin_[x.index() + 1] - begin_[x.index()]);
+  }
 
  private:
   bool is_known(SiteId x, double weight, double room) const;
+  bool is_any_regular(const geom::EmptyCircle& circle) const;
 
   struct Cell {
     geom::KnownCell known;
     double room = -1;  ///< the radius of the largest ball about the site in the tile
   };
   std::vector<Cell> cells_;
+  std::vector<std::vector<geom::EmptyCircle>> told_;  ///< by each tile
+  std::vector<geom::EmptyCircle> circles_;
+  std::vector<std::uint32_t> begin_, of_site_;  ///< those of each sample
   double power_ = -std::numeric_limits<double>::infinity();
 };
 

@@ -19,11 +19,16 @@ constexpr double room_for_removals = 2;  // how much more power than at first ma
 
 double square(double x) { return x * x; }
 
-Box3 box_of(const geom::TriMesh& mesh, std::span<const FacetId> facets) {
-  Box3 box;
+/// Of some facets, in space and in the frame of the tiles.
+FacetBoxes boxes_of(const geom::TriMesh& mesh, std::span<const FacetId> facets, const Frame& frame) {
+  FacetBoxes boxes;
+  boxes.frame = frame;
   for (const FacetId t : facets)
-    for (int i = 0; i < 3; ++i) box.extend(mesh.corner(t, i));
-  return box;
+    for (int i = 0; i < 3; ++i) {
+      boxes.in_space.extend(mesh.corner(t, i));
+      boxes.in_frame.extend(in_frame(frame, mesh.corner(t, i)));
+    }
+  return boxes;
 }
 
 }  // namespace
@@ -47,15 +52,25 @@ TiledSurface::TiledSurface(const geom::TriMesh& mesh, const Sizing& sizing,
   }
 }
 
-std::vector<SiteId> TiledSurface::samples_near(const Box3& box, double M) const {
+std::vector<SiteId> TiledSurface::samples_near(const FacetBoxes& boxes, double M) const {
   constexpr double less = 1 - 1e-9;  // for the rounding of distances
+  const Box3& box = boxes.in_space;
+  const Vec3 off = Vec3::Constant(1e-12 * std::max(mesh_.box().min().lpNorm<Eigen::Infinity>(),
+                                                   mesh_.box().max().lpNorm<Eigen::Infinity>()));
+  const Box3 turned(boxes.in_frame.min() - off, boxes.in_frame.max() + off);
+  const auto is_near = [&](SiteId x) {
+    const Vec3& at = sample(x).position;
+    const double most = M + weight(x);
+    return box.squaredExteriorDistance(at) * less <= most &&
+           turned.squaredExteriorDistance(in_frame(boxes.frame, at)) * less <= most;
+  };
   std::vector<SiteId> result;
   for (std::size_t t = 0; t < tiles_.size(); ++t) {
     if (tiles_[t].samples.empty() ||
         box.squaredExteriorDistance(tiles_[t].sample_box) * less - tile_weights_[t] > M)
       continue;
     for (const SiteId x : tiles_[t].samples)
-      if (box.squaredExteriorDistance(sample(x).position) * less - weight(x) <= M) result.push_back(x);
+      if (is_near(x)) result.push_back(x);
   }
   std::ranges::sort(result);
   return result;
@@ -63,15 +78,16 @@ std::vector<SiteId> TiledSurface::samples_near(const Box3& box, double M) const 
 
 TileDomain::TileDomain(const TiledSurface& whole, std::size_t tile)
     : whole_(whole),
+      number_(tile),
       tile_(whole.tiles()[tile]),
       part_(geom::submesh(whole.mesh(), tile_.facets)),
       guard_(tile_, 1e-12 * std::max(whole.mesh().box().min().lpNorm<Eigen::Infinity>(),
                                      whole.mesh().box().max().lpNorm<Eigen::Infinity>())) {
-  const Box3 box = box_of(whole.mesh(), part_.facets);
+  const FacetBoxes boxes = boxes_of(whole.mesh(), part_.facets, tile_.frame);
   std::size_t all = 0;
   for (const Tile& t : whole.tiles()) all += t.samples.size();
   for (double reach = first_reach * whole.largest_spacing(tile);; reach *= reach_step) {
-    sites_ = whole.samples_near(box, square(reach));
+    sites_ = whole.samples_near(boxes, square(reach));
     guard_.set_most_power(sites_.size() == all ? std::numeric_limits<double>::infinity() : square(reach));
     build();
     if (room_for_removals * largest_reach() <= guard_.most_power()) break;
@@ -115,8 +131,9 @@ void TileDomain::build() {
   options.threads = 1;  // as other tiles have theirs
   options.num_fixed = static_cast<std::size_t>(
       std::ranges::lower_bound(sites_, SiteId(whole_.options().num_fixed)) - sites_.begin());
-  const std::vector<geom::KnownCell> known = known_cells(WeightedSamples(sizing, samples, options));
-  options.known_cells = known;
+  const std::vector<geom::KnownCell> cells = known_cells(WeightedSamples(sizing, samples, options));
+  const std::vector<geom::EmptyCircle> circles = known_circles(cells);
+  options.known = {cells, circles, whole_.known() ? whole_.known()->power() : 0};
   domain_.emplace(part_.mesh, sizing, samples, options, &guard_);
 }
 
@@ -128,8 +145,45 @@ std::vector<geom::KnownCell> TileDomain::known_cells(const WeightedSamples& samp
   return known;
 }
 
+/// Each by the first of its sites whose cell is known.
+std::vector<geom::EmptyCircle> TileDomain::known_circles(std::span<const geom::KnownCell> cells) const {
+  std::vector<geom::EmptyCircle> circles;
+  if (!whole_.known() || !(whole_.known()->power() <= guard_.most_power())) return circles;
+  const auto is_known = [&](SiteId x) { return cells[x.index()].shape == geom::CellShape::regular; };
+  for (std::size_t i = 0; i < sites_.size(); ++i) {
+    if (!is_known(SiteId(i))) continue;
+    for (const std::uint32_t place : whole_.known()->circles_of(sites_[i])) {
+      geom::EmptyCircle circle = whole_.known()->circles()[place];
+      for (SiteId& s : circle.sites) s = here(s);
+      if (*std::ranges::find_if(circle.sites, is_known) != SiteId(i)) continue;
+      circle.facet = part_.here(circle.facet);
+      circles.push_back(circle);
+    }
+  }
+  return circles;
+}
+
+/// As known_circles(), among the tile's own samples.
 void TileDomain::tell(KnownCells& known) const {
-  for (const SiteId x : tile_.samples) known.set(x, domain_->dual(), here(x), guard_);
+  const geom::RestrictedDual& dual = domain_->dual();
+  std::vector<char> is_told(sites_.size(), 0);
+  for (const SiteId x : tile_.samples) {
+    known.set(x, dual, here(x), guard_);
+    is_told[here(x).index()] = dual.known_cell(here(x)).shape == geom::CellShape::regular;
+  }
+  std::vector<geom::EmptyCircle> circles;
+  for (SiteId x(0); x.index() < sites_.size(); x = SiteId(x.value + 1)) {
+    if (is_told[x.index()] == 0) continue;
+    for (const CircleId c : dual.circles_of(x)) {
+      geom::EmptyCircle circle = dual.circle(c);
+      if (*std::ranges::find_if(circle.sites, [&](SiteId s) { return is_told[s.index()] != 0; }) != x)
+        continue;
+      for (SiteId& s : circle.sites) s = whole_id(s);
+      circle.facet = whole_id(circle.facet);
+      circles.push_back(circle);
+    }
+  }
+  known.set_circles(number_, std::move(circles));
 }
 
 double TileDomain::largest_reach() const {

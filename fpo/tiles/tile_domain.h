@@ -4,8 +4,9 @@
 // (tile_guard.h) forbids what others could notice, or could change.
 //
 // The tile's diagram holds the facets that meet T and the sites that own anything of them: all within a
-// certain power M of the box of these facets. The others can never be nearest where the power is at most M,
-// which holds everywhere at first (certified, else M is increased) and is demanded of what a removal vacates.
+// certain power M of the box of these facets (of two such boxes, one along the axes of the tiles). The others
+// can never be nearest where the power is at most M, which holds everywhere at first (certified, else M is
+// increased) and is demanded of what a removal vacates.
 
 #include <optional>
 #include <span>
@@ -19,6 +20,12 @@
 #include "geom/mesh/submesh.h"
 
 namespace fpo {
+
+/// What some facets are in.
+struct FacetBoxes {
+  Frame frame = Frame::Identity();
+  geom::Box3 in_space, in_frame;
+};
 
 /// A surface with samples, ready to be looked at tile by tile. All samples' weights are those of the sizing.
 class TiledSurface {
@@ -39,8 +46,8 @@ class TiledSurface {
   /// The largest wanted length at a sample of a tile.
   double largest_spacing(std::size_t tile) const { return spacings_[tile]; }
 
-  /// All samples that have power at most M at some location of the box (maybe a few more), ascending.
-  std::vector<SiteId> samples_near(const geom::Box3& box, double M) const;
+  /// All samples that have power at most M at some location of both boxes (maybe a few more), ascending.
+  std::vector<SiteId> samples_near(const FacetBoxes& boxes, double M) const;
 
  private:
   double weight(SiteId x) const { return weights_.empty() ? 0 : weights_[x.index()]; }
@@ -82,10 +89,12 @@ class TileDomain {
  private:
   void build();
   std::vector<geom::KnownCell> known_cells(const WeightedSamples& samples) const;
+  std::vector<geom::EmptyCircle> known_circles(std::span<const geom::KnownCell> cells) const;
   Sizing local_sizing(std::vector<SurfaceSample>& samples);
   SiteId here(SiteId of_whole) const;
 
   const TiledSurface& whole_;
+  const std::size_t number_;
   const Tile& tile_;
   geom::Submesh part_;
   geom::TriMesh sizing_mesh_;  ///< the facets of all samples, each by itself

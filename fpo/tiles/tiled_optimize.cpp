@@ -63,9 +63,11 @@ SurfaceDomain TiledSamples::domain(std::optional<KnownCells> known) {
   SurfaceOptions options = task_.surface;
   WeightedSamples all(task_.sizing, std::exchange(samples_, {}), options);
   std::vector<geom::KnownCell> cells;
-  if (known) cells = known->of_all(all);
-  known.reset();  // it is as large as they are
-  options.known_cells = cells;
+  if (known) {
+    cells = known->of_all(all);
+    known->forget_cells();  // they are as large as these
+    options.known = {cells, known->circles(), known->power()};
+  }
   return SurfaceDomain(task_.mesh, std::move(all), options);
 }
 
@@ -211,7 +213,7 @@ bool TiledRun::round() {
   std::ranges::stable_sort(tiles, std::greater(), [](const Tile& tile) { return tile.samples.size(); });
   TiledSurface whole(samples_.mesh(), samples_.sizing(), samples_.all(), task_.surface, std::move(tiles));
   if (known_) whole.set_known(*known_);
-  RoundEnd end{samples_.all(), KnownCells(samples_.size())};
+  RoundEnd end{samples_.all(), KnownCells(samples_.size(), whole.tiles().size())};
   const std::uint64_t seed = rng_.bits();
   try {
     geom::parallel_ranges(whole.tiles().size(), 1, tile_options_.threads,
@@ -220,6 +222,7 @@ bool TiledRun::round() {
     throw geom::Bug("after iteration " + std::to_string(iteration_) + ", " + bug.what());
   }
   samples_.all() = std::move(end.samples);
+  end.known.end_round();
   known_ = std::move(end.known);
   iteration_ += sweeps_;
   return !interrupted();

@@ -19,6 +19,7 @@ void EdgeChains::add(FacetId t, std::span<const FacetPiece> pieces) {
       const EdgeLabel along = corners[k].edge;
       if (!along.is_site() || along.site() < a) continue;  // once for both cells
       const SiteId b = along.site();
+      if (known_.has_circles_of(a) || known_.has_circles_of(b)) continue;
       const End first = end_at(t, a, b, corners[previous_corner(k, corners.size())].edge);
       const End last = end_at(t, a, b, corners[next_corner(k, corners.size())].edge);
       const End start = follow(first);

@@ -10,6 +10,7 @@
 #include <span>
 #include <unordered_map>
 
+#include "geom/dual/known_cell.h"
 #include "geom/dual/state.h"
 #include "geom/power/divided_surface.h"
 
@@ -18,7 +19,8 @@ namespace geom {
 /// For one pass over all facets, each once, in any order (a curve keeps the table of open ends small).
 class EdgeChains {
  public:
-  explicit EdgeChains(DualState& state) : state_(state) {}
+  /// Edges beside cells whose circles are known are left out.
+  explicit EdgeChains(DualState& state, const KnownDiagram& known = {}) : state_(state), known_(known) {}
 
   /// Adds the segments of the polygons of one facet, whose circles are registered.
   void add(FacetId t, std::span<const FacetPiece> pieces);
@@ -54,6 +56,7 @@ class EdgeChains {
   void join(const End& one, const End& two, SiteId a, SiteId b);
 
   DualState& state_;
+  KnownDiagram known_;
   std::unordered_map<Point, End, Hash> open_;  ///< an open end, and the other end of its chain
   std::vector<SiteId> without_circle_;
 };

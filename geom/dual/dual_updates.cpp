@@ -25,8 +25,7 @@ void DualUpdates::begin() {
 }
 
 const DualChange& DualUpdates::build(std::vector<WeightedPoint3> points, std::span<const FacetId> homes,
-                                     std::span<const SiteId> order, int threads,
-                                     std::span<const KnownCell> known) {
+                                     std::span<const SiteId> order, int threads, const KnownDiagram& known) {
   ensure(state_.search.size() == 0 && !points.empty(), "restricted dual: built once, of some sites");
   begin();
   state_.reserve(points.size());
@@ -40,9 +39,9 @@ const DualChange& DualUpdates::build(std::vector<WeightedPoint3> points, std::sp
     if (state_.paper) state_.paper->insert(p, state_.sites[p], SiteId());
   }
   state_.choose_search();
-  redivision_.build(threads, change_);
+  redivision_.build(threads, known, change_);
   are_certified_ = false;
-  if (!known.empty()) certify_all(known);
+  if (!known.cells.empty()) certify_all(known.cells);
   return change_;
 }
 

@@ -27,7 +27,7 @@ class DualUpdates {
 
   // As those of RestrictedDual.
   const DualChange& build(std::vector<WeightedPoint3> points, std::span<const FacetId> homes,
-                          std::span<const SiteId> order, int threads, std::span<const KnownCell> known);
+                          std::span<const SiteId> order, int threads, const KnownDiagram& known);
   const DualChange& insert(SiteId p, const WeightedPoint3& point, FacetId home, CircleId at);
   const DualChange& remove(SiteId p);
 

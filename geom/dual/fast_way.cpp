@@ -229,13 +229,14 @@ void FastWay::certify(SiteId p) {
 
 void FastWay::certify(SiteId p, const KnownCell& known) {
   around_.sheets.keep(p, known.sheet);
+  state_.leeways.set_way(p, known.way);
   if (known.shape == CellShape::unknown || state_.corners.types() == CornerTypes::all) return certify(p);
   state_.set_shape(p, known.shape);
 }
 
 KnownCell FastWay::known(SiteId p) const {
   const Sheet* sheet = around_.sheets.known(p, state_.sites[p].level);
-  return {state_.shapes[p], sheet ? *sheet : Sheet()};
+  return {state_.shapes[p], sheet ? *sheet : Sheet(), state_.leeways.way(p), state_.reach[p]};
 }
 
 }  // namespace geom

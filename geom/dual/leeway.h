@@ -110,6 +110,11 @@ class Leeways {
   /// What is guessed the next time; empty: nothing.
   void set_guesses(SiteId p, std::span<const Leeway::Guess> guesses);
 
+  /// How far p has moved the last time, here or elsewhere.
+  float way(SiteId p) const { return is_in_use() ? of_site_[p].way : std::numeric_limits<float>::infinity(); }
+  void set_way(SiteId p, float way) {
+    if (is_in_use()) of_site_[p].way = way;
+  }
   /// p has come in, or moved that far.
   void arrive(SiteId p, double way);
   void leave(SiteId p);

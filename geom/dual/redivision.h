@@ -11,6 +11,7 @@
 #include "geom/dual/cell_clipper.h"
 #include "geom/dual/general_insertion.h"
 #include "geom/dual/general_removal.h"
+#include "geom/dual/known_cell.h"
 #include "geom/dual/state.h"
 
 namespace geom {
@@ -30,7 +31,7 @@ class Redivision {
     insertion_.insert(p, point, change);
   }
   /// All circles, there being none, and all reaches.
-  void build(int threads, DualChange& change);
+  void build(int threads, const KnownDiagram& known, DualChange& change);
 
   /// The least bound of the power in the cell of p, which is in.
   double reach(SiteId p) { return clipper_.clip(p, asked_); }

@@ -26,9 +26,9 @@ class RestrictedDual {
   /// Sites 0, 1, ... at once, there being none. `order`: in which they enter the search; it and the number of
   /// threads do not matter to the result. Cost: the facets and the fragments, times the logarithm of the
   /// number of sites. `homes`: for each site a facet that it was rounded from.
-  /// `known`: of each site's cell here, or empty.
+  /// `known`: of the diagram here, if anything is; what is known of cells need not be found out.
   const Change& build(std::vector<WeightedPoint3> points, std::span<const FacetId> homes,
-                      std::span<const SiteId> order, int threads, std::span<const KnownCell> known = {}) {
+                      std::span<const SiteId> order, int threads, const KnownDiagram& known = {}) {
     return updates_.build(std::move(points), homes, order, threads, known);
   }
   /// `home`: a facet that the point was rounded from, or none (then the general way is taken). `at`: a circle

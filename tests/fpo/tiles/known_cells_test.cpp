@@ -12,6 +12,7 @@
 #include "tests/fixtures/sheet_scene.h"
 #include "tests/fixtures/sizings.h"
 #include "tests/fixtures/surfaces.h"
+#include "tests/oracle/restricted_dual_oracle.h"
 
 using namespace fpo;
 using geom::CellShape;
@@ -36,7 +37,7 @@ Told by_whole(const geom::TriMesh& mesh, const Sizing& sizing, std::vector<Surfa
 
 /// A round: every tile moves each of its samples some times and tells what it knows.
 Told round(const TiledSurface& whole, std::vector<SurfaceSample> samples, int sweeps) {
-  Told told{samples, KnownCells(samples.size())};
+  Told told{samples, KnownCells(samples.size(), whole.tiles().size())};
   for (std::size_t t = 0; t < whole.tiles().size(); ++t) {
     TileDomain tile(whole, t);
     for (int sweep = 0; sweep < sweeps; ++sweep)
@@ -45,6 +46,7 @@ Told round(const TiledSurface& whole, std::vector<SurfaceSample> samples, int sw
     tile.tell(told.known);
     told.known.raise_power(tile.largest_reach());
   }
+  told.known.end_round();
   return told;
 }
 
@@ -163,6 +165,13 @@ struct Case {
   std::size_t n;  ///< samples
 };
 
+/// The circles of a domain and who is beyond them, ids left out.
+auto circles_of(const SurfaceDomain& domain) {
+  std::vector<SiteId> all;
+  for (std::size_t i = 0; i < domain.num_samples(); ++i) all.emplace_back(i);
+  return oracle::circles_of(domain.dual(), all);
+}
+
 /// Of these samples, some sweeps.
 template <class Domain, class Move>
 void check_same_moves(Domain& a, Domain& b, std::span<const SiteId> samples, Move move) {
@@ -231,6 +240,7 @@ TEST_CASE("known cells: who is told of cells makes the moves that are made by wh
       with.set_known(told.known);
       for (std::size_t t = 0; t < tiles.size(); ++t) {
         TileDomain a(with, t), b(without, t);
+        CHECK(circles_of(a.domain()) == circles_of(b.domain()));
         const auto move = [](TileDomain& tile, SiteId x) { return tile.move(x, Scope::global); };
         check_same_moves(a, b, tiles[t].samples, move);
         a.domain().check();
@@ -239,8 +249,9 @@ TEST_CASE("known cells: who is told of cells makes the moves that are made by wh
       for (std::size_t i = 0; i < c.n; ++i) all.emplace_back(i);
       SurfaceOptions knowing = options;
       const std::vector<geom::KnownCell> known = told.known.of_all({c.sizing, told.samples, options});
-      knowing.known_cells = known;
+      knowing.known = {known, told.known.circles(), told.known.power()};
       SurfaceDomain a(c.mesh, c.sizing, told.samples, knowing), b(c.mesh, c.sizing, told.samples, options);
+      CHECK(circles_of(a) == circles_of(b));
       const auto move = [](SurfaceDomain& whole, SiteId x) { return whole.move(x, Scope::global); };
       check_same_moves(a, b, all, move);
       a.check();

@@ -36,7 +36,7 @@ struct Parts {
       present.insert(SiteId(i));
     }
     DualChange change;
-    redivision.build(1, change);
+    redivision.build(1, {}, change);
     look_again();
   }
 

@@ -26,7 +26,7 @@ struct General {
       state.search.enter(SiteId(i));
       present.insert(SiteId(i));
     }
-    redivision.build(1, change);
+    redivision.build(1, {}, change);
   }
   void begin() {
     state.circles.recycle(change.circles_erased);
