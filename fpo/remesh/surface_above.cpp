@@ -16,7 +16,8 @@ namespace {
 
 constexpr double rounding = 1e-9;
 constexpr double unknown = -1;               // a distance
-constexpr std::size_t most_told_apart = 64;  // of the triangles beside, by the bits of SeenVertex::near
+constexpr std::size_t across = 3;            // of the triangles beside come first
+constexpr std::size_t most_told_apart = 64;  // of them, by the bits of SeenVertex::near
 constexpr int halvings = 3;
 constexpr int parts = 4;  // of an edge within
 
@@ -70,7 +71,7 @@ class SurfaceAbove::Query {
     // The distance is convex along an edge.
     if (distance2(a, at_a) <= most2_ && distance2(b, at_b) <= most2_) return;
     const bool is_whole = share->first == 0 && share->second == 1;
-    if (is_whole && are_near_another(a, at_a, b, at_b)) return;
+    if (is_whole && (are_near_another(a, at_a, b, at_b) || is_near_another(a, at_a, b, at_b))) return;
     const auto at = [&](double way) -> Vec3 {
       const double s = share->first + (share->second - share->first) * way;
       return s == 0 ? a : s == 1 ? b : Vec3(a + s * (b - a));
@@ -93,20 +94,27 @@ class SurfaceAbove::Query {
     });
   }
 
-  /// The same of the vertices at the ends of an edge: each is asked once for all its edges. What counts only
-  /// grows, so that what was near then is near now; what was not is asked again if it has grown.
+  /// The same of the vertices at the ends of an edge, perhaps: each is asked once for all its edges, first
+  /// about those across the triangle's sides. What counts only grows, so that what was near then is near now.
   bool are_near_another(const Vec3& a, SeenVertex& at_a, const Vec3& b, SeenVertex& at_b) {
-    if (near(a, at_a) & near(b, at_b)) return true;
+    for (const std::size_t up_to : {across, most_told_apart})
+      if (near(a, at_a, up_to) & near(b, at_b, up_to)) return true;
+    return false;
+  }
+  /// For sure, if that has been asked: what was not near then is asked again if what counts has grown.
+  bool is_near_another(const Vec3& a, const SeenVertex& at_a, const Vec3& b, const SeenVertex& at_b) {
     const bool is_known =
         at_a.within2 == most2_ && at_b.within2 == most2_ && others().size() <= most_told_apart;
     return !is_known && is_near_another(a, b);
   }
 
-  std::uint64_t near(const Vec3& x, SeenVertex& seen) {
-    if (seen.within2 >= 0) return seen.near;
-    seen.within2 = most2_;
-    for (std::size_t i = 0; i < std::min(others().size(), most_told_apart); ++i)
-      seen.near |= std::uint64_t{others()[i].is_within(x, most2_)} << i;
+  /// To which of the first so many of those beside, at least.
+  std::uint64_t near(const Vec3& x, SeenVertex& seen, std::size_t up_to) {
+    const std::size_t end = std::min(others().size(), up_to);
+    if (seen.asked >= end) return seen.near;
+    if (seen.asked == 0) seen.within2 = most2_;
+    for (; seen.asked < end; ++seen.asked)
+      seen.near |= std::uint64_t{others()[seen.asked].is_within(x, seen.within2)} << seen.asked;
     return seen.near;
   }
 

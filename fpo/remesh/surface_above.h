@@ -35,8 +35,9 @@ class SurfaceAbove {
     std::uint32_t query = 0;  ///< the last one
     double distance2 = 0;     ///< from its triangle
     Prism::Depths depths{};   ///< in its prism
-    double within2 = -1;      ///< to which of those beside it is it that near? (Squared; negative: not asked)
-    std::uint64_t near = 0;   ///< to these of the first 64
+    double within2 = -1;      ///< to which of those beside it is it that near? (Squared)
+    std::uint64_t near = 0;   ///< to these
+    std::uint32_t asked = 0;  ///< of the first so many
   };
 
   void begin();

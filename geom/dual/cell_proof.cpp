@@ -110,17 +110,17 @@ bool CellProof::find_corners() {
   const DualState& state = around_.state;
   const int p = around_.self;
   if (p == Frame::none) around_.see_rim();
-  corners_.clear();
+  corners_.resize(static_cast<std::size_t>(rim.size()));
   const int most_near = p == Frame::none ? 2 : 3;  // p is counted if it is in the frame
   Frame::Values values;
   for (int j = 0; j < rim.size(); ++j) {
     const AxisPlace place =
         around_.meeting({around_.p, rim[j], rim[rim.next(j)]}, state.circles[rim.inner(j)].facet);
     if (!place.facet.valid()) return false;
-    const SurfacePoint point = around_.on_surface(place.facet, place.point);
-    around_.frame.evaluate(around_.frame.place_of(point), point.off, values);
+    Corner& corner = corners_[static_cast<std::size_t>(j)];
+    corner = {place.facet, around_.on_surface(place.facet, place.point)};
+    around_.frame.evaluate(around_.frame.place_of(corner.point), corner.point.off, values);
     if (values.num_not_farther(p) > most_near) return false;
-    corners_.push_back({place.facet, point});
   }
   return true;
 }

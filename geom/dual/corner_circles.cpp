@@ -61,6 +61,15 @@ EmptyCircle CornerCircles::circle_of(const std::array<SiteId, 3>& sites, FacetId
   return circle;
 }
 
+EmptyCircle CornerCircles::circle_at(const AxisPlace& meeting) const {
+  EmptyCircle circle;
+  circle.facet = meeting.facet;
+  circle.sites = meeting.sites;
+  circle.clockwise = meeting.clockwise;
+  center(circle, meeting.point.position);
+  return circle;
+}
+
 CellCorner CornerCircles::corner_of(const EmptyCircle& circle, double tolerance) const {
   const auto edge = [](int e) { return EdgeLabel::facet_edge(e); };
   CellCorner corner{circle.facet, circle.sites[0], EdgeLabel(), EdgeLabel(), {circle.center, tolerance}};

@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "geom/dual/axis_walk.h"
 #include "geom/dual/empty_circles.h"
 #include "geom/mesh/trimesh.h"
 #include "geom/power/clip.h"
@@ -34,6 +35,8 @@ class CornerCircles {
   bool find_of_any(const Polygon& polygon, std::size_t corner, EmptyCircle& out) const;
   /// The circle of three sites, counterclockwise, at that place.
   EmptyCircle circle_of(const std::array<SiteId, 3>& sites, FacetId facet, const Vec3& place) const;
+  /// The same where their axis meets the surface.
+  EmptyCircle circle_at(const AxisPlace& meeting) const;
   /// A circle as a corner of the cell of its first site. `tolerance`: of its center.
   CellCorner corner_of(const EmptyCircle& circle, double tolerance) const;
   /// Center and radius2 of a circle in the facet that touches the site. The corner is rounded; a site may

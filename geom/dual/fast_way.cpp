@@ -74,7 +74,7 @@ bool FastWay::move_in_place(std::size_t circle, const WeightedPoint3& point, Dua
   for (const Hole::Triangle& triangle : hole_.triangles())
     if (!frame.difference(triangle.values, seen, triangle.corners[0]).negative()) return false;
   state_.sites[p] = point;
-  const FacetId home = hole_.triangles()[circle].facet;
+  const FacetId home = hole_.triangles()[circle].facet();
   if (!prove_in_place(home, old)) {
     state_.sites[p] = old;
     return false;

@@ -1,5 +1,7 @@
 #include "geom/dual/frame.h"
 
+#include <algorithm>
+
 #include "geom/check.h"
 
 namespace geom {
@@ -45,10 +47,7 @@ void Frame::begin(const WeightedPoint3& origin) {
   size_ = 0;
   is_level_ = true;
   largest2_ = largest_ = heaviest_ = 0;
-  for (int i = 0; i < most; ++i) {
-    of_.dx[i] = of_.dy[i] = of_.dz[i] = of_.rise[i] = 0;
-    of_.c[i] = very_far;
-  }
+  std::ranges::fill(of_.c, very_far);  // wherever others have been
 }
 
 void Frame::add(const WeightedPoint3& site) {

@@ -60,8 +60,8 @@ class Frame {
   bool is_level() const { return is_level_; }
   /// d_i and c_i; beyond size(): no site, at infinity.
   struct Coefficients {
-    alignas(64) double dx[most], dy[most], dz[most], c[most];
-    double rise[most];
+    alignas(64) double dx[most]{}, dy[most]{}, dz[most]{}, c[most]{};
+    double rise[most]{};
   };
   /// A location, and a site, from the origin.
   struct Place {

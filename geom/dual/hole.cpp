@@ -21,10 +21,7 @@ bool Hole::plan() {
   is_on_sheet_ = around_.on_sheet || around_.leeway;
   circles_.clear();
   for (const Triangle& triangle : triangles()) {
-    const auto& [a, b, c] = triangle.corners;
-    const Rim& rim = around_.rim;
-    circles_.push_back(
-        around_.state.corners.circle_of({rim[a], rim[b], rim[c]}, triangle.facet, triangle.point.position));
+    circles_.push_back(around_.state.corners.circle_at(triangle.meeting));
     max_radius2_ = std::max(max_radius2_, circles_.back().radius2);
   }
   return true;
@@ -166,8 +163,8 @@ bool Hole::trace() {
   if (!flood.trace(facets_, true)) return false;
   for (const Triangle& triangle : triangles()) {
     const auto& [a, b, c] = triangle.corners;
-    if (!flood.add_end(triangle.facet, a, b) || !flood.add_end(triangle.facet, b, c) ||
-        !flood.add_end(triangle.facet, c, a))
+    if (!flood.add_end(triangle.facet(), a, b) || !flood.add_end(triangle.facet(), b, c) ||
+        !flood.add_end(triangle.facet(), c, a))
       return false;
   }
   for (int j = 0; j < rim.size(); ++j)
@@ -227,9 +224,9 @@ void Hole::raise_reaches() const {
       if (beyond > static_cast<int>(i)) continue;
       const SiteId a = rim[triangle.corners[e == 2 ? 0 : e + 1]],
                    b = rim[triangle.corners[e == 0 ? 2 : e - 1]];
-      TracedEdge edge{triangle.facet, FacetId(), triangle.point.position, Vec3(0, 0, 0)};
+      TracedEdge edge{triangle.facet(), FacetId(), triangle.point.position, Vec3(0, 0, 0)};
       if (beyond >= 0) {
-        edge.to = triangles()[static_cast<std::size_t>(beyond)].facet;
+        edge.to = triangles()[static_cast<std::size_t>(beyond)].facet();
         edge.end = triangles()[static_cast<std::size_t>(beyond)].point.position;
       } else {
         const EmptyCircle& corner = state.circles[rim.inner(-1 - beyond)];

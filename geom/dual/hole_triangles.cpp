@@ -23,9 +23,9 @@ bool HoleTriangles::fill() {
 
 bool HoleTriangles::find_circles() {
   FacetId near = start();
-  for (Triangle& triangle : triangles_) {
+  for (Triangle& triangle : all()) {
     if (!find_circle(triangle, near)) return false;
-    near = triangle.facet;
+    near = triangle.facet();
   }
   if (!flip_until_empty()) return false;
   if (around_.leeway && (are_flipped_ || around_.leeway->num_guesses == 0)) remember();
@@ -35,9 +35,9 @@ bool HoleTriangles::find_circles() {
 /// Those of the last time, if p has had leeway since.
 bool HoleTriangles::recall() {
   if (!around_.leeway || around_.leeway->num_guesses == 0) return false;
-  triangles_.clear();
+  size_ = 0;
   for (const auto& [corners, beyond] : around_.leeway->last_triangles()) {
-    Triangle& triangle = triangles_.emplace_back();
+    Triangle& triangle = triangles_[size_++];
     for (std::size_t e = 0; e < 3; ++e) triangle.corners[e] = corners[e], triangle.beyond[e] = beyond[e];
   }
   return true;
@@ -45,12 +45,12 @@ bool HoleTriangles::recall() {
 
 void HoleTriangles::remember() const {
   std::array<Leeway::Guess, Rim::most> guesses;
-  for (std::size_t i = 0; i < triangles_.size(); ++i)
+  for (std::size_t i = 0; i < size_; ++i)
     for (std::size_t e = 0; e < 3; ++e) {
       guesses[i].corners[e] = static_cast<std::int8_t>(triangles_[i].corners[e]);
       guesses[i].beyond[e] = static_cast<std::int8_t>(triangles_[i].beyond[e]);
     }
-  around_.state.leeways.set_guesses(around_.p, {guesses.data(), triangles_.size()});
+  around_.state.leeways.set_guesses(around_.p, {guesses.data(), size_});
 }
 
 /// The rim in a plane: that of the chart, or else one along most of it.
@@ -90,13 +90,13 @@ bool HoleTriangles::guess() {
   };
   std::array<Chord, Rim::most> waiting;
   std::size_t num_waiting = 0;
-  triangles_.clear();
+  size_ = 0;
   waiting[num_waiting++] = {0, around_.rim.size() - 1, -1 - (around_.rim.size() - 1), 0};
   while (num_waiting > 0) {
     const auto [first, last, beyond, side] = waiting[--num_waiting];
-    const int a = apex(first, last), i = static_cast<int>(triangles_.size());
+    const int a = apex(first, last), i = static_cast<int>(size_);
     if (a < 0) return false;
-    Triangle& triangle = triangles_.emplace_back();
+    Triangle& triangle = triangles_[size_++];
     triangle.corners = {first, a, last};
     triangle.beyond = {-1 - a, beyond, -1 - first};
     if (beyond >= 0) numbered(beyond).beyond[index(side)] = i;
@@ -128,26 +128,33 @@ int HoleTriangles::apex(int first, int last) const {
 
 bool HoleTriangles::find_circle(Triangle& triangle, FacetId start) {
   const auto& [a, b, c] = triangle.corners;
-  const AxisPlace place = around_.meeting({around_.rim[a], around_.rim[b], around_.rim[c]}, start);
-  if (!place.facet.valid()) return false;
-  triangle.facet = place.facet;
-  triangle.point = around_.on_surface(place.facet, place.point);
+  triangle.meeting = around_.meeting({around_.rim[a], around_.rim[b], around_.rim[c]}, start);
+  if (!triangle.facet().valid()) return false;
+  triangle.point = around_.on_surface(triangle.facet(), triangle.meeting.point);
   around_.frame.evaluate(around_.frame.place_of(triangle.point), triangle.point.off, triangle.values);
   return true;
 }
 
-/// The surface has the last word: flips edges until no circle holds the corner across, then looks at the
-/// whole rim, of which only the triangle's corners are not certainly farther.
+/// Is all of the rim certainly farther than a triangle's corners, of each? And p nearer?
+bool HoleTriangles::are_empty() const {
+  return std::ranges::all_of(all(), [](const Triangle& triangle) {
+    const int corner = triangle.corners[0];
+    return triangle.values.num_not_farther(corner) <= 3 && triangle.values.nearer(Frame::none, corner);
+  });
+}
+
+/// The surface has the last word: flips edges until no circle holds the corner across.
 bool HoleTriangles::flip_until_empty() {
+  are_flipped_ = false;
+  if (are_empty()) return true;
   const auto holds = [&](const Triangle& triangle, int site, bool& certain) {
     const Sure lead = triangle.values.difference(site, triangle.corners[0]);
     certain &= lead.certain();
     return lead.value < 0;
   };
   bool certain = true;
-  are_flipped_ = false;
   const auto find_flip = [&] {
-    for (int i = 0; i < static_cast<int>(triangles_.size()); ++i)
+    for (int i = 0; i < static_cast<int>(size_); ++i)
       for (int e = 0; e < 3; ++e) {
         const int j = numbered(i).beyond[index(e)];
         if (j < i) continue;
@@ -157,7 +164,7 @@ bool HoleTriangles::flip_until_empty() {
             !holds(numbered(j), numbered(i).corners[index(e)], certain))
           continue;
         are_flipped_ = true;
-        const FacetId start = numbered(i).facet;
+        const FacetId start = numbered(i).facet();
         flip(i, e, j, f);
         certain &= find_circle(numbered(i), start) && find_circle(numbered(j), start);
         return true;
@@ -166,11 +173,7 @@ bool HoleTriangles::flip_until_empty() {
   };
   for (int flips = 0; find_flip(); ++flips)
     if (!certain || flips > 4 * around_.rim.size()) return false;
-  for (const Triangle& triangle : triangles_) {
-    if (triangle.values.num_not_farther(triangle.corners[0]) > 3) return false;
-    if (!holds(triangle, Frame::none, certain)) return false;  // in the cell of p
-  }
-  return certain;
+  return certain && are_empty();
 }
 
 //      p            p           Edge (q, r) of triangles i = (p, q, r) and j = (o, r, q) becomes (p, o): i =

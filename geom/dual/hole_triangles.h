@@ -17,9 +17,10 @@ class HoleTriangles {
     std::array<int, 3> corners;
     /// Opposite to each corner: a triangle of the hole, or -1 - the edge of the rim from that place on.
     std::array<int, 3> beyond;
-    FacetId facet;
-    SurfacePoint point;
+    AxisPlace meeting;     ///< of the axis of its sites with the surface
+    SurfacePoint point;    ///< there
     Frame::Values values;  ///< there
+    FacetId facet() const { return meeting.facet; }
   };
 
   /// Keeps a reference.
@@ -27,7 +28,7 @@ class HoleTriangles {
 
   /// Fills the hole, so that no circle holds a site of the rim; p is the frame's origin. False: not certain.
   bool fill();
-  std::span<const Triangle> all() const { return triangles_; }
+  std::span<const Triangle> all() const { return {triangles_.data(), size_}; }
 
  private:
   FacetId start() const;
@@ -38,13 +39,16 @@ class HoleTriangles {
   bool guess();
   int apex(int first, int last) const;
   bool find_circle(Triangle& triangle, FacetId start);
+  bool are_empty() const;
   bool flip_until_empty();
   void flip(int i, int e, int j, int f);
+  std::span<Triangle> all() { return {triangles_.data(), size_}; }
   Triangle& numbered(int i) { return triangles_[static_cast<std::size_t>(i)]; }
 
   Surroundings& around_;
   std::vector<double> x_, y_;  ///< the rim in its plane, from p
-  std::vector<Triangle> triangles_;
+  std::array<Triangle, Rim::most> triangles_;
+  std::size_t size_ = 0;
   bool are_flipped_ = false;  ///< since they were guessed
 };
 

@@ -63,4 +63,17 @@ inline Sure lead_of(const WeightedPoint3& owner, const WeightedPoint3& other, co
                                     : lead_of(owner, other, Location3(z.position, z.level), z.off, z.off);
 }
 
+/// Is that lead surely positive? Mostly that is plain: with `off` at most 2^-20 times the root of both
+/// squared distances the bound is at most 2^-18 times these, and what the weights add.
+inline bool leads(const WeightedPoint3& owner, const WeightedPoint3& other, const SurfacePoint& z) {
+  if (owner.level == other.level && owner.weight == other.weight) {
+    const double here2 = (z.position - owner.position).squaredNorm(),
+                 there2 = (z.position - other.position).squaredNorm(), both2 = here2 + there2;
+    if (there2 - here2 > 0x1p-17 * both2 + 0x1p-47 * std::abs(owner.weight) &&
+        z.off * z.off <= 0x1p-40 * both2)
+      return true;
+  }
+  return lead_of(owner, other, z).positive();
+}
+
 }  // namespace geom

@@ -80,9 +80,8 @@ void Strangers::keep_near(const Frame& frame, SiteId p, std::span<const SiteId> 
 }
 
 bool Strangers::are_beyond(const SurfacePoint& point, const WeightedPoint3& owner) const {
-  return std::ranges::all_of(kept_, [&](const Stranger& stranger) {
-    return lead_of(owner, state_.sites[stranger.site], point).positive();
-  });
+  return std::ranges::all_of(
+      kept_, [&](const Stranger& stranger) { return leads(owner, state_.sites[stranger.site], point); });
 }
 
 }  // namespace geom

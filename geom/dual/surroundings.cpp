@@ -90,7 +90,7 @@ bool Surroundings::has_one_component(double distance) const {
 
 bool Surroundings::are_kept_beyond(const SurfacePoint& point, const WeightedPoint3& owner) const {
   return std::ranges::all_of(leeway->kept(), [&](const Leeway::Watched& stranger) {
-    return lead_of(owner, state.sites[stranger.site], point).positive();
+    return leads(owner, state.sites[stranger.site], point);
   });
 }
 
@@ -125,11 +125,11 @@ bool Surroundings::leaves_strangers_out(const Division& division, double radius)
   });
 }
 
-AxisPlace Surroundings::meeting(const std::array<SiteId, 3>& sites, FacetId start) const {
-  AxisPlace place = walk_to_axis(state.mesh, state.clipper, sites, start);
+AxisPlace Surroundings::meeting_from_inside(const std::array<SiteId, 3>& sites) const {
+  AxisPlace place;
   for (const CircleId c : rim.inside()) {
-    if (place.facet.valid()) break;
     place = walk_to_axis(state.mesh, state.clipper, sites, state.circles[c].facet);
+    if (place.facet.valid()) break;
   }
   return place;
 }

@@ -107,7 +107,13 @@ struct Surroundings {
   }
   /// Where the axis of three sites meets the surface: one such place, found from there, or else from a circle
   /// inside the rim. Across folds the first walk may lose its way.
-  AxisPlace meeting(const std::array<SiteId, 3>& sites, FacetId start) const;
+  AxisPlace meeting(const std::array<SiteId, 3>& sites, FacetId start) const {
+    AxisPlace place = walk_to_axis(state.mesh, state.clipper, sites, start);
+    if (!place.facet.valid()) place = meeting_from_inside(sites);
+    return place;
+  }
+
+  AxisPlace meeting_from_inside(const std::array<SiteId, 3>& sites) const;
 
   DualState& state;
   SiteId p;
