@@ -56,7 +56,8 @@ class Distances {
       add_beside(circle, triangles);
     };
     const FarPoint below = triangles_.farthest(circle, enough);
-    const FarPoint above = above_.farthest(corners, std::max(enough, below.distance), beside);
+    const FarPoint above = above_.farthest(corners, std::max(enough, below.distance), beside,
+                                           Prism::margin_beside(least_cosine(circle)));
     return above.distance > below.distance ? above : below;
   }
 
@@ -76,6 +77,26 @@ class Distances {
   }
 
  private:
+  /// Seen from where its sites run counterclockwise, of length twice the triangle's area.
+  geom::Vec3 normal_of(const EmptyCircle& circle) const {
+    const auto at = [&](std::size_t i) -> geom::Vec3 { return domain_.sample(circle.sites[i]).position; };
+    const geom::Vec3 normal = (at(1) - at(0)).cross(at(2) - at(0));
+    return circle.clockwise ? -normal : normal;
+  }
+
+  /// The least cosine of the angle to a triangle beside it; -1 at a border.
+  double least_cosine(const EmptyCircle& circle) const {
+    const geom::Vec3 normal = normal_of(circle).normalized();
+    double least = 1;
+    for (const SiteId s : circle.sites)
+      for (const CircleId c : domain_.dual().circles_of(s)) {
+        const EmptyCircle& other = domain_.dual().circle(c);
+        if (!other.is_triangle()) return -1;
+        least = std::min(least, normal.dot(normal_of(other).normalized()));
+      }
+    return least;
+  }
+
   /// Those with two corners in common come first.
   void add_beside(const EmptyCircle& circle, std::vector<geom::DistanceFromTriangle>& triangles) const {
     std::size_t across = 0;
@@ -365,11 +386,11 @@ void mend_in_rounds(SurfaceDomain& domain, const AngleOptions& angles, const Clo
              interrupted(options.interrupted);
     };
     if (!mender.is_far_in_many_places()) mend_far(mender, enough, result);
-    moves += mender.moves();
     FarTriangles left = mender.far_triangles();
     if (left.distances.empty()) left = distances.farthest(share);
     const double before = std::exchange(result.largest_after, left.largest());
     if (enough() || round >= options.rounds) return;
+    moves += mender.moves();
     if (!(result.largest_after < least_fall * before)) share = (1 + share) / 2;
     const double bound = share * result.largest_after;
     far = bound < left.bound ? distances.farther(bound) : left.beyond(bound);

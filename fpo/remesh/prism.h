@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -13,14 +14,25 @@ namespace fpo {
 /// Over the triangle and some of its heights around it, as high above and below as its longest edge.
 class Prism {
  public:
-  /// None over a triangle without area. `up`: to the side where its surface's normals point.
-  static std::optional<Prism> over(const std::array<geom::Vec3, 3>& corners, const geom::Vec3& up) {
+  static constexpr double most_margin = 0.6;
+  /// What is above or below the triangle by a longest edge, and nearer to it than to those beside it, leans
+  /// out by half the angle between their normals, and by a little more where angles differ. `cosine`: the
+  /// least one, of all of them.
+  static double margin_beside(double cosine) {
+    constexpr double least = 0.05, more = 1.2;
+    return cosine > 0 ? least + more * std::sqrt((1 - cosine) / (1 + cosine)) : most_margin;
+  }
+
+  /// None over a triangle without area. `up`: to the side where its surface's normals point. `margin`: around
+  /// it, in its longest edge, but no more than most_margin of its heights.
+  static std::optional<Prism> over(const std::array<geom::Vec3, 3>& corners, const geom::Vec3& up,
+                                   double margin) {
     geom::Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
     const double area2 = normal.norm();
     if (!(area2 > 0) || up.isZero()) return {};
     normal /= area2;
     if (normal.dot(up) < 0) normal = -normal;
-    return Prism(corners, normal, area2);
+    return Prism(corners, normal, area2, margin);
   }
 
   const geom::Vec3& up() const { return up_; }
@@ -46,22 +58,23 @@ class Prism {
   }
 
  private:
-  static constexpr double margin = 0.6;  ///< in heights: prisms of neighbours leave wedges between them
-
   struct Side {
     geom::Vec3 inward;
     double offset;
     double inside(const geom::Vec3& x) const { return inward.dot(x) + offset; }
   };
 
-  Prism(const std::array<geom::Vec3, 3>& corners, const geom::Vec3& up, double area2) : up_(up) {
+  Prism(const std::array<geom::Vec3, 3>& corners, const geom::Vec3& up, double area2, double margin)
+      : up_(up) {
     double longest = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      longest = std::max(longest, (corners[i] - corners[(i + 1) % 3]).norm());
     for (std::size_t i = 0; i < 3; ++i) {
       const geom::Vec3 &a = corners[(i + 1) % 3], &b = corners[(i + 2) % 3];
       geom::Vec3 inward = up.cross(b - a) / area2;  // 1 more at corner i than along the edge
       if (inward.dot(corners[i] - a) < 0) inward = -inward;
-      sides_[i] = {inward, margin - inward.dot(a)};
-      longest = std::max(longest, (b - a).norm());
+      const double heights = margin * longest * inward.norm();
+      sides_[i] = {inward, std::min(heights, most_margin) - inward.dot(a)};
     }
     sides_[3] = {up, longest - up.dot(corners[0])};
     sides_[4] = {-up, longest + up.dot(corners[0])};

@@ -204,9 +204,9 @@ void SurfaceAbove::begin() {
 }
 
 FarPoint SurfaceAbove::farthest(const std::array<SurfaceSample, 3>& corners, double enough,
-                                const Beside& beside) {
+                                const Beside& beside, double margin) {
   const std::array<Vec3, 3> triangle{corners[0].position, corners[1].position, corners[2].position};
-  const std::optional<Prism> prism = Prism::over(triangle, mean_normal(mesh_, corners));
+  const std::optional<Prism> prism = Prism::over(triangle, mean_normal(mesh_, corners), margin);
   if (!prism) return {0, corners[0]};
   return Query(*this, corners, *prism, beside, enough).farthest();
 }

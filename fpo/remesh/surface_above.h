@@ -24,8 +24,9 @@ class SurfaceAbove {
 
   /// The farthest point among those that are nearer to this triangle than to those beside it, which
   /// `beside` adds, nearest first, if it is asked; distance 0 if there is none farther than `enough`, or if
-  /// the triangle has no area. O(facets in the prism).
-  FarPoint farthest(const std::array<SurfaceSample, 3>& corners, double enough, const Beside& beside);
+  /// the triangle has no area. `margin`: of the prism. O(facets in the prism).
+  FarPoint farthest(const std::array<SurfaceSample, 3>& corners, double enough, const Beside& beside,
+                    double margin = 1);
 
   std::size_t looks() const { return looks_; }  ///< at edges of the surface, so far: most of what it has cost
 

@@ -105,6 +105,39 @@ TEST_CASE("surface above: the largest distance of the surface from triangles is 
   }
 }
 
+TEST_CASE(
+    "surface above: a margin after the angles between triangles loses nothing of the largest distance") {
+  for (const TriMesh& mesh : {folded(), fixtures::blob(10), fixtures::box({1, 1, 0.02}, 8)}) {
+    const SurfaceDomain domain = optimized(mesh, 150, 6);
+    const auto normal_of = [&](const geom::EmptyCircle& circle) -> Vec3 {
+      const auto at = [&](std::size_t i) -> Vec3 { return domain.sample(circle.sites[i]).position; };
+      return (circle.clockwise ? -1 : 1) * (at(1) - at(0)).cross(at(2) - at(0)).normalized();
+    };
+    SurfaceAbove above(domain.mesh());
+    double wide = 0, fit = 0;
+    for_triangles(domain.dual(), [&](const geom::EmptyCircle& circle) {
+      std::array<SurfaceSample, 3> corners;
+      for (std::size_t i = 0; i < 3; ++i) corners[i] = domain.sample(circle.sites[i]);
+      std::vector<geom::DistanceFromTriangle> star;
+      double least = 1;
+      for (const SiteId s : circle.sites)
+        for (const CircleId c : domain.dual().circles_of(s)) {
+          const geom::EmptyCircle& other = domain.dual().circle(c);
+          const auto& t = other.sites;
+          least = std::min(least, normal_of(circle).dot(normal_of(other)));
+          if (t != circle.sites)
+            star.emplace_back(std::array{domain.sample(t[0]).position, domain.sample(t[1]).position,
+                                         domain.sample(t[2]).position});
+        }
+      const auto beside = [&](auto& others) { others.insert(others.end(), star.begin(), star.end()); };
+      const double own = above.farthest(corners, 0, beside, Prism::margin_beside(least)).distance;
+      wide = std::max(wide, above.farthest(corners, 0, beside).distance);
+      fit = std::max(fit, own);
+    });
+    CHECK(fit == doctest::Approx(wide).epsilon(0.01));
+  }
+}
+
 TEST_CASE("closeness: mostly the surfaces are nearer, never farther; samples as many and not too close") {
   const TriMesh mesh = folded();
   int nearer = 0;
