@@ -5,12 +5,19 @@
 
 namespace fpo {
 
-KnownCells::KnownCells(const geom::RestrictedDual& whole) : told_(1) {
-  cells_.reserve(whole.num_sites());
+KnownCells::KnownCells(std::size_t num_samples, std::size_t num_tiles)
+    : cells_(num_samples),
+      has_circles_(num_samples <= most_with_circles),
+      reaches_(has_circles_ ? num_samples : 0),
+      told_(num_tiles) {}
+
+KnownCells::KnownCells(const geom::RestrictedDual& whole) : KnownCells(whole.num_sites(), 1) {
   for (SiteId x(0); x.index() < whole.num_sites(); x = SiteId(x.value + 1)) {
-    cells_.push_back({whole.known_cell(x), std::numeric_limits<double>::infinity()});
+    cells_[x.index()] = {whole.known_cell(x), std::numeric_limits<double>::infinity()};
+    if (has_circles_) reaches_[x.index()] = whole.reach_bound(x);
     raise_power(whole.reach_bound(x));
   }
+  if (!has_circles_) return;
   std::vector<geom::EmptyCircle> circles;
   for (const CircleId c : whole.circles())
     if (is_any_regular(whole.circle(c))) circles.push_back(whole.circle(c));
@@ -25,6 +32,7 @@ bool KnownCells::is_any_regular(const geom::EmptyCircle& circle) const {
 }
 
 void KnownCells::end_round() {
+  if (!has_circles_) return;
   circles_.clear();
   for (std::vector<geom::EmptyCircle>& told : told_) {
     circles_.insert(circles_.end(), told.begin(), told.end());
@@ -47,6 +55,7 @@ void KnownCells::set(SiteId x, const geom::RestrictedDual& dual, SiteId here, co
   Cell& cell = cells_[x.index()];
   cell.known = dual.known_cell(here);
   cell.room = guard.room_around(dual.site(here).position);
+  if (has_circles_) reaches_[x.index()] = dual.reach_bound(here);
   geom::Sheet& sheet = cell.known.sheet;
   if (!(sheet.radius() < guard.room_around(sheet.center))) sheet = {};
 }

@@ -42,7 +42,7 @@ class KnownCells {
   static constexpr std::size_t most_with_circles = 1U << 18U;  ///< some 170 bytes each
 
   /// Nothing is known yet. `num_tiles`: who will tell.
-  KnownCells(std::size_t num_samples, std::size_t num_tiles) : cells_(num_samples), told_(num_tiles) {}
+  KnownCells(std::size_t num_samples, std::size_t num_tiles);
   /// What the diagram of the whole surface knows, at any time.
   explicit KnownCells(const geom::RestrictedDual& whole);
 
@@ -51,7 +51,7 @@ class KnownCells {
   /// The same of a tile: circles that touch regular cells of its samples, each such circle at least once, in
   /// the ids of the whole.
   void set_circles(std::size_t tile, std::vector<geom::EmptyCircle> circles) {
-    if (cells_.size() <= most_with_circles) told_[tile] = std::move(circles);
+    if (has_circles_) told_[tile] = std::move(circles);
   }
   /// The same: a bound of the power in a tile. One thread at a time.
   void raise_power(double power) { power_ = std::max(power_, power); }
@@ -63,6 +63,8 @@ class KnownCells {
   geom::KnownCell of(SiteId x, const geom::WeightedPoint3& site, const TileGuard& guard) const;
   /// What the whole surface may use: of all samples.
   std::vector<geom::KnownCell> of_all(const WeightedSamples& samples) const;
+  /// Bounds of the power in their cells; empty if no circle is told.
+  std::span<const double> reaches() const { return reaches_; }
   /// Gives back their memory: from now on only circles are known.
   void forget_cells() { std::vector<Cell>().swap(cells_); }
   /// A bound of the power anywhere.
@@ -84,6 +86,8 @@ class KnownCells {
     double room = -1;  ///< the radius of the largest ball about the site in the tile
   };
   std::vector<Cell> cells_;
+  bool has_circles_;
+  std::vector<double> reaches_;
   std::vector<std::vector<geom::EmptyCircle>> told_;  ///< by each tile
   std::vector<geom::EmptyCircle> circles_;
   std::vector<std::uint32_t> begin_, of_site_;  ///< those of each sample

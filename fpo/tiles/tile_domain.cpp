@@ -133,7 +133,10 @@ void TileDomain::build() {
       std::ranges::lower_bound(sites_, SiteId(whole_.options().num_fixed)) - sites_.begin());
   const std::vector<geom::KnownCell> cells = known_cells(WeightedSamples(sizing, samples, options));
   const std::vector<geom::EmptyCircle> circles = known_circles(cells);
-  options.known = {cells, circles, whole_.known() ? whole_.known()->power() : 0};
+  std::vector<double> reaches;
+  for (std::size_t i = 0; !circles.empty() && i < sites_.size(); ++i)
+    reaches.push_back(whole_.known()->reaches()[sites_[i].index()]);
+  options.known = {cells, circles, reaches, whole_.known() ? whole_.known()->power() : 0};
   domain_.emplace(part_.mesh, sizing, samples, options, &guard_);
 }
 

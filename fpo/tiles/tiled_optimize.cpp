@@ -66,7 +66,7 @@ SurfaceDomain TiledSamples::domain(std::optional<KnownCells> known) {
   if (known) {
     cells = known->of_all(all);
     known->forget_cells();  // they are as large as these
-    options.known = {cells, known->circles(), known->power()};
+    options.known = {cells, known->circles(), known->reaches(), known->power()};
   }
   return SurfaceDomain(task_.mesh, std::move(all), options);
 }

@@ -236,7 +236,7 @@ void FastWay::certify(SiteId p, const KnownCell& known) {
 
 KnownCell FastWay::known(SiteId p) const {
   const Sheet* sheet = around_.sheets.known(p, state_.sites[p].level);
-  return {state_.shapes[p], sheet ? *sheet : Sheet(), state_.leeways.way(p), state_.reach[p]};
+  return {state_.shapes[p], state_.leeways.way(p), sheet ? *sheet : Sheet()};
 }
 
 }  // namespace geom

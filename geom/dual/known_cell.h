@@ -13,9 +13,8 @@ namespace geom {
 
 struct KnownCell {
   CellShape shape = CellShape::unknown;                ///< unknown: to be found out; irregular: not worth it
-  Sheet sheet;                                         ///< near the site; of no width if none is known
   float way = std::numeric_limits<float>::infinity();  ///< of its last move: what it does next (leeway.h)
-  double reach = std::numeric_limits<double>::infinity();  ///< a bound of the power in it
+  Sheet sheet;                                         ///< near the site; of no width if none is known
 };
 
 /// Of a diagram that is going to be built.
@@ -24,6 +23,8 @@ struct KnownDiagram {
   /// All that touch a cell of regular shape, some maybe twice, and maybe others; who is beyond them does not
   /// count. Or none.
   std::span<const EmptyCircle> circles = {};
+  std::span<const double> reaches =
+      {};  ///< if there are circles: of each regular cell a bound of the power in it
   double power = std::numeric_limits<double>::infinity();  ///< a bound of it anywhere on the surface
 
   /// Are the circles of that site known?

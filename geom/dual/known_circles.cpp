@@ -44,7 +44,7 @@ void create_known(const KnownDiagram& known, DualState& state, DualChange& chang
   for (SiteId s(0); s.index() < state.sites.size(); s = SiteId(s.value + 1)) {
     if (!known.has_circles_of(s)) continue;
     join_around(s, state.circles);
-    state.reach.set(s, known.cells[s.index()].reach);
+    state.reach.set(s, known.reaches[s.index()]);
   }
 }
 
@@ -53,12 +53,16 @@ std::vector<FacetId> facets_to_divide(const KnownDiagram& known, const DualState
   if (known.circles.empty()) return facets;
   Table<FacetId, char> is_near(state.mesh.num_facets(), 0);
   std::vector<FacetId> near;
-  for (SiteId s(0); s.index() < state.sites.size(); s = SiteId(s.value + 1)) {
+  std::size_t left = facets.size();
+  for (SiteId s(0); s.index() < state.sites.size() && left > 0; s = SiteId(s.value + 1)) {
     if (known.has_circles_of(s)) continue;
     const WeightedPoint3& site = state.sites[s];
     near.clear();
     state.facets.near({site.position, site.level}, state.distance_at(known.power, s), near);
-    for (const FacetId t : near) is_near[t] = 1;
+    for (const FacetId t : near) {
+      left -= is_near[t] == 0;
+      is_near[t] = 1;
+    }
   }
   std::erase_if(facets, [&](FacetId t) { return is_near[t] == 0; });
   return facets;

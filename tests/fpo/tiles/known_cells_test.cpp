@@ -249,7 +249,7 @@ TEST_CASE("known cells: who is told of cells makes the moves that are made by wh
       for (std::size_t i = 0; i < c.n; ++i) all.emplace_back(i);
       SurfaceOptions knowing = options;
       const std::vector<geom::KnownCell> known = told.known.of_all({c.sizing, told.samples, options});
-      knowing.known = {known, told.known.circles(), told.known.power()};
+      knowing.known = {known, told.known.circles(), told.known.reaches(), told.known.power()};
       SurfaceDomain a(c.mesh, c.sizing, told.samples, knowing), b(c.mesh, c.sizing, told.samples, options);
       CHECK(circles_of(a) == circles_of(b));
       const auto move = [](SurfaceDomain& whole, SiteId x) { return whole.move(x, Scope::global); };

@@ -17,8 +17,9 @@ namespace {
 struct Told {
   std::vector<KnownCell> cells;
   std::vector<EmptyCircle> circles;
+  std::vector<double> reaches;
   double power = -infinity;
-  KnownDiagram all() const { return {cells, circles, power}; }
+  KnownDiagram all() const { return {cells, circles, reaches, power}; }
   std::size_t num_regular() const {
     return static_cast<std::size_t>(std::ranges::count(cells, CellShape::regular, &KnownCell::shape));
   }
@@ -33,6 +34,7 @@ Told told_by(MirroredDual& d, double share, std::uint64_t seed) {
     told.cells.push_back(d.dual().known_cell(p));
     if (rng.uniform() >= share) told.cells.back() = {};
     if (told.cells.back().shape == CellShape::unknown) told.cells.back().shape = CellShape::irregular;
+    told.reaches.push_back(d.dual().reach_bound(p));
     told.power = std::max(told.power, d.dual().reach_bound(p));
   }
   for (const CircleId c : d.dual().circles()) told.circles.push_back(d.dual().circle(c));
