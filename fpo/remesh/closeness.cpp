@@ -84,14 +84,16 @@ class Distances {
     return circle.clockwise ? -normal : normal;
   }
 
-  /// The least cosine of the angle to a triangle beside it; -1 at a border.
+  /// The least cosine of the angle to a triangle beside it; -1 near a border, beyond which the surface may go
+  /// on: there edges of the diagram have no other end.
   double least_cosine(const EmptyCircle& circle) const {
     const geom::Vec3 normal = normal_of(circle).normalized();
     double least = 1;
     for (const SiteId s : circle.sites)
       for (const CircleId c : domain_.dual().circles_of(s)) {
         const EmptyCircle& other = domain_.dual().circle(c);
-        if (!other.is_triangle()) return -1;
+        if (!other.is_triangle() || std::ranges::find(other.beyond, CircleId()) != other.beyond.end())
+          return -1;
         least = std::min(least, normal.dot(normal_of(other).normalized()));
       }
     return least;

@@ -157,22 +157,33 @@ std::vector<geom::EmptyCircle> TileDomain::known_circles(std::span<const geom::K
     if (!is_known(SiteId(i))) continue;
     for (const std::uint32_t place : whole_.known()->circles_of(sites_[i])) {
       geom::EmptyCircle circle = whole_.known()->circles()[place];
-      for (SiteId& s : circle.sites) s = here(s);
+      for (SiteId& s : circle.sites) {
+        const SiteId own = here(s);
+        geom::ensure(own.index() < sites_.size() && whole_id(own) == s,
+                     "tile: a known circle of none of its sites");
+        s = own;
+      }
       if (*std::ranges::find_if(circle.sites, is_known) != SiteId(i)) continue;
       circle.facet = part_.here(circle.facet);
+      geom::ensure(circle.facet.valid(), "tile: a known circle on none of its facets");
       circles.push_back(circle);
     }
   }
   return circles;
 }
 
-/// As known_circles(), among the tile's own samples.
+/// As known_circles(), of the tile's own samples whose cells are in the tile.
 void TileDomain::tell(KnownCells& known) const {
   const geom::RestrictedDual& dual = domain_->dual();
+  const double power = largest_reach();
   std::vector<char> is_told(sites_.size(), 0);
   for (const SiteId x : tile_.samples) {
-    known.set(x, dual, here(x), guard_);
-    is_told[here(x).index()] = dual.known_cell(here(x)).shape == geom::CellShape::regular;
+    const SiteId own = here(x);
+    known.set(x, dual, own, guard_);
+    const geom::WeightedPoint3& site = dual.site(own);
+    const double radius = std::sqrt(std::max(power + site.weight, 0.0));
+    is_told[own.index()] =
+        dual.known_cell(own).shape == geom::CellShape::regular && radius < guard_.room_around(site.position);
   }
   std::vector<geom::EmptyCircle> circles;
   for (SiteId x(0); x.index() < sites_.size(); x = SiteId(x.value + 1)) {

@@ -1,5 +1,7 @@
 #include "geom/dual/chains.h"
 
+#include "geom/check.h"
+
 namespace geom {
 
 int same_edge(const TriMesh& mesh, FacetId before, int e, FacetId t) {
@@ -42,6 +44,7 @@ EdgeChains::End EdgeChains::end_at(FacetId t, SiteId a, SiteId b, EdgeLabel labe
       end.circle = c;
       end.side = circle.index_of(label.site());
     }
+    ensure(end.circle.valid(), "chains: an edge ends at no circle");
     return end;
   }
   const FacetId across = state_.mesh.across(t, label.edge());

@@ -138,6 +138,21 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("closeness: the surface beyond the border of the triangles counts") {
+  const TriMesh mesh = fixtures::tilted_square(4);
+  int nearer = 0;
+  for (std::size_t n = 80; n <= 120; n += 10) {
+    CAPTURE(n);
+    SurfaceDomain domain = optimized(mesh, n, 20);
+    const double before = surface_distance(dual_mesh(domain), mesh).max;
+    ClosenessOptions options;
+    options.enough_delta = 0.8;
+    come_closer(domain, {}, options);
+    nearer += surface_distance(dual_mesh(domain), mesh).max < 0.8 * before;
+  }
+  CHECK(nearer >= 3);
+}
+
 TEST_CASE("closeness: mostly the surfaces are nearer, never farther; samples as many and not too close") {
   const TriMesh mesh = folded();
   int nearer = 0;
