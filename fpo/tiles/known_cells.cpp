@@ -6,18 +6,15 @@
 namespace fpo {
 
 KnownCells::KnownCells(std::size_t num_samples, std::size_t num_tiles)
-    : cells_(num_samples),
-      has_circles_(num_samples <= most_with_circles),
-      reaches_(has_circles_ ? num_samples : 0),
-      told_(num_tiles) {}
+    : cells_(num_samples), reaches_(num_samples <= most_with_circles ? num_samples : 0), told_(num_tiles) {}
 
 KnownCells::KnownCells(const geom::RestrictedDual& whole) : KnownCells(whole.num_sites(), 1) {
   for (SiteId x(0); x.index() < whole.num_sites(); x = SiteId(x.value + 1)) {
     cells_[x.index()] = {whole.known_cell(x), std::numeric_limits<double>::infinity()};
-    if (has_circles_) reaches_[x.index()] = whole.reach_bound(x);
+    if (has_circles()) reaches_[x.index()] = whole.reach_bound(x);
     raise_power(whole.reach_bound(x));
   }
-  if (!has_circles_) return;
+  if (!has_circles()) return;
   std::vector<geom::EmptyCircle> circles;
   for (const CircleId c : whole.circles())
     if (is_any_regular(whole.circle(c))) circles.push_back(whole.circle(c));
@@ -32,7 +29,7 @@ bool KnownCells::is_any_regular(const geom::EmptyCircle& circle) const {
 }
 
 void KnownCells::end_round() {
-  if (!has_circles_) return;
+  if (!has_circles()) return;
   circles_.clear();
   for (std::vector<geom::EmptyCircle>& told : told_) {
     circles_.insert(circles_.end(), told.begin(), told.end());
@@ -55,7 +52,7 @@ void KnownCells::set(SiteId x, const geom::RestrictedDual& dual, SiteId here, co
   Cell& cell = cells_[x.index()];
   cell.known = dual.known_cell(here);
   cell.room = guard.room_around(dual.site(here).position);
-  if (has_circles_) reaches_[x.index()] = dual.reach_bound(here);
+  if (has_circles()) reaches_[x.index()] = dual.reach_bound(here);
   geom::Sheet& sheet = cell.known.sheet;
   if (!(sheet.radius() < guard.room_around(sheet.center))) sheet = {};
 }

@@ -51,7 +51,7 @@ class KnownCells {
   /// The same of a tile: circles that touch regular cells of its samples, each such circle at least once, in
   /// the ids of the whole.
   void set_circles(std::size_t tile, std::vector<geom::EmptyCircle> circles) {
-    if (has_circles_) told_[tile] = std::move(circles);
+    if (has_circles()) told_[tile] = std::move(circles);
   }
   /// The same: a bound of the power in a tile. One thread at a time.
   void raise_power(double power) { power_ = std::max(power_, power); }
@@ -80,14 +80,14 @@ class KnownCells {
  private:
   bool is_known(SiteId x, double weight, double room) const;
   bool is_any_regular(const geom::EmptyCircle& circle) const;
+  bool has_circles() const { return !reaches_.empty(); }
 
   struct Cell {
     geom::KnownCell known;
     double room = -1;  ///< the radius of the largest ball about the site in the tile
   };
   std::vector<Cell> cells_;
-  bool has_circles_;
-  std::vector<double> reaches_;
+  std::vector<double> reaches_;                       ///< none if no circle is told
   std::vector<std::vector<geom::EmptyCircle>> told_;  ///< by each tile
   std::vector<geom::EmptyCircle> circles_;
   std::vector<std::uint32_t> begin_, of_site_;  ///< those of each sample

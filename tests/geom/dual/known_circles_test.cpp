@@ -41,6 +41,18 @@ Told told_by(MirroredDual& d, double share, std::uint64_t seed) {
   return told;
 }
 
+/// A blob's diagram, divided.
+struct Blob {
+  explicit Blob(std::size_t n, int k = 6)
+      : mesh(fixtures::blob(k)), samples(fixtures::placed_samples(mesh, n, n, Weights::none, 3)) {
+    divided.build(samples);
+  }
+  Blob(const Blob&) = delete;
+  TriMesh mesh;
+  std::vector<Placed> samples;
+  MirroredDual divided{mesh, true, CornerTypes::c_only}, together{mesh, true, CornerTypes::c_only};
+};
+
 std::vector<fixtures::NamedSurface> all_surfaces() {
   std::vector<fixtures::NamedSurface> all = fixtures::surfaces();
   for (fixtures::NamedSurface& hard : fixtures::hard_surfaces()) all.push_back(std::move(hard));
@@ -75,42 +87,31 @@ TEST_CASE("known circles: what is put together from known cells and the rest equ
 }
 
 TEST_CASE("known circles: those told twice, and those of no known cell, change nothing") {
-  const TriMesh mesh = fixtures::blob(6);
-  const std::vector<Placed> samples = fixtures::placed_samples(mesh, 200, 200, Weights::none, 3);
-  MirroredDual divided(mesh, true, CornerTypes::c_only);
-  divided.build(samples);
-  Told known = told_by(divided, 0.3, 4);
+  Blob blob(200);
+  Told known = told_by(blob.divided, 0.3, 4);
   const std::vector<EmptyCircle> once = known.circles;
   known.circles.insert(known.circles.end(), once.rbegin(), once.rend());
-  MirroredDual together(mesh, true, CornerTypes::c_only);
-  together.build(samples, 2, known.all());
-  CHECK(together.known_circles() == divided.known_circles());
+  blob.together.build(blob.samples, 2, known.all());
+  CHECK(blob.together.known_circles() == blob.divided.known_circles());
 }
 
 TEST_CASE("known circles: a cell told without one of its circles is a bug") {
-  const TriMesh mesh = fixtures::blob(6);
-  const std::vector<Placed> samples = fixtures::placed_samples(mesh, 200, 200, Weights::none, 3);
-  MirroredDual divided(mesh, true, CornerTypes::c_only);
-  divided.build(samples);
-  Told known = told_by(divided, 1, 4);
-  REQUIRE(known.num_regular() == samples.size());
+  Blob blob(200);
+  Told known = told_by(blob.divided, 1, 4);
+  REQUIRE(known.num_regular() == blob.samples.size());
   known.circles.pop_back();
-  MirroredDual together(mesh, true, CornerTypes::c_only);
-  CHECK_THROWS_AS(together.build(samples, 1, known.all()), Bug);
+  CHECK_THROWS_AS(blob.together.build(blob.samples, 1, known.all()), Bug);
 }
 
 TEST_CASE("known circles: only the surface near unknown cells is divided") {
-  const TriMesh mesh = fixtures::blob(20);
-  const std::vector<Placed> samples = fixtures::placed_samples(mesh, 800, 800, Weights::none, 3);
-  MirroredDual divided(mesh, true, CornerTypes::c_only);
-  divided.build(samples);
+  Blob blob(800, 20);
   const auto facets = [&](double share) {
-    const Told known = told_by(divided, share, 4);
-    DualState state(mesh, CornerTypes::c_only, nullptr);
-    for (std::size_t i = 0; i < samples.size(); ++i) state.admit(SiteId(i), samples[i].point);
+    const Told known = told_by(blob.divided, share, 4);
+    DualState state(blob.mesh, CornerTypes::c_only, nullptr);
+    for (std::size_t i = 0; i < blob.samples.size(); ++i) state.admit(SiteId(i), blob.samples[i].point);
     return facets_to_divide(known.all(), state).size();
   };
   CHECK(facets(1) == 0);
-  CHECK(facets(0.99) < mesh.num_facets() / 2);
-  CHECK(facets(0) == mesh.num_facets());
+  CHECK(facets(0.99) < blob.mesh.num_facets() / 2);
+  CHECK(facets(0) == blob.mesh.num_facets());
 }
