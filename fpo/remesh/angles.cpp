@@ -48,7 +48,8 @@ bool mend(const SurfaceDomain& domain, LocalResampling& resampling, CircleId tri
 }  // namespace
 
 FlawMeasure bad_angles(const SurfaceDomain& domain, const AngleOptions& options) {
-  return [&domain, smallest = options.smallest, largest = options.largest](const EmptyCircle& circle) {
+  const double smallest = options.smallest, largest = options.largest;
+  return [&domain, smallest, largest](const EmptyCircle& circle, double) {
     const auto [least, most] = std::ranges::minmax(angles_at(domain, circle));
     const double beyond = std::max(smallest - least, 0.0) + std::max(most - largest, 0.0);
     return beyond * beyond;

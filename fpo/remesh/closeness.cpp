@@ -48,15 +48,18 @@ class Distances {
   const geom::AabbTree& tree() const { return triangles_.tree(); }
   std::size_t looks() const { return above_.looks(); }
 
-  /// Both ways; those left out that are seen at once to be no farther than `enough`.
-  FarPoint farthest(const EmptyCircle& circle, double enough = 0) {
+  /// Both ways; those left out that are seen at once to be no farther than `enough`, and it may be any beyond
+  /// `most`.
+  FarPoint farthest(const EmptyCircle& circle, double enough = 0,
+                    double most = std::numeric_limits<double>::infinity()) {
     std::array<SurfaceSample, 3> corners;
     for (std::size_t i = 0; i < 3; ++i) corners[i] = domain_.sample(circle.sites[i]);
     const auto beside = [&](std::vector<geom::DistanceFromTriangle>& triangles) {
       add_beside(circle, triangles);
     };
     const FarPoint below = triangles_.farthest(circle, enough);
-    const FarPoint above = above_.farthest(corners, std::max(enough, below.distance), beside,
+    if (below.distance > most) return below;
+    const FarPoint above = above_.farthest(corners, {std::max(enough, below.distance), most}, beside,
                                            Prism::margin_beside(least_cosine(circle)));
     return above.distance > below.distance ? above : below;
   }
@@ -124,8 +127,11 @@ double penalty_of(double distance, double bound) {
   return beyond * beyond;
 }
 
-double beyond(Distances& distances, const EmptyCircle& circle, double bound) {
-  return penalty_of(distances.farthest(circle, bound).distance, bound);
+/// The distance whose penalty is that, for sure not less.
+double distance_of(double penalty, double bound) { return bound * (1 + std::sqrt(penalty)) * (1 + rounding); }
+
+double beyond(Distances& distances, const EmptyCircle& circle, double bound, double enough) {
+  return penalty_of(distances.farthest(circle, bound, distance_of(enough, bound)).distance, bound);
 }
 
 /// The triangles that are farther than a bound.
@@ -257,7 +263,10 @@ class CloserMender {
         bound_(far.bound),
         delta_(std::min(options.enough_delta, measure(domain).delta)),
         far_(
-            domain, [this](const EmptyCircle& circle) { return beyond(distances_, circle, bound_); },
+            domain,
+            [this](const EmptyCircle& circle, double enough) {
+              return beyond(distances_, circle, bound_, enough);
+            },
             Flaws::Sight::star,
             [&far](std::span<const CircleId> triangles) { return penalties_of(triangles, far); }),
         bad_(domain, bad_angles(domain, angles)),

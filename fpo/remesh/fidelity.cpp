@@ -52,7 +52,7 @@ FidelityResult improve_fidelity(SurfaceDomain& domain, const AngleOptions& angle
   result.largest_before = largest_distance(domain, distances);
   const double bound = options.share_of_largest * result.largest_before;
   if (!(bound > 0)) return result;
-  Flaws far(domain, [&](const EmptyCircle& circle) {
+  Flaws far(domain, [&](const EmptyCircle& circle, double) {
     const double beyond = std::max(distances.farthest(circle, bound).distance / bound - 1, 0.0);
     return beyond * beyond;
   });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "fpo/optimize.h"
@@ -38,7 +39,8 @@ Flaws::Flaws(SurfaceDomain& domain, FlawMeasure measure, Sight sight, const Flaw
     const std::vector<double> bad = at_first(all);
     for (std::size_t i = 0; i < all.size(); ++i) add(all[i], bad[i]);
   } else {
-    for (const CircleId c : all) add(c);
+    unmeasured_.assign(all.rbegin(), all.rend());
+    catch_up();
   }
   domain.followers().add(*this);
 }
@@ -46,8 +48,12 @@ Flaws::Flaws(SurfaceDomain& domain, FlawMeasure measure, Sight sight, const Flaw
 Flaws::~Flaws() { domain_.followers().remove(*this); }
 
 void Flaws::follow(const geom::RestrictedDual::Change& change) {
+  ++changes_;
   for (const CircleId c : change.circles_erased)
-    if (std::erase(unmeasured_, c) == 0) forget(c);
+    if (std::erase(unmeasured_, c) == 0)
+      forget(c);
+    else if (known_.circle == c)
+      known_ = {};
   unmeasured_.insert(unmeasured_.end(), change.circles_created.begin(), change.circles_created.end());
   for (const CircleId c : change.circles_moved) measure_again(c);
   if (sight_ == Sight::triangle) return;
@@ -60,20 +66,25 @@ void Flaws::follow(const geom::RestrictedDual::Change& change) {
 }
 
 void Flaws::measure_again(CircleId c) {
+  if (known_.circle == c) known_ = {};
   if (std::ranges::find(unmeasured_, c) != unmeasured_.end()) return;
   forget(c);
   unmeasured_.push_back(c);
 }
 
-void Flaws::catch_up() {
-  for (const CircleId c : unmeasured_) add(c);
-  unmeasured_.clear();
-}
+void Flaws::catch_up() { is_more_than(std::numeric_limits<double>::infinity()); }
 
+/// The last ones first: what has moved is worse more often than what it has moved beside.
 bool Flaws::is_more_than(double limit) {
-  std::size_t measured = 0;
-  while (measured < unmeasured_.size() && penalties_.sum() <= limit) add(unmeasured_[measured++]);
-  unmeasured_.erase(unmeasured_.begin(), unmeasured_.begin() + static_cast<std::ptrdiff_t>(measured));
+  if (known_.at_least > limit - penalties_.sum()) return true;
+  while (!unmeasured_.empty() && penalties_.sum() <= limit) {
+    const CircleId c = unmeasured_.back();
+    const double enough = limit - penalties_.sum(), bad = measure(c, enough);
+    if (bad > enough) return known_ = {c, bad}, true;
+    unmeasured_.pop_back();
+    if (known_.circle == c) known_ = {};
+    add(c, bad);
+  }
   return penalties_.sum() > limit;
 }
 
@@ -103,10 +114,9 @@ void Flaws::try_all_again() {
   }
 }
 
-void Flaws::add(CircleId c) {
+double Flaws::measure(CircleId c, double enough) const {
   const EmptyCircle& circle = domain_.dual().circle(c);
-  if (!circle.sites[2].valid()) return;  // type A or B: no triangle
-  add(c, measure_(circle));
+  return circle.is_triangle() ? measure_(circle, enough) : 0;
 }
 
 void Flaws::add(CircleId c, double bad) {
@@ -141,6 +151,7 @@ bool LocalResampling::resample(SiteId x) {
 }
 
 void LocalResampling::remember_penalties() {
+  if (put_back_ == flaws_.front()->changes()) return;
   for (std::size_t i = 0; i < flaws_.size(); ++i) before_[i] = flaws_[i]->penalty();
 }
 
@@ -181,6 +192,7 @@ bool LocalResampling::settle(std::span<const Backup> samples, std::span<const Ba
     ++moves_;
     put_back(domain_, x.id, {x.place, x.weight_share});
   }
+  note_that_all_is_back();
   return false;
 }
 
@@ -228,7 +240,10 @@ bool LocalResampling::nudge(std::span<const Trial> trials, const CostBelow& cost
     }
     move(home);
   }
-  if (best) move(*best);
+  if (best)
+    move(*best);
+  else
+    note_that_all_is_back();
   return best.has_value();
 }
 
@@ -242,6 +257,7 @@ bool LocalResampling::nudge_as_first(std::span<const Trial> trials, const CostBe
     if (cost(least) < least && fits(x)) return true;
   }
   if (home) move(*home);
+  note_that_all_is_back();
   return false;
 }
 

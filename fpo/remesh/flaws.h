@@ -18,8 +18,9 @@
 
 namespace fpo {
 
-/// How bad the triangle at a circle of type C is; 0 if it is good.
-using FlawMeasure = std::function<double(const geom::EmptyCircle&)>;
+/// How bad the triangle at a circle of type C is; 0 if it is good. Where it is worse than `enough`, anything
+/// worse than that and no worse than it is.
+using FlawMeasure = std::function<double(const geom::EmptyCircle&, double enough)>;
 /// The same of many at once.
 using FlawMeasures = std::function<std::vector<double>(std::span<const CircleId>)>;
 
@@ -41,6 +42,7 @@ class Flaws final : public Follower<geom::RestrictedDual::Change> {
 
   std::size_t number() { return catch_up(), penalties_.number(); }
   double penalty() { return catch_up(), penalties_.sum(); }  ///< the sum of all measures
+  std::size_t changes() const { return changes_; }           ///< so far
   bool is_more_than(double limit);  ///< the penalty: measures no more of what is new than it takes to say so
   std::vector<CircleId> all();      ///< those that are bad. O(triangles)
   double penalty(CircleId c) const { return penalties_.of(c); }  ///< of one that take_worst() gave
@@ -57,7 +59,7 @@ class Flaws final : public Follower<geom::RestrictedDual::Change> {
 
   void catch_up();
   void measure_again(CircleId c);
-  void add(CircleId c);
+  double measure(CircleId c, double enough) const;
   void add(CircleId c, double bad);
   void forget(CircleId c);
 
@@ -65,6 +67,12 @@ class Flaws final : public Follower<geom::RestrictedDual::Change> {
   FlawMeasure measure_;
   Sight sight_;
   std::vector<CircleId> unmeasured_;
+  struct AtLeast {
+    CircleId circle;
+    double at_least = 0;
+  };
+  AtLeast known_;  ///< of one of them, that it is so bad
+  std::size_t changes_ = 0;
   geom::IndexedHeap<CircleId, Order> untried_;
   std::set<std::array<SiteId, 3>> tried_;  ///< triangles: what is undone comes back as another circle
   Penalties<CircleId> penalties_;
@@ -139,6 +147,7 @@ class LocalResampling {
   bool wide_enough(SiteId x);
   bool fits(SiteId x) { return others_no_worse() && wide_enough(x) && is_joined(x); }
   void remember_penalties();
+  void note_that_all_is_back() { put_back_ = flaws_.front()->changes(); }
   bool can_slide(SiteId x) const { return slides_ && slides_->can_slide(x); }
   bool can_move(SiteId x) const { return !domain_.is_fixed(x) || can_slide(x); }
   /// Are the samples of curves around it still joined to those before and after them?
@@ -147,7 +156,8 @@ class LocalResampling {
 
   SurfaceDomain& domain_;
   std::vector<Flaws*> flaws_;
-  std::vector<double> before_;  ///< penalty of each at the start of the attempt
+  std::vector<double> before_;           ///< penalty of each at the start of the attempt
+  std::optional<std::size_t> put_back_;  ///< how many changes there were when all was as then
   double gain_ = 0;
   std::size_t moves_ = 0;
   std::optional<geom::AabbTree> tree_;  ///< made when first needed

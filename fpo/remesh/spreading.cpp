@@ -23,7 +23,7 @@ double lack2(const SurfaceDomain& domain, double delta, const SurfaceSample& a, 
 }
 
 FlawMeasure short_edges(const SurfaceDomain& domain, double delta) {
-  return [&domain, delta](const geom::EmptyCircle& circle) {
+  return [&domain, delta](const geom::EmptyCircle& circle, double) {
     double sum = 0;
     for (std::size_t i = 0; i < 3; ++i)
       sum += lack2(domain, delta, domain.sample(circle.sites[i]),

@@ -33,19 +33,20 @@ Vec3 mean_normal(const geom::TriMesh& mesh, const std::array<SurfaceSample, 3>& 
 class SurfaceAbove::Query {
  public:
   Query(SurfaceAbove& above, const std::array<SurfaceSample, 3>& corners, const Prism& prism,
-        const Beside& beside, double enough)
+        const Beside& beside, const Wanted& wanted)
       : above_(above),
         prism_(prism),
         beside_(beside),
         triangle_({corners[0].position, corners[1].position, corners[2].position}),
-        most2_(enough * enough),
+        most2_(wanted.enough * wanted.enough),
+        most_(wanted.most),
         far_{0, corners[0]} {
     above_.begin();
     for (const SurfaceSample& x : corners) reach(x.facet);
   }
 
   FarPoint farthest() {
-    for (std::size_t k = 0; k < above_.facets_.size(); ++k)
+    for (std::size_t k = 0; k < above_.facets_.size() && !(far_.distance > most_); ++k)
       for (int e = 0; e < 3; ++e) look_at_edge(above_.facets_[k], e);
     return far_;
   }
@@ -186,7 +187,8 @@ class SurfaceAbove::Query {
   const Prism& prism_;
   const Beside& beside_;
   geom::DistanceFromTriangle triangle_;
-  double most2_;
+  double most2_;           ///< so far, squared; what is not farther does not count
+  double most_;            ///< what is farther ends the search
   double diameter2_ = -1;  ///< the largest of those beside it; negative: not known
   std::size_t last_ = 0;   ///< the one beside it that was found last
   FarPoint far_;
@@ -203,12 +205,12 @@ void SurfaceAbove::begin() {
   beside_.clear();
 }
 
-FarPoint SurfaceAbove::farthest(const std::array<SurfaceSample, 3>& corners, double enough,
+FarPoint SurfaceAbove::farthest(const std::array<SurfaceSample, 3>& corners, const Wanted& wanted,
                                 const Beside& beside, double margin) {
   const std::array<Vec3, 3> triangle{corners[0].position, corners[1].position, corners[2].position};
   const std::optional<Prism> prism = Prism::over(triangle, mean_normal(mesh_, corners), margin);
   if (!prism) return {0, corners[0]};
-  return Query(*this, corners, *prism, beside, enough).farthest();
+  return Query(*this, corners, *prism, beside, wanted).farthest();
 }
 
 }  // namespace fpo

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "fpo/remesh/prism.h"
@@ -22,10 +23,14 @@ class SurfaceAbove {
 
   explicit SurfaceAbove(const geom::TriMesh& mesh) : mesh_(mesh) {}
 
+  struct Wanted {
+    double enough;                                          ///< no point that is not farther
+    double most = std::numeric_limits<double>::infinity();  ///< of points beyond that any one will do
+  };
   /// The farthest point among those that are nearer to this triangle than to those beside it, which
-  /// `beside` adds, nearest first, if it is asked; distance 0 if there is none farther than `enough`, or if
-  /// the triangle has no area. `margin`: of the prism. O(facets in the prism).
-  FarPoint farthest(const std::array<SurfaceSample, 3>& corners, double enough, const Beside& beside,
+  /// `beside` adds, nearest first, if it is asked; distance 0 if there is none that is wanted, or if the
+  /// triangle has no area. `margin`: of the prism. O(facets in the prism).
+  FarPoint farthest(const std::array<SurfaceSample, 3>& corners, const Wanted& wanted, const Beside& beside,
                     double margin = 1);
 
   std::size_t looks() const { return looks_; }  ///< at edges of the surface, so far: most of what it has cost

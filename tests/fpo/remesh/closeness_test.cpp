@@ -74,7 +74,7 @@ TEST_CASE("surface above: the largest distance of the surface from triangles is 
         for (std::size_t t = 0; t < dual.num_facets(); ++t)
           others.emplace_back(tree.triangle(geom::FacetId(t)));
       };
-      const FarPoint far = above.farthest(corners, 0, all);
+      const FarPoint far = above.farthest(corners, {0}, all);
       found = std::max(found, far.distance);
       if (far.distance > 0)
         CHECK(std::sqrt(tree.closest(far.at.position).distance2) == doctest::Approx(far.distance));
@@ -87,10 +87,16 @@ TEST_CASE("surface above: the largest distance of the surface from triangles is 
       REQUIRE(star.size() <= 64);
       for (const double enough : {0.0, 0.5 * far.distance, far.distance}) {
         const auto beside = [&](auto& others) { others.insert(others.end(), star.begin(), star.end()); };
-        const double forwards = above.farthest(corners, enough, beside).distance;
+        const double forwards = above.farthest(corners, {enough}, beside).distance;
         std::ranges::reverse(star);
-        CHECK(above.farthest(corners, enough, beside).distance == forwards);
+        CHECK(above.farthest(corners, {enough}, beside).distance == forwards);
         CHECK((forwards == 0 || forwards > (1 - 1e-9) * enough));
+        for (const double share : {0.3, 0.9, 1.1}) {
+          const double most = share * far.distance;
+          const double any = above.farthest(corners, {enough, most}, beside).distance;
+          CHECK((any > most) == (forwards > most));
+          if (!(any > most)) CHECK(any == forwards);
+        }
       }
     });
     double expected = 0;  // at the middles and ends of edges
@@ -130,8 +136,8 @@ TEST_CASE(
                                          domain.sample(t[2]).position});
         }
       const auto beside = [&](auto& others) { others.insert(others.end(), star.begin(), star.end()); };
-      const double own = above.farthest(corners, 0, beside, Prism::margin_beside(least)).distance;
-      wide = std::max(wide, above.farthest(corners, 0, beside).distance);
+      const double own = above.farthest(corners, {0}, beside, Prism::margin_beside(least)).distance;
+      wide = std::max(wide, above.farthest(corners, {0}, beside).distance);
       fit = std::max(fit, own);
     });
     CHECK(fit == doctest::Approx(wide).epsilon(0.01));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "doctest.h"
@@ -23,6 +24,15 @@ SurfaceDomain flaws_domain_of(const geom::TriMesh& mesh, std::size_t n) {
   return SurfaceDomain(mesh, random_samples(mesh, n, 4));
 }
 
+/// By all circles that have a corner with it in common.
+double badness_of_star(const SurfaceDomain& domain, const geom::EmptyCircle& circle) {
+  const double wanted2 = domain.mesh().area() / static_cast<double>(domain.num_samples()) / 2;
+  double sum = 0;
+  for (const SiteId s : circle.sites)
+    for (const CircleId c : domain.dual().circles_of(s)) sum += domain.dual().circle(c).radius2 / wanted2;
+  return std::max(sum - 20, 0.0);
+}
+
 struct Changes final : Follower<geom::RestrictedDual::Change> {
   void follow(const geom::RestrictedDual::Change&) override { ++number; }
   std::size_t number = 0;
@@ -39,14 +49,11 @@ TEST_CASE(
     constexpr std::size_t n = 80;
     SurfaceDomain domain = flaws_domain_of(mesh, n);
     const double wanted2 = mesh.area() / n / 2;
-    const auto measure = [&](const geom::EmptyCircle& circle) {
+    const auto measure = [&](const geom::EmptyCircle& circle, double) {
       return std::max(circle.radius2 / wanted2 - 1, 0.0);
     };
-    const auto of_star = [&](const geom::EmptyCircle& circle) {
-      double sum = 0;
-      for (const SiteId s : circle.sites)
-        for (const CircleId c : domain.dual().circles_of(s)) sum += domain.dual().circle(c).radius2 / wanted2;
-      return std::max(sum - 20, 0.0);
+    const auto of_star = [&](const geom::EmptyCircle& circle, double) {
+      return badness_of_star(domain, circle);
     };
     Flaws flaws(domain, measure), stars(domain, of_star, Flaws::Sight::star);
     geom::Rng rng(6);
@@ -81,6 +88,43 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("flaws: whether the penalty is more than a limit is told by measures that stop where it is clear") {
+  for (const auto& surface : fixtures::surfaces()) {
+    CAPTURE(surface.name);
+    const TriMesh& mesh = surface.mesh;
+    constexpr std::size_t n = 60;
+    SurfaceDomain domain = flaws_domain_of(mesh, n);
+    geom::Rng rng(8);
+    // Of the truth no more is said than that it is beyond.
+    const auto in_short = [&](const geom::EmptyCircle& circle, double enough) {
+      const double bad = badness_of_star(domain, circle);
+      return bad > enough ? std::min(bad, enough + rng.uniform() * (bad - enough) + 1e-6 * bad) : bad;
+    };
+    const auto in_full = [&](const geom::EmptyCircle& circle, double) {
+      return badness_of_star(domain, circle);
+    };
+    Flaws flaws(domain, in_short, Flaws::Sight::star);
+    for (int step = 0; step < 200; ++step) {
+      const SiteId x(static_cast<std::size_t>(rng.below(n)));
+      if (rng.below(3) == 0) {
+        domain.move(x, Scope::two_ring);
+      } else {
+        const SurfaceSample home = domain.sample(x);
+        domain.remove(x);
+        if (rng.below(4) == 0) flaws.is_more_than(rng.uniform());
+        domain.insert_at(x, home, 1);
+      }
+      Flaws fresh(domain, in_full, Flaws::Sight::star);
+      const double penalty = fresh.penalty();
+      for (int k = 0; k < 3; ++k) {
+        const double limit = 1.5 * rng.uniform() * penalty;
+        if (std::abs(limit - penalty) > 1e-3 * penalty) CHECK(flaws.is_more_than(limit) == (penalty > limit));
+      }
+      if (rng.below(4) == 0) CHECK(flaws.penalty() == doctest::Approx(penalty).epsilon(1e-9));
+    }
+  }
+}
+
 TEST_CASE("flaws: what is tried in vain leaves samples as they were, and fixed ones take no work") {
   for (const std::size_t num_fixed : {std::size_t{0}, std::size_t{40}}) {
     const geom::TriMesh mesh = geom::make_shape("torus", 12);
@@ -89,7 +133,7 @@ TEST_CASE("flaws: what is tried in vain leaves samples as they were, and fixed o
     fixed.num_fixed = num_fixed;
     SurfaceDomain domain(mesh, fixtures::even(mesh, n), random_samples(mesh, n, 4), fixed);
     // No triangle is good enough, so that nothing helps.
-    Flaws flaws(domain, [](const geom::EmptyCircle&) { return 1.0; });
+    Flaws flaws(domain, [](const geom::EmptyCircle&, double) { return 1.0; });
     LocalResampling resampling(domain, {&flaws}, 0);
     resampling.require_gain(1e9);
     const std::vector<SurfaceSample> before = samples_of(domain);
@@ -121,7 +165,7 @@ TEST_CASE("flaws: of nudges that are equally good but for rounding the first is 
   for (const double gain : {1e-13, 1e-3}) {
     CAPTURE(gain);
     SurfaceDomain domain = flaws_domain_of(sphere, 80);
-    Flaws flaws(domain, [](const geom::EmptyCircle&) { return 0.0; });
+    Flaws flaws(domain, [](const geom::EmptyCircle&, double) { return 0.0; });
     LocalResampling resampling(domain, {&flaws}, 0);
     const SiteId x(7);
     const SurfaceSample home = domain.sample(x);
