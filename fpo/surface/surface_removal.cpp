@@ -53,20 +53,26 @@ bool SurfaceRemoval::find_largest(Scope scope) {
 void SurfaceRemoval::find_planned(Scope scope) {
   const RestrictedDual& dual = state_.dual;
   CircleHeap& heap = state_.circles;
-  const auto consider = [&](const EmptyCircle& circle, const geom::PlannedRemoval::Target& target) {
-    if (largest_ && !heap.priority().goes_before(circle, *largest_)) return;
+  const auto is_larger = [&](const EmptyCircle& circle) {
+    return !largest_ || heap.priority().goes_before(circle, *largest_);
+  };
+  const auto take = [&](const EmptyCircle& circle, const geom::PlannedRemoval::Target& target) {
     largest_ = &circle;
     target_ = target;
   };
+  const auto consider = [&](CircleId c) {
+    if (const EmptyCircle& circle = dual.circle(c); is_larger(circle)) take(circle, {0, c});
+  };
   for (std::size_t i = 0; i < plan_->circles().size(); ++i)
-    if (scope == Scope::two_ring || heap.is_offered(plan_->circles()[i]))
-      consider(plan_->circles()[i], {i, CircleId()});
+    if (const EmptyCircle& circle = plan_->circles()[i];
+        is_larger(circle) && (scope == Scope::two_ring || heap.is_offered(circle)))
+      take(circle, {i, CircleId()});
   if (scope == Scope::two_ring) {
     for (const SiteId y : plan_->heirs())
       for (const CircleId c : dual.circles_of(y))
-        if (!dual.circle(c).touches(x_)) consider(dual.circle(c), {0, c});
+        if (!dual.circle(c).touches(x_)) consider(c);
   } else if (const CircleId top = heap.top(); top.valid()) {
-    consider(dual.circle(top), {0, top});
+    consider(top);
   }
   if (largest_ && largest_->touches(x_)) largest_ = nullptr;
 }

@@ -1,7 +1,10 @@
 #pragma once
 // Which facets come near a location: boxes about runs of a space-filling curve.
 
+#include <array>
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -27,22 +30,33 @@ class FacetTree {
                 std::vector<FacetId>& out) const;
 
  private:
+  static constexpr std::size_t arity = 4;
   struct Box {
     float low[4], high[4];  ///< the last one: levels
     void extend(const Box& other);
-    /// Is its squared distance from x at most that?
-    bool comes_near(const Location3& x, double limit2) const;
   };
-  static constexpr std::size_t arity = 4;
+  /// A location in floats: the next ones below and above; and a squared distance, rounded up.
+  struct Ball {
+    Ball(const Location3& x, double distance);
+    float low[4], high[4], limit2;
+  };
+  /// Boxes of four runs of facets, or fewer: a coordinate of all of them is together.
+  struct Node {
+    Node();
+    void set(std::size_t i, const Box& box);
+    Box box(std::size_t i) const;
+    /// Bit i: the i-th box comes near.
+    [[gnu::noinline]] std::uint32_t near(const Ball& ball) const;
+    alignas(16) float low[4][arity], high[4][arity];
+  };
 
   template <class Skip>
-  void search(double limit2, const Location3& x, const Skip& is_of_no_use, std::vector<FacetId>& out) const;
-  template <class Skip>
-  void descend(std::size_t level, std::size_t node, double limit2, const Location3& x,
-               const Skip& is_of_no_use, std::vector<FacetId>& out) const;
+  void descend(std::size_t level, std::size_t node, const Ball& ball, const Skip& is_of_no_use,
+               std::vector<FacetId>& out) const;
 
   std::vector<FacetId> order_;
-  std::vector<std::vector<Box>> levels_;  ///< of runs of 4, 16, 64, ... facets; the last one has one box
+  /// Of runs of 4, 16, 64, ... facets; the last one is one node.
+  std::vector<std::vector<Node>> levels_;
 };
 
 }  // namespace geom
