@@ -22,7 +22,8 @@ void FacetTree::Box::extend(const Box& other) {
   }
 }
 
-/// What the search computes in floats is larger than what is by 2^-24 six times at most, or by the least floats.
+/// What the search computes in floats is larger than what is by 2^-24 six times at most, or by the least
+/// floats.
 FacetTree::Ball::Ball(const Location3& x, double distance)
     : limit2(rounded_up(distance * distance * (1 + 1e-6) + 1e-44)) {
   const double at[4]{x.position.x(), x.position.y(), x.position.z(), x.level};
@@ -49,8 +50,8 @@ FacetTree::Box FacetTree::Node::box(std::size_t i) const {
   return {{low[0][i], low[1][i], low[2][i], low[3][i]}, {high[0][i], high[1][i], high[2][i], high[3][i]}};
 }
 
-/// All at once, without a branch: a loop that becomes vector instructions. The positive part of x is the half of
-/// x + |x|, which is exact.
+/// All at once, without a branch: a loop that becomes vector instructions. The positive part of x is the half
+/// of x + |x|, which is exact. Of what is too large for floats all comes near.
 std::uint32_t FacetTree::Node::near(const Ball& ball) const {
   static constexpr std::array<std::uint32_t, arity> bit{1, 2, 4, 8};
   const auto twice_gap = [&](std::size_t k, std::size_t i) {
@@ -60,7 +61,7 @@ std::uint32_t FacetTree::Node::near(const Ball& ball) const {
   std::uint32_t near = 0;
   for (std::size_t i = 0; i < arity; ++i) {
     const float x = twice_gap(0, i), y = twice_gap(1, i), z = twice_gap(2, i), rise = twice_gap(3, i);
-    near |= -static_cast<std::uint32_t>(x * x + y * y + z * z + rise * rise <= 4 * ball.limit2) & bit[i];
+    near |= -static_cast<std::uint32_t>(!(x * x + y * y + z * z + rise * rise > 4 * ball.limit2)) & bit[i];
   }
   return near;
 }
@@ -122,9 +123,10 @@ template <class Skip>
 void FacetTree::descend(std::size_t level, std::size_t node, const Ball& ball, const Skip& is_of_no_use,
                         std::vector<FacetId>& out) const {
   const Node& boxes = levels_[level][node];
+  const std::size_t runs = level > 0 ? levels_[level - 1].size() : (order_.size() + arity - 1) / arity;
   for (std::uint32_t near = boxes.near(ball); near != 0; near &= near - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(near)), run = arity * node + i;
-    if (is_of_no_use(boxes, i)) continue;
+    if (run >= runs || is_of_no_use(boxes, i)) continue;
     if (level > 0) {
       descend(level - 1, run, ball, is_of_no_use, out);
       continue;

@@ -113,7 +113,7 @@ TEST_CASE("facet tree: few others are found") {
 
 TEST_CASE("facet tree: coordinates between those of single precision, and of any size") {
   Rng rng(7);
-  for (const double size : {1e-300, 1e-50, 1e-30, 1.0, 1e30}) {
+  for (const double size : {1e-300, 1e-50, 1e-30, 1e-20, 1.0, 1e15, 1e30, 1e60}) {
     CAPTURE(size);
     Table<VertexId, Vec3> vertices;
     Table<FacetId, TriMesh::Facet> facets;
@@ -128,6 +128,7 @@ TEST_CASE("facet tree: coordinates between those of single precision, and of any
       for (int i = 0; i < 3; ++i) {
         const std::vector<FacetId> found = near(tree, mesh.corner(t, i), 0);
         CHECK(std::ranges::binary_search(found, t));
+        check_near(mesh, tree, mesh.corner(t, i), size * rng.uniform(0, 2));
       }
   }
 }
