@@ -4,16 +4,9 @@
 #include <bit>
 #include <cmath>
 
+#include "geom/one_sided_floats.h"
+
 namespace geom {
-namespace {
-
-float rounded_down(double x) {
-  const auto f = static_cast<float>(x);
-  return f > x ? std::nextafterf(f, -std::numeric_limits<float>::infinity()) : f;
-}
-float rounded_up(double x) { return -rounded_down(-x); }
-
-}  // namespace
 
 void FacetTree::Box::extend(const Box& other) {
   for (int i = 0; i < 4; ++i) {

@@ -18,7 +18,7 @@ struct Submesh {
   FacetId here(FacetId of_whole) const;
 };
 
-/// `facets`: ascending, each once. O(F log F) of the part.
+/// `facets`: ascending, each once. O(F log F) of the part, or O(F) if that is no small part.
 Submesh submesh(const TriMesh& whole, std::vector<FacetId> facets);
 
 }  // namespace geom

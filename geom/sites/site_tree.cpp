@@ -1,11 +1,11 @@
 #include "geom/sites/site_tree.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 
 #include "geom/check.h"
+#include "geom/one_sided_floats.h"
 
 namespace geom {
 namespace {
@@ -15,13 +15,6 @@ constexpr std::size_t leaf_capacity = 12;
 constexpr int max_depth = 96;  // bounds the stack of a visit: two entries a level
 
 double root(double x) { return x > 0 ? std::sqrt(x) : 0; }
-
-float rounded_up(double x) {
-  const auto f = static_cast<float>(x);
-  if (!(f < x)) return f;
-  const auto bits = std::bit_cast<std::int32_t>(f);
-  return std::bit_cast<float>(bits < 0 ? bits - 1 : bits + 1);  // the next one
-}
 
 }  // namespace
 
