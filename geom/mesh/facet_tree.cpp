@@ -28,8 +28,8 @@ FacetTree::Ball::Ball(const Location3& x, double distance)
 
 /// No boxes: nothing comes near.
 FacetTree::Node::Node() {
-  std::ranges::fill(std::span(&low[0][0], 4 * arity), std::numeric_limits<float>::infinity());
-  std::ranges::fill(std::span(&high[0][0], 4 * arity), -std::numeric_limits<float>::infinity());
+  for (auto& of_all : low) std::ranges::fill(of_all, std::numeric_limits<float>::infinity());
+  for (auto& of_all : high) std::ranges::fill(of_all, -std::numeric_limits<float>::infinity());
 }
 
 void FacetTree::Node::set(std::size_t i, const Box& box) {
