@@ -47,7 +47,7 @@ class FacetTree {
     Box box(std::size_t i) const;
     /// Bit i: the i-th box comes near.
     [[gnu::noinline]] std::uint32_t near(const Ball& ball) const;
-    alignas(16) float low[4][arity], high[4][arity];
+    alignas(16) float low[4][arity]{}, high[4][arity]{};
   };
 
   template <class Skip>
