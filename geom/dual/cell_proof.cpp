@@ -82,7 +82,7 @@ bool CellProof::prove_with_leeway(const WeightedPoint3& old) {
     return false;
   const double near = around_.leeway->near;
   if (state.distance_at(std::max(reach_, state.reach.largest()), around_.p) > near) {
-    find_far_rivals(std::max(near, own));
+    find_far_rivals(std::max(near, own));  // what others lose within `near` hangs together with the rest
     if (distance_to_search(near, old) > near) return false;
   }
   return around_.on_sheet = true;
